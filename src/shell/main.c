@@ -74,7 +74,8 @@ static bool is_interruptible;
 
 static void on_signal(int number)
 {
-    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads read this in dom_raised */
+    /* The store is atomic because other threads read `interrupted` in dom_raised. */
+    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED);
     if (number != SIGINT || !is_interruptible)
         ended = number;
 }
@@ -121,7 +122,8 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 {
     int option;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
-        if (option == 'b' || option == 'k') { /* the last of --bail and --keep-going counts */
+        /* If both --bail and --keep-going are given, the last one takes effect. */
+        if (option == 'b' || option == 'k') {
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }

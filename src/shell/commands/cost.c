@@ -124,8 +124,7 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* roughly the fraction of the command's time that this measurement takes, for the progress
-                     display */
+    double share; /* rough fraction of the command's total time, for the progress display */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
@@ -152,7 +151,8 @@ static enum dom_status contender_measure(int which, const struct query *query,
         *row = (struct cost_row){.method = contenders[contender].method,
                                  .precision = contenders[contender].precision,
                                  .tol = tolerances[t]};
-        /* With the paper's method, each further digit takes up to ten times as many steps. */
+        /* The paper's method takes up to ten times as many steps for each further digit, so the time of the
+         * next measurement can be estimated from the time of the last one. */
         if (t > 0 && row->method == DOM_METHOD_PAPER &&
             row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
@@ -221,10 +221,10 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * If the measured quantity is r_max, of a train or of two dominoes, adds rows for the time that its proofs
- * take. The error in such a row is half of the distance between the two proved bounds, divided by the lower
- * bound. Each proof takes long and is timed only once. Returns the time in seconds that the proof to within
- * 1e-12 takes, or NaN if there is no such proof.
+ * If the measured quantity has proofs, which only r_max has, adds a row for each proof. The error in such a
+ * row is (high - low) / (2 low), where low and high are the proved bounds. Each proof is timed only once,
+ * because it takes long. Returns the time in seconds of the proof with a tolerance of 1e-12, or NaN if there
+ * is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
@@ -269,8 +269,8 @@ static void times_say(struct answer *a, const char *what, double seconds, double
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints sentences that compare the times for 3, 6 and 12 correct digits. A measurement has as many correct
- * digits as the error that it achieved shows, whatever its tolerance was. */
+/* Prints sentences that compare the times for 3, 6 and 12 correct digits. The number of correct digits is
+ * derived from the error that a measurement achieved, not from the tolerance that was requested. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

@@ -29,8 +29,8 @@ static struct words mass_name(domq_real q)
     return name;
 }
 
-/* Finds out whether a train keeps falling. If it does not, sets *why to the reason and returns DOM_OK.
- * Otherwise sets *why to NULL and returns the status of the computation. */
+/* Finds whether a train keeps falling. Sets *why to the reason why the train stops, or to NULL if it keeps
+ * falling or the computation fails. Returns DOM_OK unless the computation fails. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
                                       const char **why)
 {
@@ -49,13 +49,14 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* how the row, including the domino to topple, starts */
+    struct start start;      /* the run of the row, which includes the domino to topple */
     struct start_growths growths;
-    bool falls; /* The row falls. */
+    bool falls; /* true if the row falls */
 };
 
-/* Runs a row in which `dominoes` dominoes of the train should topple one more, to find whether all fall.
- * Also finds how large the growth of such a row may be. On failure, sets *problem and returns false. */
+/* Runs a row of `dominoes` dominoes of the train and the domino that they should topple, and finds whether
+ * the whole row falls. Also finds the largest growth of the endless train, and the largest growth at which a
+ * row starts. On failure, sets *problem and returns false. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -74,7 +75,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Formats the number of dominoes that are enough at growth r, for example "16 dominoes". */
+/* Returns how many dominoes it takes at growth r to topple one of this height, for example "16 dominoes". */
 static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
@@ -86,8 +87,8 @@ static struct words enough_words(const struct query *query, domq_real height, do
     return words;
 }
 
-/* Prints for one kind of domino whether the row falls. Also prints how few dominoes would be enough with the
- * largest growth of a moving train, and with the largest growth at which a row starts. */
+/* Prints whether a row of dominoes with mass exponent q falls. Also prints how many dominoes it would take at
+ * the largest growth of a moving train, and at the largest growth at which a row starts. */
 static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
                      const struct tower *t)
 {
@@ -122,8 +123,8 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
         kind.q = w->value;
         const bool is_session_kind = kind.q == train->q;
         has_name = has_name || is_session_kind;
-        if (w[1].name && w[1].value == w->value) /* synonyms stand next to each other in the list, and only
-                                                    the last one is printed */
+        /* Of several words for one value, only the last word is printed. */
+        if (w[1].name && w[1].value == w->value)
             continue;
         if (!is_session_kind && !tower_find(query, &kind, dominoes, &other, problem))
             return false;
@@ -167,8 +168,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     answer_say(a, "%s", t->falls ? "Such a row falls." : "Such a row does not fall.");
 }
 
-/* Prints what the short answer leaves open: why a row does not fall, and whether it would keep falling once
- * it moves. */
+/* Prints why the row does not fall, and whether it would keep falling once it moves. */
 static void start_say(const struct query *query, struct answer *a, const struct tower *t)
 {
     char ends[START_TEXT];

@@ -25,7 +25,7 @@ static const struct column thetac_columns[] = {
      0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, else theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
-    {"detaches", "", "whether followers are too short to lean on their leaders to the end (41; A17)", 9},
+    {"detaches", "", "whether followers become too short to lean on their leaders, and detach (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -155,10 +155,9 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 }
 
 /*
- * Decides whether a command can print an answer after a computation that ended with `status`. If it cannot,
- * sets *problem and returns false. If it can, returns true, and sets *why to NULL if the cycle is complete,
- * or else to the reason why numbers are missing from the answer. This reason may be stored in the buffer
- * `reason`.
+ * Decides whether a command can print an answer after a computation that ended with `status`. Returns true if
+ * it can, and sets *why to the reason why the answer lacks some numbers, or to NULL if it is complete.
+ * Otherwise sets *problem and returns false. `reason` is a buffer for the text to which *why may point.
  */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)

@@ -36,8 +36,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work of one answer of the scene with all random errors turned off. If `random` is true, adds the
- * work of one random row. On failure, sets *problem and returns false. */
+/* Counts the work of computing the main result of the scene without random errors. If `random` is true, adds
+ * the work of computing one random row. On failure, sets *problem and returns false. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -83,15 +83,15 @@ static double scene_price(const struct scene *scene)
 }
 
 /*
- * Returns how many seconds an answer takes. If `on` is true, the effect and all effects that it needs are on;
- * otherwise the effect and all effects that need it are off. Returns NaN if there is no such answer. All
- * other effects with random errors are off, because random rows stop early. The effect 'floor' is off while
- * random errors or an effect of the rigid-body engine, such as feet, are timed, because neither random rows
- * nor the engine can include it.
+ * Returns how many seconds an answer takes. If `on` is true, the effect is turned on, with all effects that
+ * it needs; otherwise it is turned off, with all effects that need it. Returns NaN if there is no such
+ * answer. All other random errors are off, because random rows stop early. The effect 'floor' is off while
+ * placement or an effect of the rigid-body engine is timed, because neither random rows nor the engine can
+ * include 'floor'.
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* the copy borrows the row */
+    struct scene scene = *query->scene; /* the copy shares the row with the original scene */
     errors_off(&scene);
     if (name == DOM_EFFECT_placement || name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
@@ -151,7 +151,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds source"); /* for people, effects_say prints them below the table */
+    answer_leave_out(a, "adds source"); /* for people, effects_say prints these columns below the table */
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
@@ -189,7 +189,8 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Adds a row for each part of the computation of a train or a row. The longest sum is over n dominoes. */
+/* Adds a row to the table for each part of the computation. `n` is the number of dominoes in the longest sum.
+ */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;
@@ -210,8 +211,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_row)
         part_row(a, "start",
                  is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
-                 : is_engine ? "tipped just over its edge"
-                             : "(9; b5): energy of a fall from its edge",
+                 : is_engine ? "domino 1 is tipped just over its edge"
+                             : "(9; b5): energy of domino 1 as it falls from its edge",
                  1, is_pushed ? "push is on" : "no push");
     if (is_row && !is_engine)
         part_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
@@ -227,7 +228,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_engine)
         return;
     if (is_row)
-        part_row(a, "contact", "signs by a bound, else forces at four tilts", n, "none may pull");
+        part_row(a, "contact", "signs of the forces by a bound, or else from the forces at four tilts", n,
+                 "none may pull");
     else
         part_row(a, "barrier",
                  has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,

@@ -281,7 +281,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
             if (topic.parameter)
                 snprintf(topic.usage, sizeof topic.usage, "%s%s",
                          !topic.parameter->effect ? "set "
-                         /* There is no room for "effect " beside the summary. */
+                         /* A long name leaves no room for "effect " beside the summary. */
                          : strlen(topic.parameter->name) > 12 ? ""
                                                               : "effect ",
                          topic.parameter->name);

@@ -26,7 +26,7 @@ static const char *no_growth(struct domq_limit limit)
 }
 
 /* Finds the largest growth with each of the two formulas for the fuel. The paper's formula does not cover
- * friction, slopes or rounded edges: with one of these, paper->r_max is NaN. */
+ * friction, slopes or rounded edges. If one of these effects is on, sets paper->r_max to NaN. */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -63,8 +63,8 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                        : "With a larger growth there is too little energy to keep falling.");
 }
 
-/* Prints why the two formulas for the fuel give different limits, why they give the same limit, or why one
- * limit is missing. */
+/* Explains why the two formulas for the fuel give different limits, why they agree, or why the paper's
+ * formula gives no limit. */
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {
@@ -80,8 +80,8 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* If a row that starts from rest needs a smaller growth than a moving train, prints the largest growth at
- * which it starts, and the push that it needs with the session's growth. */
+/* Prints the largest growth at which a row starts from rest, if it is smaller than the largest growth of a
+ * moving train. If the session's growth is between the two, also prints the push that the row needs. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
@@ -111,8 +111,8 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     return true;
 }
 
-/* Returns why r_start has no value although a moving train has a largest growth. Returns NULL if a sentence
- * of the answer already says why. */
+/* Returns the reason why r_start has no value. Returns NULL if rmax_start_say prints the reason, which it
+ * does for people. */
 static const char *start_missing(const struct query *query, const struct answer *a,
                                  const struct start_growths *growths, char reason[START_TEXT])
 {
@@ -215,8 +215,8 @@ struct curve {
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool has_missing;       /* no growth was possible at one point or more */
-    enum dom_status status; /* status of the last point */
+    bool has_missing;       /* no growth is possible at one or more of the points */
+    enum dom_status status; /* status of the most recent point */
 };
 
 static bool curve_point(void *context, size_t k, FILE *out)
@@ -283,8 +283,8 @@ const struct command limit_commands[] = {
          "without touching it. This is the limit for a train that is already moving. A row that starts from "
          "rest, with a first domino that just tips over or with the push of 'effect push', may need a "
          "smaller growth. The answer gives this smaller limit as r_start. "
-         "Expressions and sweeps leave it out, because finding it takes long; use 'count(112).r_start' "
-         "there.",
+         "It takes much longer to compute than r_max, so 'rmax.r_start' is not available in expressions, and "
+         "a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' instead.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",

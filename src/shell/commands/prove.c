@@ -50,7 +50,7 @@ static struct dom_compute proof_compute(const struct query *query)
  * false. */
 enum { ALL_DIGITS = 17 };
 
-/* Returns a cell with this many digits after the decimal point, or with all digits if decimals is 0. */
+/* Returns a cell that shows `decimals` digits after the decimal point, or all digits if `decimals` is 0. */
 static struct cell cell_proved(double value, int decimals)
 {
     struct cell cell = cell_real(value);
@@ -81,7 +81,8 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
         pair ? "a first domino that just tips over topples the next one" : "the train keeps falling";
-    /* Slightly less than the proved bound: printing 12 digits may round up and so claim too much. */
+    /* The bound is printed with 12 digits. It is made slightly smaller first, because rounding it up would
+     * claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
         answer_say(a, "Proved: for every growth from %.12g to %.*f %s; at %.*f it %s.", p->from, p->decimals,
@@ -124,7 +125,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* The words and the sentences for the verdicts about the growth of the session's train. */
+/* For each verdict about the session's train, the word in the table and the sentence below the table. */
 static const struct {
     const char *result, *sentence;
 } cycle_verdicts[] = {

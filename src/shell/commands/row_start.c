@@ -4,10 +4,10 @@
 #include <stdlib.h>
 
 /*
- * The number of dominoes that are run to find whether a row starts. A row forgets its start: the energy of
- * each cycle depends linearly on the energy of the previous cycle, with a slope below 1, so it approaches the
- * energy of the endless train from one side. If this many dominoes fall, and the endless train keeps falling,
- * all dominoes fall.
+ * A run of START_DOMINOES dominoes shows whether a row starts, because a row forgets its start: the energy of
+ * each cycle is a linear function of the energy of the previous cycle, with a slope below 1, so the energies
+ * approach the energy of the endless train from one side. If these dominoes fall, and the endless train keeps
+ * falling, then a longer row falls, too. The search for the largest growth runs only START_SEARCHED dominoes.
  */
 enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 
@@ -16,12 +16,12 @@ enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* At the largest growth of a train its margin is 0, so rounding decides whether a row falls there. Two
- * growths whose relative difference is below this count as equal. */
+/* Two growths are treated as equal if their relative difference is below this tolerance. At the largest
+ * growth of a train the margin is 0, and rounding errors would decide whether a row falls. */
 #define START_SAME ((domq_real)1e-8)
 
-/* Makes a copy of the session's scene that has a row of the train's dominoes. The copy borrows the memory of
- * the original. */
+/* Returns a copy of the session's scene with a row of `count` dominoes of the train. The copy shares the
+ * memory of the original. */
 static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
 {
     struct scene scene = *query->scene;
@@ -30,9 +30,8 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
     return scene;
 }
 
-/* If the status says that the size or the mass of a domino is out of the range of the precision, makes the
- * row shorter, and returns true. A domino of such a size or mass is so far from the start that it does not
- * matter. */
+/* If the size or the mass of a domino exceeds the range of the precision, halves the row and returns true.
+ * The dominoes that are dropped are too far from the first one to affect the start of the row. */
 static bool row_shorten(struct domq_row *row, enum dom_status status)
 {
     const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;

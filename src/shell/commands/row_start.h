@@ -6,26 +6,25 @@
 
 #include "commands/rows/falling.h"
 
-/* A row whose first domino just tips over, or gets the push of the session. */
+/* The result of running a row whose first domino just tips over, or gets the session's push. */
 struct start {
-    size_t count; /* the dominoes that were run, START_DOMINOES at most */
-    bool falls;   /* all of them fall */
+    size_t count; /* number of dominoes in the row that was run */
+    bool falls;   /* true if all dominoes of the row fall */
     enum dom_row_end end;
-    size_t stops_at;    /* the domino at which the row ends, from 1 */
-    domq_real push;     /* rad/s, the weakest push with which all of them fall; NaN if none is enough */
+    size_t stops_at;    /* number of the domino at which the row ends, counted from 1 */
+    domq_real push;     /* rad/s: the weakest push with which the row would fall, or NaN if none was found */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
-/* Runs a row of the train's dominoes. The row has `dominoes` dominoes, or only as many as decide whether a
- * row starts. If they do not all fall, also finds the weakest push with which they do. On failure, sets
+/* Runs a row of `dominoes` dominoes of the train. A very long row is cut off where its start no longer
+ * matters. If the row does not fall, also finds the weakest push with which it would fall. On failure, sets
  * *problem and returns false. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
 struct start_growths {
-    domq_real
-        r_max; /* the largest growth at which a row of a train's dominoes starts; NaN if there is none */
-    bool has_engine; /* r_max is NaN because the rigid-body engine would take too long to find it */
+    domq_real r_max; /* the largest growth at which a row starts, or NaN if no growth is small enough */
+    bool has_engine; /* true if r_max is NaN because the rigid-body engine would take too long to find it */
 };
 
 /* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. On failure, sets

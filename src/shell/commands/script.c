@@ -116,8 +116,8 @@ const struct command script_commands[] = {
      .synonyms = "record transcript protocol journal file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE until 'log off'",
-     .help = "FILE has answers, errors and failed lines as comments, so that 'source FILE' runs the commands "
-             "again. Write './off' for a file with the name off.",
+     .help = "In FILE, answers, errors and lines that failed are comments, so 'source FILE' runs the "
+             "commands again. Write './off' for a file with the name off.",
      .see = "tee save",
      .files = true,
      .act = run_record},

@@ -28,7 +28,7 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
         means_note(query->means, "%s", text);
 }
 
-/* Prints the value that an effect got from the word 'on', because the user did not type this value. */
+/* Prints the value that the word 'on' gave to an effect, because the user may not know this value. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     bool listed = effect_file(query->scene, p->which);

@@ -11,7 +11,7 @@ const struct column show_columns[] = {
     {"value", "", "the value that it has now", 12},
     {"unit", "", "the unit of the value; h is the height of the domino", 5},
     {"range", "", "the values that are allowed", 17},
-    {"default", "", "the value at the start", 8},
+    {"default", "", "the default value", 8},
     {"meaning", "", "what the parameter means", 24},
     {NULL, NULL, NULL, 0},
 };

@@ -49,7 +49,8 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* domq_chain_walk stops at the first domino that has detached. Detached dominoes lie at theta_f. */
+    /* domq_chain_walk stops at the first domino that has detached. This domino and all dominoes behind it
+     * rest at theta_f. */
     domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
     table->status =
         domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
@@ -171,8 +172,8 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a,
-                   "The balance of energy is off by %.4g %s, because the paper's closed form of the fuel "
-                   "does not follow from it.",
+                   "The energies differ from their balance by %.4g %s, because the paper's closed form of "
+                   "the fuel does not follow from the balance of energy.",
                    (double)(open * u.energy), u.energy_unit);
     return true;
 }
@@ -208,8 +209,9 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
     return problem_no_answer(problem, "steps end after %d cycles; enter 'goto launch' or 'back'", CYCLES_MAX);
 }
 
-/* Moves by the number of steps that the arguments give, or by one. If the walk ends earlier, still prints an
- * answer if it has moved at all, and then reports why it ended. */
+/* Moves by the number of steps in the arguments, which is 1 by default. If the walk ends before the last
+ * step, prints an answer for the steps that were made, if there are any, and then reports why the walk ended.
+ */
 static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
                     bool begun, bool forward)
 {
@@ -257,8 +259,9 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
     else if (done)
         done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
                                  : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
+    /* The walk is saved even if a problem is reported, for example that the walk has ended. */
     if (query->next)
-        *query->walk = walk; /* the walk is saved even after a problem, such as the end of the walk */
+        *query->walk = walk;
     return done;
 }
 

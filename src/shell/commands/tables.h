@@ -50,7 +50,7 @@ struct cell verdict_cell(enum dom_status verdict);
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
-/* The parsers and the functions of the commands print and let, and of show and diff. */
+/* The columns, parsers and functions of the commands print, let, show and diff. */
 extern const struct column print_columns[];
 bool conversion_parse(struct reader *reader, struct question *question);
 bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -71,8 +71,8 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Converts a train to double precision. A proof for the result holds for all parameters that round to these
- * doubles. */
+/* Rounds the parameters of a train to double precision. A proof for the rounded train also holds for the
+ * train itself. */
 struct dom_train proof_train(const struct domq_train *train);
 
 #endif

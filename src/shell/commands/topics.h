@@ -5,8 +5,8 @@
 
 #include "interpreter/command.h"
 
-/* A topic of help, with its texts from the tables of commands and parameters. A text that it does not have is
- * NULL. */
+/* A topic of help, with its texts from the tables of commands and parameters. Texts that a topic does not
+ * have are NULL. */
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */

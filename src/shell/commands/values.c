@@ -84,8 +84,8 @@ bool conversion_bind(const struct question *question, const struct query *query,
                              units);
     if (!conversion_find(problem, name, c))
         return false;
-    if (quantity_bare(*q) &&
-        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* a plain number is an angle here */
+    /* Before 'to' and a unit of angle, a plain number is an angle in the session's unit. */
+    if (quantity_bare(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
@@ -171,7 +171,8 @@ static bool body_parse(struct reader *r, struct variable *v)
     if (!reader_ends(r)) {
         reader_place(r, r->at);
         snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
-        return problem_error(r->problem, "the text of the function ends before '%s'", names_shown(word));
+        return problem_error(r->problem, "the definition of the function ends before '%s'",
+                             names_shown(word));
     }
     return v->body != NULL;
 }

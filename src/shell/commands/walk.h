@@ -9,11 +9,11 @@
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
-    /* The unit of energy, m g h / 2 of the head: in J, or relative to that of the first head if no mass is
-     * known. */
+    /* The unit of energy, m g h / 2 of the head, in J. If no mass is known, it is divided by m g h / 2 of the
+     * first head. */
     domq_real energy;
     const char *energy_unit;
-    /* The weight m g of the head: in N, or relative to that of the first head if no mass is known. */
+    /* The weight m g of the head, in N. If no mass is known, it is divided by m g of the first head. */
     domq_real weight;
     const char *weight_unit;
 };
@@ -24,9 +24,9 @@ struct walk_units walk_units(const struct query *query, int cycle);
 /* Returns the session's walk, or NULL if there is none or the train has changed since the walk began. */
 const struct walk *walk_now(const struct query *query);
 
-/* columns_in_joules changes the unit of all energies in the columns of an answer from mgh/2 to J.
- * walk_columns_in does so only if the mass of the dominoes is known. */
+/* Changes the unit mgh/2 in the columns of an answer to J. */
 void columns_in_joules(struct answer *answer);
+/* Calls columns_in_joules if the mass of the dominoes is known. */
 void walk_columns_in(const struct query *query, struct answer *answer);
 
 /* The message for a train in which no cycle begins, because falling releases no energy. */
