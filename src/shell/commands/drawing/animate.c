@@ -31,8 +31,8 @@ struct row_film {
 };
 
 /* Points the view of a frame at the front and at the dominoes that have just fallen. `head` is the number,
- * from 1, of the last domino that was hit. Until the next domino is hit, the view moves towards the next
- * domino and grows geometrically to its size. */
+ * from 1, of the last domino that was hit. Between two hits, the view moves on to the next domino and grows
+ * exponentially to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];
@@ -131,8 +131,10 @@ static bool animate_row(const struct film *film, double tower)
         answer_columns(film->answer, film->answer->columns)[1] =
             (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
-    stage->row = NULL;                    /* frames have no labels with the sizes of the dominoes */
-    falling_row_verdict(&f.row, verdict); /* no caption has a longer second line than the final one */
+    stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
+    /* The caption must be as large as the largest caption of a frame: two lines, the second of which is
+     * longest in the last frame, where it is the verdict. */
+    falling_row_verdict(&f.row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
     bool done = !f.towers || tower_film(&f.row, tower) ||
                 problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
@@ -168,8 +170,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)
-        /* Leave out the note that the answer is about the train. For a row the note would be wrong, and a
-         * user who typed 'train' does not need it. */
+        /* Remove the note that the answer is about the train. For a row the note would be wrong, and a user
+         * who typed 'train' does not need it. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (what->tower) {

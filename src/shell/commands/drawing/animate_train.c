@@ -19,7 +19,8 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 /* The largest domino of a film is at most this many times as tall as the first head. Otherwise the first
  * head would look like a dot. */
 #define GROWN_MOST 40
-#define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than the eye can see */
+/* The tolerance of the tilts in a film. A viewer cannot see such small errors. */
+#define FILM_TOL ((domq_real)1 / 1000000000)
 
 /* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
  * units of tau of that head. */
@@ -36,9 +37,9 @@ struct train_film {
     char ruler[96];
 };
 
-/* The cycle that runs at some time of the film: its number, from 0, and the time when it began. It lasts
- * `slower` times as long as the first cycle, and its head is `scale` times as large as the first one and
- * stands at `shift`. */
+/* A cycle of the film: its number, counted from 0, and the time when it begins. The cycle lasts `slower`
+ * times as long as the first cycle. Its head is `scale` times as large as the first head and stands at x =
+ * `shift`. */
 struct place {
     int cycle;
     double begun, slower, scale, shift;
@@ -57,8 +58,8 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns the largest number of cycles n with r^n <= grown_most, but at least 1 and at most `most`. The
- * domino that the last head hits is r^n times as large as the first head. */
+/* Returns the largest number n of cycles with r^n <= grown_most, but at least 1 and at most `most`. At the
+ * end of n cycles the head hits a domino that is r^n times as large as the first head. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;
@@ -103,7 +104,8 @@ static bool train_film_make(struct train_film *f)
     f->cycles = f->stops ? 1 : f->cycles;
     f->duration = (double)events[count - 1].time;
     struct place last = place_at(f, (double)INFINITY);
-    double behind = f->pitch * f->r / (f->r - 1); /* length of the dominoes that lean on the first head */
+    /* The total length of the dominoes that lean on the first head. */
+    double behind = f->pitch * f->r / (f->r - 1);
     double whole = last.begun + f->duration * last.slower;
     f->whole.top = pow(f->r, f->cycles);
     f->whole.right = last.shift + last.scale * f->r * f->pitch + 0.1 * f->whole.top;
@@ -116,8 +118,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Scales and shifts the dominoes of a cycle to the size and position of its head, and adds the dominoes that
- * stand beyond the next one. */
+/* Adds the heads of later cycles, which still stand, to the dominoes of a cycle. Then scales and shifts all
+ * dominoes to the size and position that they have in this cycle. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];

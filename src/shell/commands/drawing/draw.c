@@ -15,15 +15,15 @@
 static const struct column draw_columns[] = {
     {"i", "", "number of the domino: in a train 0 is the head, and -1 the next domino", 5},
     {"height", "h", "height of the domino; h is the height of the head", 0},
-    {"x", "h", "place of the hinge, which is the lower front edge", 0},
+    {"x", "h", "horizontal position of the hinge, which is the lower front edge", 0},
     {"theta", "rad", "tilt of the domino", 0},
-    {"top_front_x", "h", "place of the upper front corner", 0},
+    {"top_front_x", "h", "horizontal position of the upper front corner", 0},
     {"top_front_z", "h", "height of the upper front corner", 0},
-    {"top_back_x", "h", "place of the upper back corner", 0},
+    {"top_back_x", "h", "horizontal position of the upper back corner", 0},
     {"top_back_z", "h", "height of the upper back corner", 0},
-    {"foot_back_x", "h", "position of the lower back corner", 0},
+    {"foot_back_x", "h", "horizontal position of the lower back corner", 0},
     {"foot_back_z", "h", "height of the lower back corner", 0},
-    {"contact_x", "h", "place where the follower touches the back face", 0},
+    {"contact_x", "h", "horizontal position where the follower touches the back face", 0},
     {"contact_z", "h", "height at which the follower touches the back face", 0},
     {"force", "m g", "push at the contact, perpendicular to the face; m is the mass of the head", 0},
     {"of_own", "m g", "the same push, where m is the mass of this domino", 0},
@@ -134,7 +134,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* the note applies only to answers about the train */
+    a->note = NULL; /* the picture shows the row, so it needs no note that an answer is about the train */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);

@@ -19,9 +19,9 @@ struct draw_what {
     bool train;            /* draw the endless train, even if there is a row */
     bool tower;            /* draw the row of the last 'count' beside a tower */
     bool forces, end;      /* the user typed 'forces', or 'at end' */
-    bool has[DRAW_VALUES]; /* whether the user gave each of the values */
+    bool has[DRAW_VALUES]; /* true for each value that the user typed */
     domq_real value[DRAW_VALUES];
-    int column; /* column of the line where the moment or the number of cycles begins, for messages */
+    int column; /* where the moment or the number of cycles begins in the typed line, for error messages */
 };
 
 /* Returns the arguments of 'draw' or 'animate', with defaults for those that were not given. */
@@ -33,10 +33,11 @@ static inline bool draw_at(const struct draw_what *what)
     return what->end || what->has[DRAW_TIME] || what->has[DRAW_DOMINO];
 }
 
-/* draw_parse and film_parse parse the arguments of 'draw' and 'animate'. draw_bind computes the values of
- * either. */
+/* Parses the arguments of 'draw'. */
 bool draw_parse(struct reader *reader, struct question *question);
+/* Parses the arguments of 'animate' after FILE. */
 bool film_parse(struct reader *reader, struct question *question);
+/* Evaluates the expressions in the arguments of 'draw' or 'animate'. */
 bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,
                struct problem *problem);
 

@@ -13,7 +13,7 @@ struct falling_row {
     struct stage stage;
     double *slid;       /* how far each foot has slid at the moment that is shown */
     double end;         /* the time when the motion ends, or NaN if it cannot be computed */
-    struct marks marks; /* the words with which sentences refer to the marked dominoes */
+    struct marks marks; /* words for captions, which explain the marks in the drawing */
 };
 
 /* Runs the row, and places its dominoes on the stage as they stand before the fall. If this fails, sets
@@ -37,8 +37,8 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 /* Places the dominoes on the stage as they are at a moment or, if `moment` is NULL, before the fall. */
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
-/* Sets the right end of the stage to where the last dominoes stand or, if `lying` is true, to where their
- * tops will lie. */
+/* Extends the stage to the right as far as the last dominoes stand or, if `lying` is true, as far as they
+ * reach when they lie. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */

@@ -48,7 +48,7 @@ bool plan_tape_table(struct plan *p)
     struct guide_table *table =
         table_add(p, "For the hall: where the dominoes stand",
                   "In mm, on a tape whose zero is at the back of domino 1. All dominoes fall if the back of "
-                  "one domino is between 'least' and 'most'.",
+                  "a single domino is between 'least' and 'most', and nothing else changes.",
                   scene->row.count);
     static const char *const head[] = {"domino", "back", "least", "most", "front", "gap"};
     if (!table)
@@ -68,13 +68,14 @@ bool plan_tape_table(struct plan *p)
 bool plan_size_table(struct plan *p, bool has_masses)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    struct guide_table *table =
-        table_add(p, "For the workshop: the sizes of the dominoes",
-                  has_masses ? "In mm and kg. All dominoes fall if the height or the thickness of a single "
-                               "domino is between 'least' and 'most', and nothing else changes."
-                             : "In mm; masses are divided by the mass of domino 1. All dominoes fall if one "
-                               "height or thickness is between 'least' and 'most'.",
-                  scene->row.count);
+    struct guide_table *table = table_add(
+        p, "For the workshop: the sizes of the dominoes",
+        has_masses
+            ? "In mm and kg. All dominoes fall if the height or the thickness of a single "
+              "domino is between 'least' and 'most', and nothing else changes."
+            : "In mm; masses are divided by the mass of domino 1. All dominoes fall if the height or the "
+              "thickness of a single domino is between 'least' and 'most', and nothing else changes.",
+        scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",
                                 "most",   "width",     has_masses ? "mass" : "relative"};

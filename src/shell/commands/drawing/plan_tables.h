@@ -19,7 +19,7 @@ struct plan {
     struct guide guide;
 };
 
-/* Returns the window of one kind for domino k, counted from 0. */
+/* Returns the window of domino k, counted from 0, for its place, height or thickness. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
 /* Each of these functions adds a table to the guide of a plan, and returns false if memory runs out. */

@@ -20,7 +20,8 @@
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)
 {
-    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES }; /* the first columns of the answer of 'count' */
+    /* Indices of the first columns in the answer of 'count'. */
+    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
     const struct ans *ans = query->ans;
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,
@@ -48,7 +49,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         return;
     const struct drawn *last = &stage->domino[small - 1];
     double room = ZOOM_WIDE * (stage->right - stage->left);
-    /* The copy must end before the first domino that is tall enough to reach it. */
+    /* The copy is drawn above the row, so it must end to the left of all dominoes that are tall enough to
+     * touch it. */
     for (size_t k = count; k-- > 0;)
         if (stage->domino[k].height > (ZOOM_ABOVE - 0.02) * height)
             room = fmin(room, stage->domino[k].foot - 1.5 * stage->domino[k].thickness - left);
@@ -72,8 +74,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, `distance` times the height of that domino away, and makes room for
- * `copies` more dominoes. Does not count the tower among the dominoes. Returns false if memory runs out.
+/* Puts the tower behind the last domino, at a distance of `distance` times its height, and allocates room for
+ * `copies` more dominoes. Does not include the tower in stage->count. Returns false if memory runs out.
  */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {

@@ -6,9 +6,9 @@
 
 #include "commands/drawing/falling_row.h"
 
-/* Makes the query about the row of the last 'count', and finds the height of the tower. *state becomes a
- * copy of the query's state, which borrows the memory of the original. Sets *problem and returns false if
- * there is no such answer. */
+/* Sets *changed to a query about the row of the last 'count', and *height to the height of the tower. *state
+ * receives the state for this query, which shares the memory of the original state. Sets *problem and returns
+ * false if the last answer is not from 'count', or if there is no row to draw. */
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);
 
@@ -16,9 +16,9 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
  * that are too small to be seen. Returns false if memory runs out. */
 bool tower_add(struct falling_row *row, double height);
 
-/* Puts the tower behind the place where the last domino will lie, as stage.domino[stage.count]. Functions
- * that pose the row do not change the tower. A frame shows the tower only if the caller adds 1 to
- * stage.count. Returns false if memory runs out. */
+/* Stores the tower in stage.domino[stage.count], so far to the right that the last domino can fall in front
+ * of it. Functions that pose the row do not change the tower. A frame shows the tower only if the caller adds
+ * 1 to stage.count. Returns false if memory runs out. */
 bool tower_film(struct falling_row *row, double height);
 
 #endif

@@ -34,13 +34,13 @@ static const struct column plot_columns[] = {
      0},
     {"speed", "m/s", "speed: speed of the front between the hit of this domino and the next hit", 0},
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
-    {"low", "m", "gaps: the narrowest gap with which all fall", 0},
-    {"high", "m", "gaps: the widest gap with which all fall", 0},
-    {"others", "", "gaps: whether all dominoes also fall with some gaps outside this range", 6},
+    {"low", "m", "gaps: the narrowest gap with which all dominoes fall", 0},
+    {"high", "m", "gaps: the widest gap with which all dominoes fall", 0},
+    {"others", "", "gaps: whether all dominoes also fall with some gap outside low .. high", 6},
     {"sigma", "m", "placement: standard deviation of every gap", 0},
     {"probability", "", "placement: probability that the whole row falls", 0},
     {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
-    {"high", "", "placement: upper end of this interval", 0},
+    {"high", "", "placement: upper end of the 95 % interval of the probability", 0},
     {"rows", "", "placement: number of rows that were set up at each sigma", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -76,7 +76,7 @@ static const struct plot plots[] = {
      .x = {"place", "distance from the first domino"}, .y = {"speed", "speed"},
      .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
     {"gaps", plot_gaps, "domino gap low high others",
-     .title = "How far each gap may be off, the others being as planned",
+     .title = "How far each gap may be off if all others are as planned",
      .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
@@ -132,12 +132,12 @@ static const char *plot_names(const void *context, int k)
 /* The parsed text after the name of a plot. */
 struct plot_parsed {
     struct look_parsed look;
-    bool has_argument; /* the user has given the plot an argument */
+    bool has_argument; /* the user typed an argument for the plot */
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* The bound values of the members of plot_parsed. The arguments of a fit are not bound until the fit is
- * drawn. */
+/* The members of plot_parsed with their expressions evaluated. Expressions in the arguments of a fit are
+ * evaluated only when the fit is drawn. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;
@@ -157,13 +157,13 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, plot->argument, &q->item[1]);
     default:
-        r->last = false; /* words about the look of the chart may follow */
+        r->last = false; /* keywords for the look of the chart may follow */
         return item_parse(r, plot->argument, &q->item[1]);
     }
 }
 
-/* Parses words about the look of the chart, the argument of the plot, and further words about the look. A
- * grid and a fit extend to the end of the command. */
+/* Parses keywords for the look of the chart, the argument of the plot, and more keywords. After a grid or the
+ * arguments of a fit, no keyword can follow, because they extend to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -255,8 +255,8 @@ const struct command plot_commands[] = {
          "sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters, and 'plot sweep s 0.1 0.9 "
          "33 : rmax, pair' the curves of several answers. 'plot fit friction FILE' shows measurements "
          "against the values that the model gives with the fitted friction. The picture appears in the "
-         "terminal. 'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; "
-         ".tex is for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json "
+         "terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, .pdf, or .tex for \\input "
+         "in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json "
          "give the data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth title "
          "\"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look: 'title', 'xlabel' and 'ylabel' with a text; "
          "'xrange' and 'yrange' with the two ends of an axis, in the unit that its label names; 'xscale' and "

@@ -5,7 +5,8 @@
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
-/* Adds a curve for the method and precision of a row. Its colour and style are the same in every chart. */
+/* Adds a curve for the method and precision of a row. A given method and precision have the same colour and
+ * style in every chart. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)
 {
     static const enum ink inks[] = {INK_SKY, INK_BLUE, INK_PURPLE};

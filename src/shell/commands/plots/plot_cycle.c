@@ -14,7 +14,7 @@ enum { STEPS = 160 };
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
-/* A line is left out if the distance from its first tilt to theta_f is less than this fraction of theta_f. */
+/* The line of domino i is drawn only if theta_f - theta_i > LINES_APART theta_f at the launch. */
 #define LINES_APART ((domq_real)2 / 100)
 
 struct cycle {
@@ -70,8 +70,8 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the dominoes that 'plot chain' shows: all dominoes whose tilt at the launch visibly differs from
- * theta_f. */
+/* Counts the dominoes whose tilts 'plot chain' draws as separate lines. Dominoes farther back are so close to
+ * theta_f that their lines could not be told apart. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;
@@ -83,12 +83,13 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     return status;
 }
 
-/* A cell and the key of its column. keyed_write writes a row of those cells for which the plot has a column.
- */
+/* A cell and the key of its column. */
 struct keyed {
     const char *key;
     struct cell cell;
 };
+
+/* Writes a row of the cells for which the plot has a column. Ignores the other cells. */
 static void keyed_write(struct answer *a, const struct keyed *cells, int count)
 {
     struct cell row[ANSWER_COLUMNS] = {{0}};

@@ -8,7 +8,7 @@ enum { SAMPLES = 193, LIMITS = 4 };
 #define S_LOW  ((domq_real)2 / 100)
 #define S_STEP ((domq_real)5 / 1000)
 
-/* A train or a pair of dominoes, whose largest growth fills one column. */
+/* A train or a pair of dominoes. Each column shows the largest growth of one of them. */
 struct limit {
     double q;
     bool pair;
@@ -21,8 +21,8 @@ static const struct limit growth_limits[LIMITS] = {
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth at separation s. Sets *r to NaN if even equal dominoes stop, or if the paper's
- * fuel does not cover an effect that is on. */
+/* Finds the largest growth at separation s. Sets *r to NaN if no growth is possible, or if an effect is on
+ * that the paper's formula for the fuel does not cover. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {

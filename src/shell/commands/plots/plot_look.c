@@ -10,7 +10,7 @@ static const char *scale_names(const void *context, int k)
     return names[k];
 }
 
-/* Lists the words after 'legend', in the order of enum chart_legend. */
+/* Lists the values of 'legend', in the order of enum chart_legend. */
 static const char *legend_names(const void *context, int k)
 {
     static const char *const names[] = {"below", "right", "off", NULL};
@@ -29,7 +29,8 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                                                 .of = "place of the legend",
                                                 .choices = legend_names};
 
-/* A word, and how the values after it are parsed. The words for a text have no argument. */
+/* A keyword, how to parse each of its values, and how many values it has. `argument` is NULL for keywords
+ * with a text. */
 static const struct {
     const char *name;
     const struct argument *argument;
@@ -64,7 +65,7 @@ static const char *look_names(const void *context, int k)
 
 enum { FAMILY_LENGTH = 64 };
 
-/* Parses the value of word k, or one of its two values. */
+/* Parses one value of the keyword with index k. */
 static bool value_parse(struct reader *r, int k, struct item *item, const char **text)
 {
     const struct argument *a = words[k].argument;
@@ -100,7 +101,8 @@ bool look_parse(struct reader *r, struct look_parsed *p)
         for (int i = 0; i < words[k].values; i++)
             if (!value_parse(r, k, &p->item[k][i], &p->text[k]))
                 return false;
-        /* The name of a font goes into a command of gnuplot, where a quote or a comma would end it. */
+        /* The name of a font is written into a gnuplot command, where a quote or a comma would end the name.
+         */
         const char *family = k == LOOK_FAMILY ? p->text[k] : "a";
         const size_t fine =
             strspn(family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
@@ -131,7 +133,7 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
     return true;
 }
 
-/* Finds the ends of the x axis, or of the y axis if `axis` is 1. */
+/* Evaluates the limits of the x axis or, if `axis` is 1, of the y axis. */
 static bool range_bind(const struct look_parsed *p, const struct text *text, const struct query *query,
                        int axis, struct chart_look *look, struct problem *problem)
 {

@@ -11,9 +11,9 @@
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
 /*
- * Finds the largest standard deviation in the chart. It is well above the deviation at which half of the rows
- * fall, and above `now`, the deviation of the session, unless `now` is NaN. A rough result, from a few random
- * rows, is enough.
+ * Chooses the largest standard deviation in the chart: well above the deviation at which half of the rows
+ * fall, and also above `now`, the deviation of the session, unless `now` is NaN. Uses only a few random rows,
+ * because a rough result is enough.
  */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
@@ -55,13 +55,13 @@ static enum dom_status studies_write(const struct scene_row *scene, struct domq_
 static void placement_chart(const struct scene_row *scene, size_t rows, domq_real now, bool unknown,
                             struct chart *chart)
 {
-    snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu is to fall",
-             scene->row.count);
+    snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu domino%s is to fall",
+             scene->row.count, scene->row.count == 1 ? "" : "es");
     snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
              "%zu rows at each error, with the 95 %% interval", rows);
     if (unknown)
         snprintf(chart->note, sizeof chart->note,
-                 "Rows that the model cannot decide widen the intervals upwards.");
+                 "The upper ends of the intervals count undecided rows as rows that fall.");
     chart->x.low = chart->y.low = 0;
     chart->y.high = 1.04;
     chart_level(chart, 0.95, "95 %");

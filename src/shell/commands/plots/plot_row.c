@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot fall, speed and gaps: the energies and speeds along the row, and how far its gaps may be off. */
+/* plot fall, speed and gaps: the energies and speeds along the row, and the ranges of gaps with which all
+ * dominoes fall. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes how the row ends into the note of the chart. */
+/* Sets the note of the chart, which says how the row ends. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -35,7 +36,7 @@ static double spare_of(const struct row_run *run, size_t i)
     return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
 }
 
-/* Sets the ends of the axes. The axis of energies is logarithmic, and begins at a power of ten below the
+/* Sets the limits of both axes. The energy axis is logarithmic, and begins at a power of ten below the
  * smallest spare energy. */
 static void fall_axes(const struct row_run *run, struct chart *chart)
 {
@@ -121,7 +122,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    size_t next = run->fall[i].domino; /* the index of the next domino */
+    /* The number of a domino, counted from 1, is the index of the next domino, counted from 0. */
+    size_t next = run->fall[i].domino;
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;
     const struct domq_domino *d = &run->scene.domino[next];
@@ -174,16 +176,16 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns how far a gap is from the nearest end of its window, the range in which all dominoes fall. Returns
- * infinity if the gap has no window. */
+/* Returns the distance from a gap to the nearer end of its window, which is the range of gaps with which all
+ * dominoes fall. Returns infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Writes into the note of the chart which gap must be kept most precisely or, if the row does not fall, which
- * change saves the row. */
+/* Sets the note of the chart, which says which gap must be set most precisely or, if the row does not fall,
+ * which change of a gap would save it. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;
@@ -193,10 +195,11 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         snprintf(chart->note, sizeof chart->note,
                  "The row does not fall, and changing any single gap would not save it.");
     else if (falls)
-        snprintf(chart->note, sizeof chart->note,
-                 "The gap before domino %zu is the tightest: %.30s, and at most %.30s less or %.30s more.",
-                 t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
-                 measured(t->high - t->now, "m", 3).text);
+        snprintf(
+            chart->note, sizeof chart->note,
+            "The gap before domino %zu has the least room: %.30s, at most %.30s narrower or %.30s wider.",
+            t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
+            measured(t->high - t->now, "m", 3).text);
     else
         snprintf(chart->note, sizeof chart->note,
                  "The row does not fall as planned. It falls with a gap of %.30s to %.30s before domino %zu.",

@@ -15,7 +15,7 @@ static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, 
 struct points {
     const struct plot_rows *rows;
     struct sweep_shape shape;
-    int column;  /* index of the column that is plotted, or of the first one if there are several answers */
+    int column; /* index of the plotted column, or of the first plotted column if there are several answers */
     size_t none; /* the number of points where a value is missing */
 };
 
@@ -50,7 +50,8 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The unit h is left out, because the meaning of a parameter in this unit says that it is a ratio. */
+    /* The label does not name the unit h, because the meaning of a parameter with this unit already says what
+     * is divided by the height. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");

@@ -31,7 +31,7 @@ struct plot_rows {
     char unit[ANSWER_COLUMNS][24];
     struct plot_row {
         double number[ANSWER_COLUMNS]; /* NaN for a word or a missing number; angles in the session's unit */
-        char word[32];                 /* the text of the first cell, as in csv */
+        char word[32];                 /* the first cell as text, in the form that csv uses */
     } * row;
     size_t count;
 };
@@ -40,7 +40,7 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    /* The column that gives the unit and, for the x axis, the values. A NULL key on the y axis means plain
+    /* Key of the column with the unit and, for the x axis, the values. On the y axis, NULL stands for plain
      * numbers. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
@@ -54,7 +54,7 @@ struct plot_curve {
     enum chart_kind kind;
     enum ink ink;
     int dash;
-    int series; /* if not 0, the curve shows only rows whose first number is series - 1 */
+    int series; /* if not 0, the curve shows only the rows whose first number is series - 1 */
 };
 
 enum { PLOT_CURVES = 5 };
@@ -72,13 +72,13 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
-/* Writes the rows of a plot for programs, or draws a chart of them for people. `look` is what the user chose
- * about the look of the chart. */
+/* Writes the rows of a plot for programs, or draws a chart of them for people. `look` contains the user's
+ * choices for the look of the chart. */
 bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
                struct answer *a, struct problem *problem);
 
-/* The words that choose the look. Of a pair of words for the two axes, the word for the x axis comes first.
- */
+/* The keywords for the look of a chart. In a pair of keywords for the two axes, the keyword for the x axis
+ * comes first. */
 enum look_word {
     LOOK_WIDTH,
     LOOK_HEIGHT,
@@ -95,8 +95,8 @@ enum look_word {
     LOOK_WORDS
 };
 
-/* The values of the words that were typed. If a word was not typed, its item has no argument or, for a
- * choice, no word. */
+/* The values after each keyword. If a keyword was not typed, its item.argument, item.word and text are NULL.
+ */
 struct look_parsed {
     struct item item[LOOK_WORDS][2];
     const char *text[LOOK_WORDS];
@@ -110,9 +110,9 @@ bool look_bind(const struct look_parsed *parsed, const struct text *text, const 
 /* Parses the arguments of 'fit' after 'plot fit', and stores them as a question in q->parsed. */
 bool plot_fit_parse(struct reader *reader, struct question *q);
 
-/* plot_sweep draws a sweep that was typed as 'sweep' or as 'plot sweep'. plot_sweep_draw makes the chart of
- * its rows. */
+/* Draws the answer of the command 'sweep' if it goes to a file for a picture. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
+/* Makes the chart of a sweep from its rows. */
 bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                      struct problem *problem);
 
