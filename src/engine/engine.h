@@ -152,8 +152,8 @@ extern const struct engine_grain engine_coarsest;
 /*
  * Runs a row repeatedly, and halves the step length until the verdict no longer changes. If `times` is false,
  * a coarse first run whose verdict is certain is not repeated. If `times` is true, the times of all hits must
- * also change by less than ENGINE_AGREES. In any case, the last run is the one with ENGINE_FINEST steps per
- * unit of time. `hit` is an array of row->count elements; it may be NULL if `times` is false.
+ * also change by less than ENGINE_AGREES. Never takes more than ENGINE_FINEST steps per unit of time. `hit`
+ * is an array of row->count elements; it may be NULL if `times` is false.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

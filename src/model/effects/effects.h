@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that look at the values of the effects listed in DOM_DYNAMICS. struct request and struct
+/* Functions that examine the values of the effects listed in DOM_DYNAMICS. struct request and struct
  * row_request hold these values in an array indexed by enum dom_effect_name. */
 #ifndef DOM_EFFECTS_H
 #define DOM_EFFECTS_H

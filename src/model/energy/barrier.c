@@ -56,8 +56,8 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
  * hi]. */
 struct top {
     real lo, hi;
-    /* True if H is known to increase at lo, and if H is known to decrease at hi. If one of these is not
-     * known, the top may lie at that end of the bracket. */
+    /* `rises` is true if H is known to increase at lo, and `falls` is true if H is known to decrease at hi.
+     * Otherwise the top may lie at that end of the bracket. */
     bool rises, falls;
     real p; /* the next p to try */
     /* tan of half the angle by which the head leans backwards at the start. Because p may be 0 inside the

@@ -16,7 +16,7 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
         .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
         .detaches = geometry.detaches,
     };
-    if (train->errors) /* the inverse trigonometric functions add errors of one or two times UNIT */
+    if (train->errors) /* the inverse trigonometric functions add relative errors of up to 2 UNIT */
         angles->error = (struct dom_angles_error){
             .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
             .theta_u = geometry_error_u(&geometry) + 2 * UNIT * angles->theta_u,

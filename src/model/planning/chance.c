@@ -21,15 +21,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bounds and special values of an energy margin. MARGIN_MOST is that of a domino that needs no energy, and
- * MARGIN_LEAST that of a domino that is locked by friction. A domino has MARGIN_NONE if the row ends there in
- * a way that the model does not describe. */
+/* Bounds and special values of an energy margin. MARGIN_MOST is the margin of a domino that needs no energy,
+ * and MARGIN_LEAST is that of a domino that is locked by friction. A domino has MARGIN_NONE if the row ends
+ * there in a way that the model does not describe. */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
 #define UNSEEN       20.0 /* margin of a domino that is not hit because the row ends earlier */
 
-/* No derivative is computed for a random row if it falls, or does not fall, with a probability below this. */
+/* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
 /* To find the effect of a change in a gap or a size, a row is run only until a margin changes by less than
@@ -58,7 +58,7 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
     struct run *run = context;
     const size_t k = fall->domino - 1;
     double z = fall->barrier > 0 ? (log)((double)(fall->kinetic / fall->barrier)) : MARGIN_MOST;
-    z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite where friction locks */
+    z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite if friction locks the domino */
     if (!(run->tips && k == 0))
         run->margin[k] = z < MARGIN_MOST ? z : MARGIN_MOST;
     if (!run->base || fall->domino < run->from)

@@ -11,7 +11,7 @@ struct chance {
     struct dom_placement placement; /* describes the random rows */
     /* The width of the smoothing for each margin. A row counts as falling with a probability, which is the
      * product of Phi(margin / width) over all its margins (Phi is the normal distribution). The smaller the
-     * widths, the closer is the sum of these probabilities to the number of rows that fall. */
+     * widths, the closer the sum of these probabilities is to the number of rows that fall. */
     const double *width;
 };
 

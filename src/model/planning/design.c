@@ -85,7 +85,8 @@ static dom_real separation_find(struct planner *p, int *best)
 typedef bool choice_test(struct planner *p, struct choice c);
 
 /* Searches for the separation nearest to k/GRID with which the row passes the test, from k in both directions
- * in multiples of `step`, and never above `most`. Returns it in units of 1/GRID, or 0 if none is found. */
+ * in multiples of `step`, and never above `most`. Returns this separation in units of 1/GRID, or 0 if none is
+ * found. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -279,7 +280,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train has the required safety, so be content with a train that just falls */
+        p.wish = &falls; /* no train has the required safety, so look for one that just falls */
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;

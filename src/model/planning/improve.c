@@ -40,7 +40,7 @@ static const struct level {
 } levels[] = {{256, 1, 15}, {512, 0.5, 15}, {1024, 0.25, 15}, {2048, 0.15, 8}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* The best variables so far are checked with other random rows after every CHECK evaluations. */
+/* After every CHECK evaluations, the best result so far is checked with other random rows. */
 enum { CHECK = 8 };
 
 /* A standard deviation of a margin that is smaller than this value is replaced by this value. */
@@ -69,7 +69,7 @@ struct search {
     gsl_vector *lowest_x; /* the variables with the lowest value of the function on the current level */
     double lowest;
     size_t left;             /* the number of evaluations that are left on the current level */
-    double fails;            /* the smoothed fraction for the best row so far */
+    double fails;            /* the smoothed fraction of failures for the best row so far */
     struct dom_study *study; /* two studies: of the original row, and of the best row so far */
     bool given_allowed;      /* true if the original row is within the limits */
     bool is_allowed;         /* true if the best row so far is within the limits */
@@ -190,10 +190,10 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Compares the row with the variables x with the best row so far, and keeps it if it is better in two
- * respects: its smoothed fraction is smaller than that of the best row so far, and in the study that decides,
- * more of its copies fall than of the original row. If the original row is outside the limits, the second
- * condition is dropped, and the first row within the limits is always kept. */
+/* Compares the row that the variables x describe with the best row so far, and keeps the new row if two
+ * conditions hold: its smoothed fraction of failures is smaller than that of the best row so far, and in the
+ * study that decides, more of its random copies fall than of the original row. If the original row is outside
+ * the limits, the second condition is dropped, and the first row within the limits is always kept. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;

@@ -22,8 +22,8 @@ struct shared {
     bool causes;       /* true if each row is also run without one kind of error, for each kind in turn */
     atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* How many rows ended at each domino, in the layout that is described at dom_placement_causes. NULL if
-     * not requested. */
+    /* How many rows ended at each domino, or NULL if not requested. The layout is described at
+     * dom_placement_causes. */
     atomic_size_t *stops;
 };
 

@@ -70,11 +70,11 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
 /* Returns the length of the standing row, from the back of the first domino to the front of the last, with
- * the separation s. The length is that before dimensions are rounded. */
+ * the separation s. Ignores the rounding of dimensions. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
-/* Returns the length of the row after the last domino has fallen forwards. The length is that before
- * dimensions are rounded. */
+/* Returns the length of the row after the last domino has fallen forwards. Ignores the rounding of
+ * dimensions. */
 dom_real length_of(const struct planner *p, struct choice c);
 
 /* Returns the length of the standing row that row_write wrote last, from the back of the first domino to the

@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* How sharply the limit of the hall acts: if a row just fits into the hall, its gaps are already narrowed by
- * the factor 2^(-1 / SHARP). */
+/* Determines how sharp the limit of the hall is: if a row just fits into the hall, its gaps are already
+ * narrowed by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
@@ -132,8 +132,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. Each sum of gaps from the first one on is rounded, not each single gap, so
- * that rounding errors do not add up. */
+/* Rounds all gaps to the grid. Positions are rounded rather than single gaps, so that rounding errors do not
+ * add up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;

@@ -10,9 +10,10 @@
  * theta the follower has detached, and keeps its tilt. So the tilt of the follower is F(theta, r) = max of
  * theta_1(t, r) over all t <= theta. F increases with theta, as every running maximum does. F also increases
  * with r, because theta_1(t, r) does for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(...
- * theta)) increases with both theta and r. A box is a set of tilts and growths, [theta_low, theta_high] x
- * [r_low, r_high]. For every chain in the box, the chain at the lower corner of the box is a lower bound, and
- * the chain at the upper corner is an upper bound.
+ * theta)) increases with both theta and r.
+ *
+ * A box is the set of all tilts and growths in two intervals. For every chain in the box, the chain at its
+ * lower corner is a lower bound, and the chain at its upper corner is an upper bound.
  */
 #ifndef DOM_PROOF_CHAIN_H
 #define DOM_PROOF_CHAIN_H

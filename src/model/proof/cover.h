@@ -20,7 +20,7 @@ struct proof {
     /* the train for the whole interval of growths, and for the upper end of the interval */
     struct upright box, point;
     struct link *links;   /* memory for the links of `box` and `point` */
-    size_t boxes, chains; /* number of boxes that were tried and of chains that were computed so far */
+    size_t boxes, chains; /* number of boxes tried and number of chains computed so far */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };

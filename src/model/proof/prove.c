@@ -144,8 +144,8 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Encloses the barrier. The lower bound is D at one tilt, and the upper bound is a level that D is proved to
- * exceed at no tilt. */
+/* Encloses the barrier. The lower bound is D at one tilt. The upper bound is a level that D provably never
+ * exceeds. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {

@@ -46,8 +46,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* least_0 improves a lower bound on a number that is known to be >= 0, and most_1 an upper bound on a number
- * that is known to be <= 1. A bound that is NaN becomes 0 or 1. */
+/* If a number is known to be >= 0, least_0 raises a negative lower bound on it to 0. If a number is known to
+ * be <= 1, most_1 reduces a larger upper bound on it to 1. NaN becomes 0 or 1. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;

@@ -128,7 +128,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    /* otherwise domino 1 may hit the head before it has tipped over (5; b0), which means no fuel */
+    /* domino 1 may hit the head before it has tipped over (5; b0) */
     if (!(hit.lo > g->shape->v_top.hi))
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
@@ -206,9 +206,9 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         }
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
-        /* Stop when the tilts of the lower chain hardly grow any more, since further dominoes would not make
-         * the remainder smaller. In a narrow interval of growths this test must be strict enough to stop only
-         * chains whose growth is lost in rounding: if equal dominoes stand close together, their tilts
+        /* Stop when the tilts hardly grow any more from domino to domino, since further dominoes would not
+         * make the remainder smaller. In a narrow interval of growths this test must be strict enough to stop
+         * only chains whose growth is lost in rounding: if equal dominoes stand close together, their tilts
          * approach the limit slowly. */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;

@@ -25,8 +25,8 @@
 #include "row/run.h"
 #include <stdlib.h>
 
-/* A mark is the state of the unchanged row when one head is hit, and how far a trial may deviate from this
- * state without any effect on the verdict. */
+/* A mark holds the state of the unchanged row at the moment when one head is hit, and tells how far a trial
+ * may deviate from this state without any effect on the verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
@@ -116,8 +116,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Reduces the deviations that marks from ... to - 1 allow, so that they are also harmless for all later
- * heads. */
+/* Reduces the deviations that the marks `from` to `to` - 1 allow, so that these deviations are also harmless
+ * for all later heads. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -143,7 +143,8 @@ static void mark_end(struct mark *m, enum dom_row_end end)
 }
 
 /* Returns true if no head after k can change the verdict. On entry, *off holds the relative change of `need`,
- * `gain` and `offset` at the head before k, or NaN if it is unknown. On return, *off holds that at head k. */
+ * `gain` and `offset` at the head before k, or NaN if it is unknown. On return, *off holds the same quantity
+ * at head k. */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {

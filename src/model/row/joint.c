@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Describes a finite row as a chain in which each domino has its own size, weight and gap. The joint between
- * a domino and its follower is described by the geometry of a train whose r, s and d are those of these two
+ * a domino and its follower is described by the geometry of a train, with the r, s and d of these two
  * dominoes. As everywhere in the kernels, the unit of length is the height of the domino itself, and the unit
  * of energy is its m g h / 2. */
 #include "row/joint.h"

@@ -33,7 +33,7 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row after a change of gaps alone. All dominoes must be plumb and have sharp
+/* Updates the geometry of a row in which only gaps have changed. All dominoes must be plumb and have sharp
  * edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 

@@ -84,8 +84,8 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds the series for the time, and sets s->lasts to the duration of the passage: to the argument `lasts` if
- * this is known, that is, not NaN. */
+/* Finds the series for the time, and the duration of the passage unless this is already known. `lasts` is the
+ * known duration, or NaN. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
@@ -247,8 +247,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u at which a domino with rounded edges is when the time `left` remains
- * until it hits the next domino. */
+/* Returns the angle phi beyond theta_u of a domino with rounded edges at the moment when the time `left`
+ * remains until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};

@@ -6,7 +6,7 @@
 #include "motion/segment.h"
 
 /* The time at which a passage begins: begins + passed * tau, where `begins` is the time in s at which the
- * head was hit, and tau is that of the head, in s. */
+ * head was hit, and `tau` is the head's tau in s. */
 struct since {
     real begins, tau, passed;
 };

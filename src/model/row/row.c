@@ -190,8 +190,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the row ends at the contact of head k with the next domino, one of which leans, or
- * DOM_ROW_FALLS if the row goes on. */
+/* Returns how the row ends when head k touches the next domino, if one of the two leans. DOM_ROW_FALLS means
+ * that the row does not end there. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;

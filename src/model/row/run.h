@@ -32,13 +32,13 @@ struct descent {
     struct segment st; /* the current segment */
     size_t stay;       /* number of dominoes that still move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    /* `stops` is true if the head comes to rest, `locks` if friction locks it while it still moves */
+    /* `stops` is true if the head comes to rest, and `locks` if friction locks it while it still moves */
     bool stops, locks;
     bool forces;                                /* as in struct run */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;
     size_t head;
-    real begins, tau; /* time in s at which the head was hit, and tau of the head in s */
+    real begins, tau; /* time at which the head was hit, and tau of the head, both in s */
 };
 
 /* Sets the state in which the first domino begins to move. */
