@@ -185,19 +185,26 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
  * search. */
 #define DOWN_SLACK ((real)8e-3)
 
+/* A train with rounded edges has nearly the same root as one with sharp edges whose dominoes consist of the
+ * flat parts only. Returns the thickness of such a domino relative to its height. */
+static real flat_thickness(const struct geometry *geometry)
+{
+    return geometry->rounded.wide / geometry->rounded.tall;
+}
+
 /* Returns s / d - 2 d^2 / (1 - d^2), but at least 0. A train of equal dominoes has fuel only if this
  * difference is positive. */
 static real root_room(const struct margin_context *c)
 {
-    const real d = c->geometry.d;
-    return fmax(c->s / d - 2 * d * d / (1 - d * d), 0);
+    const real d = flat_thickness(&c->geometry), s = c->s / (1 - c->geometry.rounded.rho);
+    return fmax(s / d - 2 * d * d / (1 - d * d), 0);
 }
 
 /* Returns an estimate of the root. For dominoes of ordinary proportions, the logarithm of the estimate is
  * correct to a few percent. The coefficients are fitted to computed roots. */
 static real root_guess(const struct margin_context *c)
 {
-    const real d = fmin(c->geometry.d, (real)0.35), q = c->geometry.q, u = root_room(c),
+    const real d = fmin(flat_thickness(&c->geometry), (real)0.35), q = c->geometry.q, u = root_room(c),
                x = fmin(log(u + (real)0.1), 2);
     const real share = (real)1.132 - (real)0.886 * d +
                        x * ((real)0.072 - (real)0.043 * d - (real)0.0244 * (q - (real)3.5) -
@@ -237,6 +244,27 @@ static bool root_near_reach(struct margin_context *c, real reach, real *start, r
     c->nearest.height = at.barrier;
     c->share = margin_share(&at);
     return c->status == DOM_OK && at.most;
+}
+
+KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
+                                     real *falls)
+{
+    const real reach = c->geometry.span / c->s, start = root_guess(c);
+    struct root_search s = {.lo = from->r, .hi = reach, .slope = root_slope(c)};
+    real at = 0;
+    *root = (real)INFINITY;
+    if (!(start > from->r && start < reach))
+        return DOM_OK;
+    margin_follow_begin(c);
+    const enum dom_status status = root_search(c, &s, start, 0, &at);
+    if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+        return status;
+    c->status = DOM_OK;
+    if (status == DOM_OK && s.known > 1 && at < reach && margin_highest(c, at)) {
+        *root = at;
+        *falls = (s.at[1].value - s.at[2].value) / (s.at[2].r - s.at[1].r);
+    }
+    return DOM_OK;
 }
 
 enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };

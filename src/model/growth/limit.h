@@ -42,6 +42,11 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * Sets *found to false if there is no root that close. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
+/* Estimates a root for an endless train without friction, and finds it. It need not be the first one after
+ * *from. *falls receives -d margin / dr at the root. If no root is found, *root is infinity. */
+KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
+                                     real *falls);
+
 /*
  * Estimates a root for an endless train without friction, finds the root, and tries to prove that it is the
  * first one after *from. If the margin has no root up to the reach, tries to prove that instead, and sets

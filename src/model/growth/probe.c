@@ -51,6 +51,7 @@ struct probe {
      * start, `root` is a root. Otherwise it is the growth of the sample `after`, at which the margin is not
      * negative. */
     real root;
+    real falls; /* probe_value at a root that was found before all samples */
     struct edge after;
 };
 
@@ -76,6 +77,8 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
     const struct margin *m = &edge->margin;
     const real margin = m->kinetic - (m->most ? barrier : m->barrier),
                value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
+    if (edge->r == p->root)
+        return p->falls;
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
@@ -131,8 +134,13 @@ static enum dom_status probe_from(struct probe *p, const struct edge *last, cons
     real r = lo->r;
     while (r <= lo->r)
         r = probe_place(p->c, k++);
-    enum dom_status status = probe_sample(p, r, hi);
-    if (status == DOM_OK && probe_kept(p, hi) && r < p->c->geometry.span / p->c->s)
+    const real end = fmin(p->root, p->c->geometry.span / p->c->s);
+    enum dom_status status = DOM_OK;
+    if (r < p->root)
+        status = probe_sample(p, r, hi);
+    else
+        *hi = (struct edge){p->root, {.kinetic = p->c->nearest.height, .barrier = p->c->nearest.height}};
+    if (status == DOM_OK && probe_kept(p, hi) && r < end)
         status = probe_from(p, lo, hi, k, &next);
     return status == DOM_OK ? probe_between(p, &next, lo, hi, PROBE_HALVES) : status;
 }
@@ -145,7 +153,14 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
     struct edge hi;
     const real tol = c->geometry.tol;
     c->geometry.tol = fmin(tol, PROBE_TOL);
-    enum dom_status status = from->r < c->geometry.span / c->s ? probe_from(&p, from, from, 0, &hi) : DOM_OK;
+    enum dom_status status = DOM_OK;
+    if (p.positive && c->geometry.dynamics->conservative && c->dominoes == CHAIN_ENDLESS)
+        status = root_foreseen(c, from, &p.root, &p.falls);
+    /* convert the slope from r to x, and to the unit of probe_value */
+    p.falls *=
+        -2 * probe_x(c, p.root) * c->geometry.span / c->s / (c->nearest.height + barrier_most(&c->geometry));
+    if (status == DOM_OK && from->r < c->geometry.span / c->s)
+        status = probe_from(&p, from, from, 0, &hi);
     c->geometry.tol = tol;
     *found = isfinite(p.root);
     *change = (struct edge){p.root, p.after.margin};
