@@ -178,5 +178,5 @@ static void assert_few_passes(double rho, size_t on_average, size_t at_most)
 TEST(limits_take_few_passes)
 {
     assert_few_passes(0, 15, 60);
-    assert_few_passes(0.01, 40, 110);
+    assert_few_passes(0.01, 20, 75);
 }

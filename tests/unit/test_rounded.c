@@ -96,6 +96,8 @@ TEST(difficult_limits)
         {0.25, 0.46409449423663324, 2, 0, 0.01},     /* the margin is 0 at r = 1 */
         {0.61, 0.040268563801308083, 1e-6, 0, 3e-6}, /* weights that hardly decrease */
         {0.4, 0.1, 4, 0.1, 0.05},                    /* no flat foot: theta_u is 0 */
+        /* the second growth of the search happens to be almost a root */
+        {0.016696147426729938, 0.017682612184551597, 3, 0, 3.0222794650576016e-09},
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct asked train = train_of(table[i].s, table[i].rho, table[i].mu);

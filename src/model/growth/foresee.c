@@ -119,14 +119,10 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         }
         real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
         /* As in the secant method, the error after a step is roughly the product of the last two errors,
-         * divided by a length that can be estimated from the previous steps. */
-        real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
-                      : s->known > 1 ? fabs(r - s->at[1].r)
-                                     : 0;
-        /* If the caller gave the second point, its error has nothing to do with the first step, so the length
-         * cannot be estimated. r / 16 is used instead. */
-        bool given = s->known == 2 && second > 0;
-        bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
+         * divided by a length that can be estimated from the previous steps. The first step is not one of the
+         * secant method, so that it says nothing about this length, and r / 16 is used after it. */
+        real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r);
+        bool close = s->known > 2 ? 16 * step * step <= tol * r * before : 16 * step * before <= tol * r * r;
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
             *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
