@@ -182,7 +182,7 @@ END
     same 'an angle' "$(json 'theta1 theta1(0.1)/2' | tail -n 1)" "$(json 'theta1 0.1; theta1 ans/2' | tail -n 1)"
     # An answer without a value cannot be used.
     run -1 --separate-stderr json 'set s 0.001; rmax; set r ans'
-    [[ $stderr =~ ^-e:1:.*'does not exist' ]] || same 'no growth' 'does not exist' "$stderr"
+    [[ $stderr =~ ^-e:1:.*'has no value here' ]] || same 'no growth' 'has no value here' "$stderr"
 }
 
 @test "errors in expressions: the column is right, also after letters of several bytes" {
@@ -230,8 +230,8 @@ END
 7|print "1"|^print:.*'"1"'
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
-7|print pair(0.1)|^print:.*does not exist here: 'pair' says why
-11|print 2 + thetac.theta_leave|^print:.*does not exist here: 'thetac' says why
+7|print pair(0.1)|^print:.*has no value here; enter 'pair' to see why
+11|print 2 + thetac.theta_leave|^print:.*has no value here; enter 'thetac' to see why
 END
     wrong_at 7 'print ans' '^print:.*no earlier answer'
     wrong_at 7 'print ans.r_max' '^print:.*no earlier answer'

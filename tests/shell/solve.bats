@@ -30,7 +30,7 @@ END
     close power 10.4622 "$(json 'sensitivity h*r^10' | grep '"r"' | values more | awk '{ print 100 * $1 }')" 1e-5
     same stays '0.4 0.048' "$(json 'sensitivity rmax; print s; print h' | values value | tail -n 2 | paste -sd ' ')"
     same row 0 "$(json 'effect row 5; sensitivity design.length 2 m; verdict' | values short_by)"
-    wrong 'sensitivity fall' "'fall' answers with several numbers; use one of fall.domino"
+    wrong 'sensitivity fall' "'fall' gives several numbers; use one of fall.domino"
     wrong 'sensitivity barrier.verdict' 'barrier.verdict is a word'
     wrong 'sensitivity rmx' "did you mean 'rmax'"
     wrong 'sensitivity' 'COMMAND is missing'

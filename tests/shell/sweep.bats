@@ -155,7 +155,7 @@ END
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each\.$' <<<"$output"
     # Reasons from an argument, from a command inside an expression, and from a row.
     grep -q 'a fallen one is as high as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
-    grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
+    grep -q "rmax.r_max has no value here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
     grep -q "'fuel paper' cannot be combined with friction" <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
@@ -313,7 +313,7 @@ END
     same 'threads' "$("$DOMINO" -n -e "set threads 1; $csv q 3, 4 : rmax, best.s")" "$("$DOMINO" -n -e "set threads 4; $csv q 3, 4 : rmax, best.s")"
     same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
         "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
-    wrong 'sweep r 1 2 3 : rmax, fall' "'fall' answers with several numbers"
+    wrong 'sweep r 1 2 3 : rmax, fall' "'fall' gives several numbers"
     wrong 'sweep r 1 2 3 : rmax,' "an answer after ',' is missing"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }

@@ -54,8 +54,8 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter that has the word as its first synonym or, if there is none, as one of its values,
- * such as 'hollow' for q. Returns NULL if there is no such parameter. */
+/* Returns the parameter whose first synonym is the word, or else the parameter that has the word as a value,
+ * as q has 'hollow'. Returns NULL if there is no such parameter. */
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
@@ -204,7 +204,7 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-/* Checks the unit of a value that has one. */
+/* Checks the unit of a value that is not a plain number. */
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {

@@ -70,10 +70,10 @@ struct arguments {
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* the column in the typed line at which each argument begins, for messages */
-    /* The parameter whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
+    /* The parameter that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
     const struct parameter *parameter;
-    /* The variable whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_TOPIC, or which 'let'
-     * defines. May be NULL. */
+    /* The variable that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_TOPIC or in 'let'. May be
+     * NULL. */
     const struct variable *variable;
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
@@ -163,8 +163,8 @@ int command_principal(const struct command *command);
 
 /*
  * Returns the maximum number of arguments that a command takes in an expression, and stores the minimum
- * number in *fewest. Only values can be arguments there, up to the first argument that is not a value.
- * Returns -1 if the command cannot be used in an expression.
+ * number in *fewest. An argument that is not a value cannot be given in an expression, nor can the arguments
+ * after it. Returns -1 if the command cannot be used in an expression.
  */
 int command_values(const struct command *command, int *fewest);
 

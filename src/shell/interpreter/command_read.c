@@ -183,8 +183,8 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Returns the index of the command that an ambiguous abbreviation stands for by its member `shortest`, or
- * NAMES_SEVERAL if there is none. */
+/* Returns the index of the command that claims an ambiguous abbreviation with its member `shortest`, or
+ * NAMES_SEVERAL if no command does. */
 static int reserved_command(const char *name)
 {
     const char *all;

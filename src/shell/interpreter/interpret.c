@@ -221,7 +221,8 @@ static bool is_silent(const struct session *session, const struct command *c, bo
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote is about the last command of the file. */
+    /* After 'source', session->wrote tells whether the last command of the file wrote rows, and not whether
+     * 'source' did. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
@@ -333,8 +334,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* command_run_text calls this function first and last. If SIGINT ends only the running command, and not the
- * whole script, forgets a SIGINT that has arrived. */
+/* If SIGINT ends only the running command and not the whole script, forgets a SIGINT that has arrived before
+ * or during the command. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)

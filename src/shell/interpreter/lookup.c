@@ -22,8 +22,8 @@ static bool cell_quantity(struct evaluation *e, const struct tree *t, const stru
         return expression_wrong(e->error, t->at, "%s.%s is the word '%s', not a number", t->name, key,
                                 cell.word);
     if (cell.kind == CELL_NONE)
-        return expression_no_value(e->error, t->at, "%s.%s does not exist here: '%s' says why", t->name, key,
-                                   c->name);
+        return expression_no_value(e->error, t->at, "%s.%s has no value here; enter '%s' to see why", t->name,
+                                   key, c->name);
     *result = t->value;
     result->value *= cell.number;
     return true;

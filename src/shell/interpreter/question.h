@@ -15,10 +15,10 @@ struct question {
     int key;   /* index of the requested column of the answer, or -1 for the whole answer */
     int count; /* number of arguments */
     struct item item[ARGUMENTS_MAX];
-    /* The parameter whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
+    /* The parameter that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
     const struct parameter *parameter;
-    /* The variable whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_TOPIC, or which 'let'
-     * defines. May be NULL. */
+    /* The variable that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_TOPIC or in 'let'. May be
+     * NULL. */
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
@@ -49,7 +49,7 @@ const char *question_name(struct reader *reader, const char *begin, const char *
 struct call {
     struct query query;
     struct arguments given;
-    struct state state; /* the state after the assignments of 'with'; unused without 'with' */
+    struct state state; /* the state after the assignments of 'with'; not used if there is no 'with' */
 };
 
 /* Binds a question in the state of a query. On failure, sets *problem and returns false. In both cases the

@@ -74,7 +74,7 @@ bool question_needs_number(const struct question *q, struct problem *problem)
     const char *key;
     for (int k = 0; (key = command_keys(c, k)) != NULL; k++)
         text_add(keys, sizeof keys, "%s%s.%s", k ? ", " : "", c->name, key);
-    return problem_error(problem, "'%s' answers with several numbers; use one of %s", c->name, keys);
+    return problem_error(problem, "'%s' gives several numbers; use one of %s", c->name, keys);
 }
 
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,
@@ -95,7 +95,8 @@ bool question_value(const struct question *q, const struct query *query, struct 
     if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
         return problem_error(problem, "%s.%s is a word, and not a number", c->name, key);
     if (cell.kind == CELL_NONE)
-        return problem_no_answer(problem, "%s.%s does not exist here: '%s' says why", c->name, key, c->name);
+        return problem_no_answer(problem, "%s.%s has no value here; enter '%s' to see why", c->name, key,
+                                 c->name);
     *value = expression_unit(c->columns[q->key].unit);
     value->value *= cell.number;
     return true;

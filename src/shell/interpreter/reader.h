@@ -25,7 +25,7 @@ struct offer {
     /* The argument to which the expression at the cursor belongs. Its kind is ARGUMENT_NONE if there is no
      * such expression. */
     struct argument value;
-    bool is_inside;                    /* part of the expression stands before the cursor */
+    bool is_inside;                    /* the cursor is not at the beginning of the expression */
     unsigned kinds;                    /* bits of enum offer_kind */
     const struct command *command;     /* the command whose argument is at the cursor, or NULL */
     int argument;                      /* the index of the argument at the cursor */

@@ -117,7 +117,7 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
     if (!c->principal)
         return fail(r, t,
                     t->count > 0 ? "'%s' has no value; the command is entered without parentheses"
-                                 : "'%s' has no value: the answer of this command is in words or rows",
+                                 : "'%s' has no value: the answer of this command consists of words or rows",
                     t->name);
     if (most < 0)
         return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",

@@ -235,8 +235,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false after an error. If more text
- * follows the expression, the message is empty. */
+/* Evaluates a text that must be a single expression without names. Returns false after an error, with an
+ * empty message if more text follows the expression. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};

@@ -13,7 +13,7 @@
 #include "language/csv.h"
 
 /* The maximum number of columns of a kind, and of other columns in a file. A row of dominoes is saved with
- * both, and the saved file must not have more than CSV_CELLS_MOST columns. */
+ * all these columns, and the saved file must not have more than CSV_CELLS_MOST. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */

@@ -74,7 +74,7 @@ const char *function_name(const struct function *f)
 
 const char *expression_names(const void *context, int k)
 {
-    static const char *const more[] = {"if", "pi", NULL}; /* the parser treats if and pi specially */
+    static const char *const more[] = {"if", "pi", NULL}; /* the parser itself knows these names */
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
     return k < count ? functions[k].name : more[k - count];

@@ -107,7 +107,7 @@ struct evaluation {
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context; /* for `symbol` */
-    /* the session's unit of angles in radians, which is the unit of angles without a unit */
+    /* the session's unit of angles, in radians, for angles that are typed without a unit */
     domq_real angle;
 };
 

@@ -45,7 +45,7 @@ static void append(struct tree *chain, struct tree *last, enum tree_operator op,
     chain->count++;
 }
 
-/* Returns true if the text begins with the whole word. */
+/* Returns true if the text begins with `word`, and not with a longer word. */
 static bool is_word(const char *at, const char *word)
 {
     size_t length = strlen(word);

@@ -77,7 +77,7 @@ const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-/* Example commands for some effects. For the other effects, effect_example makes up the commands. */
+/* Example commands for some effects. For the other effects, effect_example puts the commands together. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",

@@ -39,9 +39,9 @@ void effect_put(struct scene *scene, int name, domq_real value, const domq_real 
 bool effect_needs(const struct scene *scene, int name, struct problem *problem);
 
 /*
- * Returns true if 'save' can write the name of the row's file into a script. Reports a problem if the name
- * contains a control character. After a newline, for example, the rest of the name would be another command
- * of the script.
+ * Reports a problem and returns false if the name of the row's file contains a control character. 'save'
+ * cannot write such a name into a script: after a newline, for example, the rest of the name would be another
+ * command.
  */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
@@ -51,8 +51,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, turns off the earlier row, if there is
- * one, because later commands would silently compute answers for it. The message then says that the earlier
- * row is off. */
+ * one, and reports this, too. Otherwise, later commands would silently compute answers for the earlier row.
+ */
 bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
                     struct problem *problem);
 

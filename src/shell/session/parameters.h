@@ -18,8 +18,9 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter whose first synonym, the most common one, is the word. If there is none and `any` is
- * true, returns the parameter that has the word earliest in its list of synonyms. Otherwise returns NULL. */
+/* Returns the parameter whose first synonym, the most common one, is the word. If there is no such parameter
+ * and `any` is true, returns the parameter that has the word earliest in its list of synonyms. Otherwise
+ * returns NULL. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
 /* Like names_find, but if the word is a synonym of a parameter or effect in the list, the message suggests
@@ -83,8 +84,8 @@ enum { ASSIGNED_MAX = 8 };
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to the first `given` elements of `value`, of which only effects take more than one. The
- * state must own its memory. If a value cannot be set, sets *problem, changes nothing and returns false. */
+/* Sets a parameter to the first `given` elements of `value`. Only effects take more than one value. The state
+ * must own its memory. If a value cannot be set, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
@@ -99,7 +100,7 @@ const struct parameter *parameter_in_order(const struct state *state, int k);
 void parameter_save(const struct state *state, const struct parameter *parameter, const char *folder,
                     FILE *out);
 
-/* Returns the style of answers. Sets the members that depend on the precision and tol, too. */
+/* Returns the style of answers, including the members that depend on the precision and on tol. */
 struct answer_style state_style(const struct state *state);
 
 #endif

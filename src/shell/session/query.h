@@ -10,8 +10,8 @@
 struct command;
 struct arguments;
 
-/* The argument of the option --shard: only part number `part`, counted from 1, of a sweep or study is
- * computed. Without --shard, `parts` is 0. */
+/* The option --shard I/N, which computes only part I of N of a sweep or study. `part` is I, and `parts` is N.
+ * Without the option, both are 0. */
 struct shard {
     size_t part, parts;
 };

@@ -30,7 +30,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
  * has changed. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Returns an array of the widths in m of the first `count` dominoes, which the caller frees. Returns NULL if
+/* Returns the widths in m of the first `count` dominoes, in an array that the caller frees. Returns NULL if
  * memory runs out. A domino is half as wide as it is tall, unless the file of the row has widths. A domino
  * whose height is changed by 'change' keeps its width. */
 domq_real *scene_row_widths(const struct scene *scene, size_t count);

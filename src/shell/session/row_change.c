@@ -103,7 +103,7 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* Without the '=', 'change' would add a number that has a sign, and a lean may be negative. */
+            /* A lean may be negative, and without the '=', 'change' would add a number that has a sign. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),

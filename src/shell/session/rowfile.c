@@ -64,7 +64,7 @@ enum { DENSITY = ROW_MEASURES, WIDTH, RELATIVE, DOMINO, KINDS };
 #define WEIGHT "write a number in the unit of the first line, as in "
 #define PLAIN  "", "none", "", "write a plain number: "
 
-/* The limits of a mass are about those of float, the lowest precision. */
+/* The limits of a mass are close to those of float, the lowest precision. */
 static const struct csv_column columns[KINDS] = {
     [MEASURE_HEIGHT] = {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     [MEASURE_THICKNESS] = {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11,
@@ -113,8 +113,8 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
 {
     const domq_real ratio = d->thickness / d->height;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100)) {
-        snprintf(message, MISFIT_MESSAGE, "thickness / height = %s is out of range; it is 1e-12 .. 100",
-                 quad_text(ratio, 10));
+        snprintf(message, MISFIT_MESSAGE,
+                 "thickness / height = %s is out of range; the range is 1e-12 .. 100", quad_text(ratio, 10));
         return MEASURE_THICKNESS;
     }
     if (2 * d->radius > d->thickness) {
