@@ -165,10 +165,10 @@ LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPE
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
-# -O1 takes two thirds of the time to compile or less. The shell, which waits for the model, and the kernel in quad, which
-# waits for functions that multiply and add, are as fast with it. The kernels in float and double need the same options,
-# because 'cost' compares their times.
-QUICK := $(B)/objq/src/model/precision/quad.o $(call OBJ,$(SHELL_C))
+# -O1 takes two thirds of the time to compile or less. Whatever waits for the kernels in float and double is as fast with
+# it, and so is the kernel in quad, which waits for functions that multiply and add. The kernels in float and double need
+# the same options, because 'cost' compares their times.
+QUICK := $(call OBJ,$(SHELL_C) $(TYPED) src/model/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) src/model/precision/quad.c)
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)

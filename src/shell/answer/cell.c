@@ -5,6 +5,50 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- Making cells ---- */
+
+struct cell cell_real(domq_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
+}
+
+struct cell cell_bound(domq_real value, domq_real error)
+{
+    struct cell cell = cell_real(value);
+    cell.error = cell.kind == CELL_REAL ? error : 0;
+    cell.computed = true;
+    return cell;
+}
+
+struct cell cell_unbounded(domq_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.error = DOMQ_NAN;
+    return cell;
+}
+
+struct cell cell_brief(double value)
+{
+    struct cell cell = cell_real((domq_real)value);
+    cell.digits = 3;
+    return cell;
+}
+
+struct cell cell_count(domq_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
+}
+
+struct cell cell_flag(bool value)
+{
+    return (struct cell){.kind = CELL_FLAG, .number = value};
+}
+
+struct cell cell_word(const char *word)
+{
+    return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
+}
+
 /* ---- Text ---- */
 
 /* Writes an error bound with two digits, rounded up so that it remains a bound. */

@@ -37,49 +37,18 @@ struct cell {
 
 /* Each of the functions below returns a cell. NaN and infinity give an empty cell, which becomes null in
  * json. */
-static inline struct cell cell_real(domq_real value)
-{
-    return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
-}
-
-static inline struct cell cell_bound(domq_real value, domq_real error)
-{
-    struct cell cell = cell_real(value);
-    cell.error = cell.kind == CELL_REAL ? error : 0;
-    cell.computed = true;
-    return cell;
-}
+struct cell cell_real(domq_real value);
+struct cell cell_bound(domq_real value, domq_real error);
 
 /* A number without a known error bound. */
-static inline struct cell cell_unbounded(domq_real value)
-{
-    struct cell cell = cell_real(value);
-    cell.error = DOMQ_NAN;
-    return cell;
-}
+struct cell cell_unbounded(domq_real value);
 
 /* A number of which only three digits are known. */
-static inline struct cell cell_brief(double value)
-{
-    struct cell cell = cell_real((domq_real)value);
-    cell.digits = 3;
-    return cell;
-}
+struct cell cell_brief(double value);
 
-static inline struct cell cell_count(domq_real value)
-{
-    return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
-}
-
-static inline struct cell cell_flag(bool value)
-{
-    return (struct cell){.kind = CELL_FLAG, .number = value};
-}
-
-static inline struct cell cell_word(const char *word)
-{
-    return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
-}
+struct cell cell_count(domq_real value);
+struct cell cell_flag(bool value);
+struct cell cell_word(const char *word);
 
 /* Returns false if a number is not finite at the precision at which csv and json write it. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
