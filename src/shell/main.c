@@ -212,7 +212,7 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
-/* Closes standard output, and so detects errors in writing the last buffered text. Returns false with a
+/* Closes standard output, which writes the text that is still buffered. Returns false with a
  * message if any output was lost. If the reader of a pipe has gone, as in 'domino | head', the program ends
  * by SIGPIPE instead, unless its caller ignores this signal. */
 static bool output_close(const struct output *standard, bool ignores_pipe)

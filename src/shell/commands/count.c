@@ -45,11 +45,11 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
     return *why ? DOM_OK : status;
 }
 
-/* What is known about a row that would topple a domino of a given height. */
+/* The results for a row that is to topple a domino of a given height. */
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* the run of the row, which includes the domino to topple */
+    struct start start;      /* the result of running the row, including the domino to topple */
     struct start_growths growths;
     bool falls; /* true if the row falls */
 };
@@ -108,8 +108,8 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Calls kind_say for each kind of domino that has a name, and for the kind of the session even if that kind
- * has no name. `session_tower` is the result for the kind of the session. */
+/* Prints the result for each kind of domino that has a name, and for the kind of the session, even if it has
+ * no name. `session_tower` is the result for the kind of the session. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)
@@ -183,8 +183,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Writes why the row does not topple a domino of this height. Returns NULL if the row topples it, or if the
- * sentences for people have already given the reason. */
+/* Returns the reason why the row does not topple the domino. Returns NULL if the row topples it, or if
+ * start_say has printed the reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

@@ -177,7 +177,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 
 static const struct column scene_columns[] = {
     {"part", "", "part of the computation", 9},
-    {"dominoes", "", "the largest number of dominoes in its sums", 8},
+    {"dominoes", "", "the largest number of dominoes in the sums of this part", 8},
     {"why", "", "why this part is needed", 15},
     {"solved", "", "the equations and the method of this part", 40},
     {NULL, NULL, NULL, 0},
@@ -207,7 +207,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     motion = is_engine      ? engine
              : !is_row      ? domq_law(&scene->train)->plan
              : has_friction ? domq_effect(DOM_EFFECT_friction)->plan
-                            : "energy balance and collision, not integrated";
+                            : "energy balance and collision, without integration";
     if (is_row)
         part_row(a, "start",
                  is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
@@ -234,7 +234,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         part_row(a, "barrier",
                  has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
                  "always");
-    part_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
+    part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
     struct domq_error error[DOM_ERROR_COUNT];
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
     if (is_row && scene_errors(scene, error))

@@ -111,8 +111,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     return true;
 }
 
-/* Returns the reason why r_start has no value. Returns NULL if rmax_start_say prints the reason, which it
- * does for people. */
+/* Returns the reason why r_start has no value, or NULL if rmax_start_say will print the reason. */
 static const char *start_missing(const struct query *query, const struct answer *a,
                                  const struct start_growths *growths, char reason[START_TEXT])
 {
@@ -275,7 +274,7 @@ const struct command limit_commands[] = {
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth, with gaps of S heights (or s heights)",
+     .summary = "the largest growth, with gaps of S heights (default: s)",
      .equation = "(26; c8)",
      .help =
          "The search raises the growth r from 1 until a domino has less energy than it needs to topple the "

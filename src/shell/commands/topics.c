@@ -85,12 +85,12 @@ int topic_mentions(const struct topic *t, const char *word)
 static const struct column topic_columns[] = {
     {"name", "", "the name of the topic", 0},
     {"kind", "", "command, parameter, effect, variable or function", 0},
-    {"usage", "", "how it is typed", 0},
-    {"summary", "", "what it does, in one line", 0},
+    {"usage", "", "how to type the command, parameter or effect", 0},
+    {"summary", "", "a summary of one line", 0},
     {"equation", "", "equations of the paper, or the source of an effect", 0},
-    {"text", "", "more about it", 0},
+    {"text", "", "the help text", 0},
     {"keys", "", "keys of the answer, with blanks between", 0},
-    {"example", "", "commands that show it", 0},
+    {"example", "", "example commands", 0},
     {"see", "", "related commands, with blanks between", 0},
     {NULL, NULL, NULL, 0},
 };

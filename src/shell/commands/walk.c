@@ -156,7 +156,7 @@ static void say_launch(const struct place *p)
     else
         answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
                               "0, and its impulse has no upper bound in this model (14; b10).");
-    answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s are left.",
+    answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
                (double)(100 * p->state->lost / p->state->before),
                p->has_friction ? ""
                : p->is_rounded ? ", the share i(0)/J(0)"

@@ -29,7 +29,7 @@ void columns_in_joules(struct answer *answer);
 /* Calls columns_in_joules if the mass of the dominoes is known. */
 void walk_columns_in(const struct query *query, struct answer *answer);
 
-/* The message for a train in which no cycle begins, because falling releases no energy. */
+/* The message that no cycle begins, because falling releases no energy. */
 extern const char walk_no_start[];
 
 /* Returns true if the train moves and its head reaches the tilt theta. Otherwise sets *problem and returns

@@ -113,14 +113,14 @@ static void contact_say(const struct query *query, struct answer *a, const struc
             "with %s of that domino's weight, at a head tilt of %.4g %s.",
             c->domino, weight.text, tilt, unit);
     else if (c->force > 0)
-        answer_say(a, "The dominoes do not stay in contact, as the paper assumes: one of them would have to "
-                      "be pulled in the collision. The answer is not valid.");
+        answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: one of them "
+                      "would have to be pulled in the collision. The answer is not valid.");
     else
-        answer_say(
-            a,
-            "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be pulled "
-            "with %s of its weight, at a tilt of %.4g %s. From that tilt on the answer is not valid.",
-            c->domino, weight.text, tilt, unit);
+        answer_say(a,
+                   "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
+                   "have to be pulled "
+                   "with %s of its weight, at a tilt of %.4g %s. From that tilt on the answer is not valid.",
+                   c->domino, weight.text, tilt, unit);
 }
 
 bool run_why(const struct query *query, struct answer *a, struct problem *problem)

@@ -65,7 +65,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
     else
         falling_row_summary(&f->row, more);
     if (!over && f->speed != 1)
-        snprintf(speed, sizeof speed, " (shown at %.30s times the speed)", measured(f->speed, "", 3).text);
+        snprintf(speed, sizeof speed, " (shown at %.30s times real speed)", measured(f->speed, "", 3).text);
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
@@ -75,8 +75,8 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Returns the speed of the film. A long row is shown faster than in real time, so that the film can be sent,
- * unless the user gives the speed. */
+/* Returns the speed of the film. Unless the user gives the speed, a long row is shown faster than in real
+ * time, so that the film does not become too large to send. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_what *what = f->film.what;
@@ -118,7 +118,7 @@ static bool row_watch(struct film *film)
     return status == DOM_OK || row_status(film->query, film->problem, status);
 }
 
-/* Makes a film of the row, which falls towards a tower if the height of the tower is > 0. */
+/* Makes a film of the row. If `tower` > 0, the row falls towards a tower of this height. */
 static bool animate_row(const struct film *film, double tower)
 {
     struct row_film f = {.film = *film, .towers = tower > 0};

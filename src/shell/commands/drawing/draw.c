@@ -26,7 +26,7 @@ static const struct column draw_columns[] = {
     {"contact_x", "h", "horizontal position where the follower touches the back face", 0},
     {"contact_z", "h", "height at which the follower touches the back face", 0},
     {"force", "m g", "push at the contact, perpendicular to the face; m is the mass of the head", 0},
-    {"of_own", "m g", "the same push, where m is the mass of this domino", 0},
+    {"of_own", "m g", "push at the contact, where m is the mass of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -128,13 +128,13 @@ static bool moment_show(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Draws the row, beside a tower if its height is > 0. */
+/* Draws the row. If `tower` > 0, adds a tower of this height. */
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
                      const struct draw_what *what, double tower)
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* the picture shows the row, so it needs no note that an answer is about the train */
+    a->note = NULL; /* the picture shows the row, so it needs no note that the answer is about the train */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);

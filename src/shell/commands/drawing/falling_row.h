@@ -6,7 +6,8 @@
 #include "commands/rows/falling.h"
 #include "picture/stage.h"
 
-/* A row that has been run, and its stage. Lengths are in m, and times in s on the clock of struct domq_fall.
+/* A row whose fall has been simulated, and the stage on which it is drawn. Lengths are in m, and times in s
+ * on the clock of struct domq_fall.
  */
 struct falling_row {
     struct row_run run;
@@ -38,7 +39,7 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
 /* Extends the stage to the right as far as the last dominoes stand or, if `lying` is true, as far as they
- * reach when they lie. */
+ * reach after they have fallen. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */

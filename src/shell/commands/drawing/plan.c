@@ -124,7 +124,7 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
                  measured(row->push * row->domino[0].height, "m/s", 3).text);
 }
 
-/* Writes the errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
+/* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
 static void errors_words(const struct domq_error *error, char *text, size_t size)
 {
     int at = 0;

@@ -11,7 +11,7 @@
 struct plan {
     struct falling_row row;
     struct windows windows;
-    double *back;     /* where the back edges of the dominoes are on the tape measure, in m */
+    double *back;     /* positions of the dominoes' back edges on the tape measure, in m */
     bool is_thin;     /* the dominoes are hollow, and the thickness of their walls is not known */
     domq_real *width; /* the widths of the dominoes in m */
     struct domq_study study;

@@ -162,8 +162,9 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     }
 }
 
-/* Parses keywords for the look of the chart, the argument of the plot, and more keywords. After a grid or the
- * arguments of a fit, no keyword can follow, because they extend to the end of the command. */
+/* Parses the text after the name of a plot: keywords for the look of the chart, the argument of the plot, and
+ * more keywords. No keyword can follow a grid or the arguments of a fit, which extend to the end of the
+ * command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];

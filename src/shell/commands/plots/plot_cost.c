@@ -33,7 +33,7 @@ static void cost_chart(const struct query *query, const char *name, const struct
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
         /* An error of 0 has no logarithm, and an error below the unit roundoff of the precision has no
-         * meaning. */
+         * meaning, so the chart shows smaller errors as `least`. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));

@@ -8,7 +8,7 @@ enum { SAMPLES = 193, LIMITS = 4 };
 #define S_LOW  ((domq_real)2 / 100)
 #define S_STEP ((domq_real)5 / 1000)
 
-/* A train or a pair of dominoes. Each column shows the largest growth of one of them. */
+/* The dominoes whose largest growth is shown in one column: a train or a pair with mass exponent q. */
 struct limit {
     double q;
     bool pair;

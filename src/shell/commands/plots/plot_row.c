@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sets the note of the chart, which says how the row ends. */
+/* Writes the note of the chart: how the row ends. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -184,8 +184,8 @@ static double window_room(const struct domq_window *w)
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Sets the note of the chart, which says which gap must be set most precisely or, if the row does not fall,
- * which change of a gap would save it. */
+/* Writes the note of the chart: which gap must be set most precisely or, if the row does not fall, which
+ * change of a gap would save it. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

@@ -50,8 +50,8 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The label does not name the unit h, because the meaning of a parameter with this unit already says what
-     * is divided by the height. */
+    /* The label omits the unit h. The meaning of a parameter in this unit already says that it is divided by
+     * the height. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");
@@ -75,8 +75,8 @@ static bool is_even(const struct points *p, int axis)
     return a->count > 1;
 }
 
-/* Returns the name of the number that is plotted if there is one answer: its expression, or the key of its
- * column. */
+/* Returns the name of the plotted number in a sweep of one answer: its expression, or the key of its column.
+ */
 static const char *value_name(const struct points *p)
 {
     const struct command *c = p->shape.command;
@@ -90,7 +90,7 @@ static void label(char *to, size_t size, const char *name, const char *unit)
 }
 
 /* Draws curves along the axis with index `over`: one for each answer of a list, or one for each value of the
- * other axis. If the units of several answers differ, the legend names them. */
+ * other axis. If several answers have different units, the legend names the units. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
     const struct plot_rows *rows = p->rows;

@@ -110,7 +110,7 @@ bool look_bind(const struct look_parsed *parsed, const struct text *text, const 
 /* Parses the arguments of 'fit' after 'plot fit', and stores them as a question in q->parsed. */
 bool plot_fit_parse(struct reader *reader, struct question *q);
 
-/* Draws the answer of the command 'sweep' if it goes to a file for a picture. */
+/* Draws the answer of the command 'sweep', for output to a picture file. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
 /* Makes the chart of a sweep from its rows. */
 bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
