@@ -21,7 +21,7 @@ struct counted {
     enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
     double s, r, q, mu, rho;
     bool quad, single;
-    bool apart; /* computed only if the program is called with its name */
+    bool apart; /* computed only if the program is called with the name of this answer */
 };
 
 static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute)

@@ -23,7 +23,7 @@ enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3, GO
 
 static void goals_print(const struct goal *goals, size_t n)
 {
-    puts("\nWhat people wait for. The figures at first were measured on another machine.");
+    puts("\nWhat people wait for. Figures 'at first' are older than the goals, and from another machine.");
     printf("  %-62s %9s %11s %9s\n", "", "at first", "goal", "now");
     for (const struct goal *g = goals; g < goals + n; g++) {
         const bool met = g->at_least ? g->measured >= g->goal : g->measured <= g->goal;
@@ -61,7 +61,7 @@ static void machine_print(void)
         fclose(info);
     printf("domino %s on %u cores of %s", DOM_VERSION, cores(), model);
     if (getloadavg(&load, 1) == 1)
-        printf("load before this: %.1f%s\n", load, load > 0.5 ? "; what else runs takes cores away" : "");
+        printf("load before this: %.1f%s\n", load, load > 0.5 ? "; other programs are using the cores" : "");
     printf("compiled by %s %s: %s\n",
 #ifdef __clang__
            "clang",
@@ -165,7 +165,7 @@ static struct process curve_command(const char *domino, const char *threads)
     return best;
 }
 
-/* The results of a curve for which there are goals. Efficiencies are in percent of the gain that the machine
+/* Results of the curve that are compared with goals. Efficiencies are in percent of the gain that the machine
  * allows. */
 struct curve_goals {
     double library, efficiency, command_efficiency, megabytes;
@@ -187,8 +187,8 @@ static struct curve_goals curve_print(const char *domino)
     double given = at[1].given > LEAST_GIVEN ? at[1].given : NONE;
     goals.efficiency = 100 * at[0].seconds / at[1].seconds / given;
     goals.command_efficiency = 100 * one.seconds / command_all / given;
-    printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12: one core, and all %u,\n"
-           "which give %.2f times one when they do nothing but multiply (efficiency is the share of that)\n",
+    printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12, on one core and on all %u.\n"
+           "In a loop of multiplications all cores do %.2f times the work of one: an efficiency of 100%%.\n",
            POINTS, threads[1], at[1].given);
     printf("  %-46s %12s %12s %12s\n", "", "one, ms", "all, ms", "efficiency");
     printf("  %-46s %12.1f %12.1f", "a loop over ask_limit_rmax", 1e3 * at[0].seconds, 1e3 * at[1].seconds);
@@ -197,7 +197,7 @@ static struct curve_goals curve_print(const char *domino)
     printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * one.seconds);
     number_print(12, 1, 1e3 * command_all);
     number_print(11, 0, goals.command_efficiency);
-    printf("%s\n  (the command has three curves: r_max with both fuels and the pair's; it holds %.1f MB)\n",
+    printf("%s\n  (the command computes three curves: r_max with both fuels, and pairs; it takes %.1f MB)\n",
            isnan(goals.command_efficiency) ? "" : "%", goals.megabytes);
     return goals;
 }
@@ -286,36 +286,37 @@ int main(int argc, char **argv)
     contenders_end();
 
     static const char of_rmax[] =
-        "no floor forbids it: by 'The floor of r_max' above, the operations of a domino take the time; 3.3 "
-        "growths "
-        "to the root take half of them, 4.5 strips that prove it the first one a third";
+        "no lower bound forbids it. By 'The lower bound of r_max' above, the operations of dominoes take the "
+        "time: half of them for 3.3 growths up to the root, a third for 4.5 strips that prove that no other "
+        "root is before it";
     const struct goal own[] = {
-        {"r_max at 1e-12, mean of the 178", "links", 561, 420, all[OURS].seconds / link, false, of_rmax},
-        {"  as many times faster than nested GSL solvers", "x", NONE, 15, ratio(all, GSL), true, of_rmax},
-        {"  than the paper's recipe, at 1e-6", "x", NONE, 1000, ratio(coarse, PAPER), true, of_rmax},
-        {"  than SciPy, at 1e-12", "x", NONE, 1500, ratio(fine, SCIPY), true, of_rmax},
+        {"r_max at 1e-12, mean of 178 questions", "links", 561, 420, all[OURS].seconds / link, false,
+         of_rmax},
+        {"  times as fast as nested GSL solvers", "x", NONE, 15, ratio(all, GSL), true, of_rmax},
+        {"  times as fast as the paper's recipe, at 1e-6", "x", NONE, 1000, ratio(coarse, PAPER), true,
+         of_rmax},
+        {"  times as fast as SciPy, at 1e-12", "x", NONE, 1500, ratio(fine, SCIPY), true, of_rmax},
         {"r_max at s = 0.02", "links", NONE, 2500, contender_seconds(OURS, &close, 1e-12) / link, false,
          of_rmax},
         {"r_max of hollow dominoes near s = 0.54", "passes", 280, 60, passes_near(0.54, 3), false, NULL},
         {"  of solid ones near s = 0.62", "passes", 221, 60, passes_near(0.62, 4), false, NULL},
         {"  with rounded edges, times as long as with sharp ones", "x", 4.4, 2, with_edges / in_double, false,
-         "no bound over a strip is known: four samples below the root, each a launch and a barrier, replace "
-         "two "
-         "strips; a contact takes twice as long"},
+         "with rounded edges no bound for strips of growths is known: four samples below the root, each with "
+         "a launch and a barrier, replace two strips; each contact takes twice as long"},
         {"  in quad, times as long as in double", "x", 64, 50, in_quad / in_double, false,
          "quad has no instructions of its own: each operation is a function of the compiler"},
         {"one cycle's duration to 1e-12", "links", 1761, 1300, cycle[OURS].seconds / link, false,
-         "no floor forbids it: by its floor above, the operations of a domino take the time"},
+         "no lower bound forbids it. By its lower bound above, the operations of dominoes take the time"},
         {"verdict of a random row of 20, r = 1.3", "links", NONE, 6000, row.plain / link, false, NULL},
         {"  with friction 0.2", "links", NONE, 15000, row.friction / link, false, NULL},
         {"a row of 10,000 equal dominoes", "s", NONE, 1.5, length, false, NULL},
         {"a curve of 10,000 points on one core, by the library", "ms", 61, 45, 1e3 * curve.library, false,
          of_rmax},
-        {"  its efficiency on all cores, the share of what they give", "%", NONE, 80, curve.efficiency, true,
+        {"  its efficiency on all cores (100 %: all that they can gain)", "%", NONE, 80, curve.efficiency,
+         true, NULL},
+        {"  efficiency of the command 'curve' (three curves)", "%", NONE, 80, curve.command_efficiency, true,
          NULL},
-        {"  the same of the command 'curve' (three curves)", "%", NONE, 80, curve.command_efficiency, true,
-         NULL},
-        {"memory, the most of that command", "MB", NONE, 10, curve.megabytes, false, NULL},
+        {"  peak memory of this command", "MB", NONE, 10, curve.megabytes, false, NULL},
         {"100,000 lines 'print 2+2', times as long as '2+2' in bc", "x", 0.70, 1, lines.print, false, NULL},
         {"lines 'rmax 0.4', times as long as the library for both fuels", "x", NONE, 1.5, lines.rmax, false,
          NULL},

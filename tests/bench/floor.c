@@ -58,7 +58,7 @@ void shares_print(const char *build)
 {
     char command[4200];
     double link = recurrence_measure().one;
-    printf("\nWhere the time of an answer goes: over a bare link of %.2f ns, (b8) and (A6) alone; "
+    printf("\nWhere the time of an answer goes, also in bare links of %.2f ns, (12; b8) and (31; A6) alone; "
            "instructions by part\n",
            link);
     fflush(stdout);
@@ -97,24 +97,24 @@ void floor_print(const char *title, const struct question *question, size_t n, d
     double at_answer = dominoes_at_answer(question, n), us = 1e6 * seconds;
     double of_passes = 1e-3 * dominoes * bare.one;
     double of_any = 1e-3 * NEWTON_STEPS * PASSES_A_STEP * at_answer * bare.one;
-    printf("\nThe floor of %s at 1e-12, mean of the same %zu questions\n", title, n);
+    printf("\nThe lower bound of %s at 1e-12, mean of the same %zu questions\n", title, n);
     line("measured, ours", us, "us");
-    line("passes down the train that it takes (struct dom_work)", passes, "");
-    line("dominoes in them, together", dominoes, "");
+    line("passes along the train (struct dom_work)", passes, "");
+    line("dominoes in all these passes", dominoes, "");
     line("time for a domino", 1e3 * us / dominoes, "ns");
     if (operations)
         printf("  executed for a domino, everything included:\n    %s\n", operations);
-    puts("  the bare recurrence, (b8) and (A6), each domino waiting for the one before:\n"
+    puts("  the bare recurrence, (12; b8) and (31; A6), each domino waiting for the one before:\n"
          "    4 adds, 7 multiplies, 1 square root");
     line("  a domino of one train on this machine", bare.one, "ns");
     line("  a domino of four trains side by side", bare.four, "ns");
-    line("floor of these passes: the bare recurrence of their dominoes", of_passes, "us");
-    line("  measured / that floor", us / of_passes, "");
+    line("lower bound of these passes: the bare recurrence of their dominoes", of_passes, "us");
+    line("  measured / this bound", us / of_passes, "");
     if (question->task != RMAX)
         return;
     line("dominoes of a pass at r_max itself", at_answer, "");
-    line("floor of a search that knows where to look: 8 of these passes (*)", of_any, "us");
-    line("  measured / that floor", us / of_any, "");
-    puts("  (*) Newton's method for r from one digit right: 4 steps, each of them a pass at theta_c for the\n"
-         "      launch and one at theta_m for the barrier.  Trains side by side can be below it.");
+    line("lower bound of a search that knows where to look: 8 such passes (*)", of_any, "us");
+    line("  measured / this bound", us / of_any, "");
+    puts("  (*) Newton's method for r, from one correct digit: 4 steps, each with a pass at theta_c for the\n"
+         "      launch and one at theta_m for the barrier.  Trains side by side can be faster.");
 }

@@ -65,7 +65,7 @@ static void with_dominoes(FILE *data)
 {
     static const double separations[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.4, 0.9};
     puts("\nTime against the dominoes that matter, tol 1e-12");
-    puts("  one pass is the fuel of equal dominoes, r = 1; thin dominoes have d = 0.005, thick ones 7/48");
+    puts("  a pass is measured as the fuel of equal dominoes; thin dominoes have d = 0.005, thick ones 7/48");
     printf("  %-8s %10s %12s %10s %16s %16s %10s %10s\n", "s", "dominoes", "a pass, us", "ns each",
            "r_max thick, us", "r_max thin, us", "GSL", "SciPy");
     for (size_t i = 0; i < sizeof separations / sizeof *separations; i++) {
@@ -199,7 +199,7 @@ void growth_print(const char *build)
     fclose(data);
     snprintf(text, sizeof text, script, build, build);
     if (process_run(gnuplot, text).done)
-        printf("\nThe picture of these three: %s/bench.svg\n", build);
+        printf("\nThese three tables as a picture: %s/bench.svg\n", build);
     else
         puts("\ngnuplot is not installed: no picture");
     fflush(stdout);

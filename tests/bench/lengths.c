@@ -117,7 +117,7 @@ double lengths_print(void)
     double of_goal = NONE;
     static const size_t counts[] = {10, 20, 50, 100, 1000, 10000, 100000};
     puts("\nTime against the dominoes of a row: equal ones, pushed by 6 rad/s, all fall; us\n"
-         "('-': absent, or not made for so many)");
+         "('-': not installed, or not measured with so many dominoes)");
     printf("  %-8s %12s %10s %12s %14s %12s\n", "dominoes", "verdict", "each", "with times", "Newton by GSL",
            "Chipmunk");
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures what people wait for as they ask for it: each question is a process of the program. */
+/* Measures questions for which people have to wait. As for a user, each question starts the program. */
 #include "bench.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,14 +8,14 @@ enum { RUNS = 3 };
 
 #define SLOW 5 /* processes that take longer than this many seconds run only once */
 
-/* The row of examples/record.dom. The second one has rounded edges, and the third one feet that slip. */
+/* The row of examples/record.dom, in the model with sharp and with rounded edges, and in the engine with feet
+ * that slip. */
 #define RECORD "effect row examples/record.csv; effect push 3; effect placement 5 mm; "
 #define MODEL  "set threads 1; effect friction 0.3; place 8 0.75 m; "
 #define EDGES  MODEL "effect edges 0.01; "
 #define FEET   "effect feet 0.4; "
 
-/* Eleven dominoes from 48 mm to 8 m. Boards are sold within limits. Of the row before the changes, 8.6 % fail
- * with errors of four kinds. */
+/* Eleven dominoes from 48 mm to 8 m. GAPS has errors of the gaps only, and KINDS has errors of four kinds. */
 #define ELEVEN "set q hollow; effect friction 0.3; design 8 m; "
 #define GAPS   ELEVEN "effect placement 6.4 mm; "
 #define KINDS                                                                                                \
@@ -85,7 +85,7 @@ static double failures(const char *domino, const char *commands)
     return 100 * (1 - number_of(line, 4));
 }
 
-/* Returns the seconds of processor that a clean build takes. */
+/* Returns the processor time of a clean build in s. */
 static double make_seconds(const char *build)
 {
     char command[4200];
@@ -124,7 +124,7 @@ size_t waits_measure(const char *build, struct goal *goal)
         {"rows of eleven dominoes that fail after 'improve'", "%", 29.1, 5, failures(domino, GAPS), false,
          NULL},
         {"  with errors of four kinds", "%", 8.6, 5.2, failures(domino, ELEVEN KINDS), false, NULL},
-        {"a clean 'make', seconds of processor", "s", 62, 20, make_seconds(build), false, NULL},
+        {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false, NULL},
         {"the program's text", "MB", 3, 2, text_megabytes(build), false, NULL},
     };
     memcpy(goal, others, sizeof others);

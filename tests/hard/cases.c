@@ -75,7 +75,7 @@ const struct hard_case hard_cases[] = {
      .check = {REF_DH, REF_J0, REF_FUEL_EXACT, REF_BARRIER, REF_OMEGASQ, REF_DURATION}},
     {"q = 4", "detaching", 0.9, 1.1, STANDARD, 4, 0.3,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_OMEGASQ, REF_DURATION}},
-    {"beyond leaving", "no follower at this tilt", 0.5, 1.9, STANDARD, 3, 0.7,
+    {"beyond theta_leave", "no follower at this tilt", 0.5, 1.9, STANDARD, 3, 0.7,
      .check = {REF_DH, REF_J, REF_THETA_1, REF_SLOPE, REF_OMEGASQ, REF_MARGIN}},
     {"at theta_c", "no follower at theta_c", 0.5, 1.9, STANDARD, 3, PART_OF_C(1),
      .check = {REF_DH, REF_J, REF_THETA_1, REF_SLOPE, REF_OMEGASQ, END}},
@@ -124,7 +124,7 @@ const struct hard_case hard_cases[] = {
      .check = {REF_THETA_M, REF_BARRIER, REF_MARGIN, REF_DURATION, END}},
     {"two maxima, at rest", "H falls first, rises later", 0.5, 1.999, STANDARD, 3, 0.1,
      .check = {REF_BARRIER, REF_MARGIN, REF_STOP, END}},
-    {"maximum at 0", "beyond leaving H must not rise again", 0.54, 1.8318, STANDARD, 3, 0.1,
+    {"maximum at 0", "after the follower detaches, H must not rise again", 0.54, 1.8318, STANDARD, 3, 0.1,
      .check = {REF_MARGIN, REF_DH, REF_DURATION, END}},
     {"maximum beside 0", "H rises by 1e-11 only", 0.4, 1.5, STANDARD, 3.42071, 0.1,
      .check = {REF_BARRIER, END}},
@@ -151,7 +151,7 @@ const struct hard_case hard_cases[] = {
     {"r_max, q = 1/2", "heavy followers", 0.1, 1, STANDARD, 0.5, 0, .check = {REF_R_MAX, REF_PAIR, END}},
     {"r_max, a band", "equal dominoes fail, larger ones do not", 0.1, 1, 0.25, 0.5, 0,
      .check = {REF_PAIR, END}},
-    {"r_max, a band to the reach", "equal dominoes fail, larger ones do not", 0.25, 1, 0.2, 0.5, 0,
+    {"r_max, a band up to the reach", "equal dominoes fail, larger ones do not", 0.25, 1, 0.2, 0.5, 0,
      .check = {REF_PAIR, END}},
 };
 const int hard_cases_number = sizeof hard_cases / sizeof *hard_cases;

@@ -6,8 +6,8 @@
 #include "reference.h"
 
 /*
- * Returns the signed error, to first order, of the claim that the margin is 0 at r, and finds its scale.
- * Returns NaN if there is no margin.
+ * Returns the difference between r and the growth at which the margin is 0, to first order, and finds the
+ * scale of this error. Returns NaN if there is no margin.
  */
 double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale);
 

@@ -111,7 +111,8 @@ static bool positive(const struct point *point, enum ref_quantity quantity)
     return ref_double(point->ref, quantity) > 0;
 }
 
-/* Compares arms. In the limit where a follower detaches, results with and without arms are both right. */
+/* Compares lever arms. In the limit where a follower detaches, results with and without lever arms are both
+ * right. */
 static void compare_arms(struct point *point, enum ref_quantity a, struct answers *answers)
 {
     const double own = ref_double(point->ref, a);
@@ -119,7 +120,7 @@ static void compare_arms(struct point *point, enum ref_quantity a, struct answer
         double size = isnan(own) ? fabs((double)answers->value[a]) : fabs(own);
         if (size >
             100 * ((double)point->train.tol + library_unit(point->sweep->precision)) * (double)point->input.s)
-            mistake(point, a, answers, isnan(own) ? "arms of a follower that has left" : "no arms");
+            mistake(point, a, answers, isnan(own) ? "lever arms of a detached follower" : "no lever arms");
         return;
     }
     compare_all(point, a, a + 1, answers);
@@ -169,7 +170,7 @@ static void check_omegasq(struct point *point, bool look_closer, struct answers 
         mistake(point, REF_OMEGASQ, answers, dom_status_text(status));
     else if (look_closer && positive(point, REF_OMEGASQ) && !vanishes(point, REF_OMEGASQ, 1) &&
              !margin_vanishes(point) && !(ref_double(point->ref, REF_STOP) < (double)point->input.tilt))
-        mistake(point, REF_OMEGASQ, answers, "STOPS, but it does not");
+        mistake(point, REF_OMEGASQ, answers, "DOM_STOPS, but the train does not stop");
 }
 
 static void check_tilt(struct point *point, bool look_closer, struct answers *answers)
@@ -180,7 +181,7 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     library_ask(&point->train, point->input.tilt, REF_DH, answers);
     compare_all(point, REF_DH, REF_J0, answers);
     check_omegasq(point, look_closer, answers);
-    /* Choose any domino of the train, up to the last one that matters. */
+    /* Choose a random domino, or the last one if the train has fewer. */
     library_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
     if (point->ref->link != answers->link)
         ref_link(point->ref, answers->link);
@@ -286,7 +287,7 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
         tally_mistake(&point->tally[quantity], &c, dom_status_text(answers->status[quantity]));
     } else if (answers->ends == DOM_END_NONE) {
         if (!pair && growth_margin(&point->input, false, digits2, 1) > 1e-6)
-            tally_mistake(&point->tally[quantity], &c, "equal dominoes do go on");
+            tally_mistake(&point->tally[quantity], &c, "no growth, but equal dominoes keep falling");
     } else if (answers->ends == DOM_END_BARRIER) {
         const double delta = (double)c.got * library_unit(point->sweep->precision);
         c.error = growth_error(&point->input, pair, digits2, c.got, &c.scale);

@@ -78,12 +78,12 @@ void tally_compare(struct tally *tally, const struct comparison *c)
     if (!got && !exists)
         return;
     if (!got || !exists) {
-        tally_mistake(tally, c, got ? "a value of what does not exist" : "no value");
+        tally_mistake(tally, c, got ? "a value, but none exists" : "no value");
         return;
     }
     const double error = c->ref ? ref_error(c->ref, c->quantity, c->got) : fabs(c->error);
     if (isnan(error)) {
-        tally_mistake(tally, c, "an error that is no number");
+        tally_mistake(tally, c, "the error is NaN");
         return;
     }
     tally->checked++;

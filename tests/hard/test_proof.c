@@ -64,7 +64,7 @@ static void compare(const struct asked *asked, bool pair, struct counts *c)
     if (limit.ends == DOM_END_REACH && proof.ends == DOM_PROVED_BARRIER)
         wrong = wrong || proof.high * train.s < 1 - 1e-12;
     if (wrong && ++c->wrong)
-        say("not in what is proved", &train, pair, &proof, limit.r_max);
+        say("outside the proved bounds", &train, pair, &proof, limit.r_max);
     if (proof.ends != DOM_PROVED_BARRIER)
         return;
     double unit = pow(10, floor(log10(limit.r_max)) - 8);
@@ -160,8 +160,8 @@ TEST(verdicts_agree)
     assert_true(goes > trains / 5 && stops > trains / 5 && open * 50 <= trains);
 }
 
-/* Checks that an interrupt is a gap and not an error, that wrong parameters are errors, and that numbers of
- * dominoes are exact. */
+/* Checks that an interrupt makes a proof incomplete but is not an error, that wrong parameters are errors,
+ * and that the bounds of a number of dominoes are right. */
 TEST(gaps_statuses_and_counts)
 {
     const volatile sig_atomic_t raised = 1;

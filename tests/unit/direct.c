@@ -28,7 +28,7 @@ struct contact {
     double face;    /* distance of the tip of j from the bottom of k's back face; d(constraint)/d(theta_k) */
     double drop;    /* h_j cos(theta_j - theta_k); d(constraint)/d(theta_j) */
     double arm_on;  /* torque on k that a unit normal force and its friction exert */
-    double arm_by;  /* torque that the same forces exert against j */
+    double arm_by;  /* torque against j that this normal force and its friction exert */
     double forced;  /* right side of the second derivative of the constraint */
     double sliding; /* speed of the tip down the face */
 };
@@ -58,8 +58,8 @@ static double inertia(const struct direct_row *row, size_t i)
 {
     double h = row->height[i], d = row->thickness[i], t = h > row->boxes_above ? row->walls : 0, sum = 0,
            volume = 0;
-    /* Six boards: front and back, bottom and top, left and right, of which each leaves out the edges of the
-     * previous ones. */
+    /* Six boards in three pairs: front and back, bottom and top, left and right. A pair leaves out the edges
+     * that the pairs before it fill. */
     const double size[][4] = {
         {t, h, h / 2, d - t}, {d - 2 * t, t, h / 2, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
@@ -370,7 +370,7 @@ static double longest_step(const struct run *run, const double y[])
     return fmin((run->target - lean(run->row, run->head)) / y[OMEGA], swing) / LEAST_STEPS;
 }
 
-/* Makes one step of the integrator, which is shortened until it succeeds. */
+/* Makes one step of the integrator. A step that fails is halved and tried again. */
 static int advance(struct run *run, double *t, double *h, double y[])
 {
     int status = GSL_FAILURE;
@@ -412,8 +412,8 @@ static const char *move(struct run *run, double y[], size_t *event)
     return wrong ? wrong : "The head neither reaches the next domino nor comes to rest.";
 }
 
-/* Makes the head strike the next domino, which is at rest. Finds the impulses of all contacts, none of which
- * opens. */
+/* Makes the head strike the next domino, which is at rest. Finds the impulses of all contacts, on the
+ * assumption that no contact opens. */
 static const char *collide(struct run *run, double y[])
 {
     const struct direct_row *row = run->row;
@@ -573,7 +573,7 @@ const char *direct_run(const struct direct_row *row, struct direct_hit *hits, st
 
     *result = (struct direct_result){.hit = 1, .least_force = HUGE_VAL};
     if (!sensible(row))
-        return "The row is not sensible.";
+        return "A number of the row is not allowed.";
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     const char *wrong = "Out of memory.";
 

@@ -85,8 +85,9 @@ static void near_newton(const char *what, const struct run *run, size_t k, domq_
 }
 
 /*
- * The integrator has a tolerance of 1e-13 in each step, and the row one of 1e-12. A small margin has the
- * error of the whole kinetic energy, so the bound increases as the margin decreases.
+ * The tolerance is 1e-13 for each step of the integrator, and 1e-12 for the row. A small margin is a
+ * difference of large energies and has the absolute error of these, so the bound increases as the margin
+ * decreases.
  */
 static void compare_hits(const struct run *run, const struct newton *n)
 {

@@ -44,7 +44,7 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     r->computeq.tol = r->compute.tol;
 }
 
-/* The falls of a run by <domino.h>, with which the run by <domino_quad.h> is compared. */
+/* The falls of a run by <domino.h>. The run by <domino_quad.h> is compared with these. */
 struct fallen {
     struct dom_fall fall[ROW];
     int count, compared;
@@ -363,7 +363,6 @@ TEST(simple)
     t.q = 3;
     assert_status(dom_limit_rmax(&t, NULL, &limit), DOM_OK);
     assert_true(dom_rmax(0.3, 0.2, 3) == limit.r_max);
-    /* to a relative tolerance of 1e-12 below */
     assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding);
     assert_true(isnan(dom_rmax(2, 0.2, 3)) && isnan(dom_rmax(0.3, -1, 3)) && isnan(dom_rmax(0.3, 1.5, NAN)));
     assert_true(isnan(dom_rmax(0.3, 1.5, 3))); /* no growth */

@@ -112,8 +112,9 @@ TEST(strips_enclose_their_trains)
         if (c.context.status == DOM_OK && c.hi > c.lo && strip_of(&c, &strip))
             strip_check(&c, &strip, &count[c.in_r]);
     }
-    print_message("# strips of growths: %d, %d with a root that falls, %d close barriers, %d close energies; "
-                  "of separations: %d, %d, %d\n",
+    print_message("# %d strips of growths: %d in which the margin decreases at a root, %d with close bounds "
+                  "of the barrier, %d of the energy; %d strips of separations: %d with close bounds of the "
+                  "barrier, %d of the energy\n",
                   count[1].all, count[1].slopes, count[1].grows, count[1].close, count[0].all, count[0].grows,
                   count[0].close);
     assert_true(count[1].all > 200 && count[1].slopes > 150 && count[1].grows > 100 && count[0].grows > 100);
@@ -213,7 +214,7 @@ TEST(rows_again_end_like_whole_rows)
         assert_status(row_again(course, row.domino, 0, 1, &again), DOM_BAD_THICKNESS);
         (void)row_course_end(course);
     }
-    print_message("# %d rows fall; %d changes turn the verdict\n", falls, other);
+    print_message("# %d rows fall; %d changes also change the verdict\n", falls, other);
     assert_true(falls > 500 && other > 100);
 }
 

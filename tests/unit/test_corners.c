@@ -27,10 +27,10 @@ static double margin_at(struct asked t, double r)
 }
 
 /*
- * Checks a margin that falls below 0 and rises above 0 again within a few percent of r, less than the steps
- * in which r is raised. 20,000 samples show no negative margin below the answer. Just above the answer the
- * margin is negative, and farther up it is positive again, so a search that misses the dip would find a
- * larger answer.
+ * Checks trains whose margin falls below 0 and rises above 0 again within a few percent of r. This dip is
+ * narrower than the steps in which r is raised. At 20,000 samples below the answer, the margin is positive.
+ * Just above the answer it is negative, and farther up it is positive again, so a search that misses the dip
+ * would find a larger answer.
  */
 TEST(dips_of_the_margin)
 {
@@ -107,7 +107,8 @@ TEST(bounds_are_extra)
 
 /* ---- Refusals ---- */
 
-/* Checks that the methods agree on the barrier and the duration, and that only ours has error bounds. */
+/* Checks that the methods agree on the barrier and the duration, and that only our own method has error
+ * bounds. */
 TEST(methods_agree)
 {
     struct asked t = asked_default();
@@ -280,12 +281,12 @@ TEST(memory_runs_out)
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)
-                break; /* the number of studies of a budget may vary */
+                break; /* on several threads, the number of allocations of a budget may vary */
         }
         assert_true(failed > 1);
     }
-    /* Without a second thread the study has had the same result. A study without a pool must have this
-     * result, too. */
+    /* The study above ran on a single thread. It must have the same result on several threads (i = 0) and
+     * without a pool (i = 1). */
     no_threads = false;
     for (int i = 0; i < 2; i++) {
         assert_status(ask_placement_study(&row, &p, &alone, NULL), DOM_OK);

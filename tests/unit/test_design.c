@@ -299,8 +299,8 @@ TEST(dominoes_of_a_train)
     }
 }
 
-/* A row of a given number of dominoes is the one that the design has, and its dominoes are those of its
- * train. */
+/* Checks that a search for a given number of dominoes finds the design that has this number, and that a
+ * design in whole millimetres describes dominoes of whole millimetres. */
 TEST(given_number_of_dominoes)
 {
     struct dom_train train = dom_train_default();

@@ -78,7 +78,7 @@ TEST(metres_and_seconds)
     train.s = 13.0 / 48;
     assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
     assert_near("speed", ask_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
-    /* In a growing train the distance of a cycle is the pitch of the next, larger domino. */
+    /* In a growing train, the front moves in each cycle by the pitch of the next, larger domino. */
     train.r = 1.5;
     assert_near("speed", ask_scale_speed(&scale, &train, 2), 1.5 * 0.020 / (2 * tau), 1e-14);
 }

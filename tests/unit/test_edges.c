@@ -23,8 +23,9 @@ static struct asked friction_train(double s, double r, double d, double q, doubl
 }
 
 /*
- * Checks the barrier of a thin domino against quad, which has enough digits in any case. The barrier is d^2
- * high at theta ~ d, and later u changes by 1.
+ * Compares r_max and durations of thin dominoes with quad, which has enough digits in any case. The barrier
+ * is at theta ~ d. Up to there the solution of the flow (flow.c) changes by only d^2, and after that by
+ * about 1.
  */
 TEST(thin_dominoes_with_friction)
 {
@@ -127,8 +128,9 @@ TEST(ends)
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
     assert_status(run_whole(&seen), DOM_OK);
-    assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any friction at cos theta = 1/3 */
-    /* DOM_ROW_PARTS: none of the dominoes that keep falling has a negative margin. */
+    /* A thin rod needs unbounded friction at cos theta = 1/3, where the floor carries none of its weight. */
+    assert_true((double)seen.fall[0].floor_motion > 1);
+    /* DOM_ROW_PARTS: the dominoes that fall have margins that are not negative. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
     seen.domino[3].gap = 0.048;
@@ -163,8 +165,8 @@ TEST(nearly_no_fuel)
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
-/* Checks the durations of thin dominoes, whose slowness has a narrow peak at 0. Two levels of an integration
- * rule once agreed by chance. */
+/* Checks durations of thin dominoes. 1 / omega, which is integrated, has a narrow peak at theta = 0, and two
+ * levels of the integration rule once agreed by chance. */
 TEST(durations_of_thin_dominoes)
 {
     struct asked train =

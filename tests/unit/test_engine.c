@@ -127,7 +127,7 @@ TEST(growths_are_known)
         {0.3, 0, 0.4, 0, 0, 0, 1.638, 8, 0.01},
         {0.4, 0, 0.5, 0, 0, 0, 1.917, 8, 0.01},
         {0.3, 0.2, 0.3, 0, 0, 0, 1.626, 8, 0.01},
-        /* With friction between dominoes, such a floor has no effect. */
+        /* With friction between dominoes, the growth is close to the one on hinges, 1.674. */
         {0.3, 0.2, 0.5, 0, 0, 0, 1.679, 8, 0.01},
         {0.2, 0, hinge, 0.5, 0, 0, 1.407, 8, 0.01},
         {0.3, 0, hinge, 0.5, 0, 0, 1.716, 8, 0.01},
@@ -269,7 +269,7 @@ TEST(the_library_asks_an_engine)
     const struct dom_placement placement = {
         .error = {[DOM_ERROR_gap].size = 0, [DOM_ERROR_height].size = 0.1}, .seed = 1, .rows = 200};
     assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
-    /* the random ratio of two heights is above or below that growth */
+    /* whether a row falls depends on the random ratio of its first two heights */
     assert_true(study.fall > 20 && study.fall < 180);
     const double now = 0;
     assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
@@ -293,8 +293,8 @@ static enum dom_status in_gaps(const struct dom_row *row, const struct dom_compu
     return DOM_OK;
 }
 
-/* Checks that a window has at most three digits, and that it ends at most a percent from its edges, and never
- * beyond them. */
+/* Checks that few runs find a window. Each end that they find has at most three digits, and is at most 1 %
+ * inside the true end. */
 TEST(windows_of_an_engine_take_few_runs)
 {
     static const double edges[][2] = {{0.05123, 0.23456}, {0.0876, 0.1011}, {0.0999, 0.9876}, {0, 1}};

@@ -40,7 +40,7 @@ static const struct kind KIND[] = {
     {.name = "floor", .gap = 0.02, .floor = true},
 };
 
-/* Runs the row. `off` is how much the gaps differ, in alternation. */
+/* Runs the row. Every second gap is larger by the fraction `off`. */
 static void run(const struct kind *k, double off, struct falls *f)
 {
     const struct domq_row row = {.domino = f->domino,

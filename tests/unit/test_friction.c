@@ -288,7 +288,8 @@ TEST(refusals)
         assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     }
     train.method = DOM_METHOD_OURS;
-    /* The train locks, even if the sums after such a hit would be infinite. */
+    /* The train locks in the hit. The sums for the motion after the hit, which would be infinite, must not
+     * hide this. */
     train = friction_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
     train.d = 0.61451534241036898;
     train.q = 2.9636499594514638;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
- * interrupt. Also: a common error is a mixture of rows with fixed values. */
+ * interrupt. A study with an error that all dominoes share is also compared with studies of fixed values. */
 #include "planning/shape.c"
 #include "support.h"
 #include <string.h>
@@ -188,7 +188,7 @@ TEST(nothing_to_improve)
     assert_memory_equal(found, given, sizeof given);
     assert_int_equal(study[1].fall, 0);
     row.count = 1;
-    row.push = 0.01; /* too weak for the only domino */
+    row.push = 0.01; /* too weak to turn the single domino over */
     assert_int_equal(improve(), DOM_OK);
     assert_memory_equal(found, given, sizeof *given);
     limits.q = 0;
@@ -221,7 +221,7 @@ TEST(common_error_is_a_mixture)
     assert_true(fabs((double)count.fall - (double)mixed) < 0.07 * FIXED * EACH);
 }
 
-/* A row of which all fall is changed if it is outside the limits. */
+/* Checks that a row is changed if it is outside the limits, even if it always falls. */
 TEST(limits_of_a_row_that_falls)
 {
     scene_begin();

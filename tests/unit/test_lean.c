@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dominoes that are not plumb, compared with Newton's equations (direct.h), and in limits. */
+/* Dominoes that are not plumb, compared with Newton's equations (direct.h), and in limiting cases. */
 #include "run.h"
 #include "support.h"
 #include <float.h>
@@ -10,8 +10,8 @@ static double tips_at(const struct domq_domino *d)
     return atan((double)(d->thickness / d->height));
 }
 
-/* Makes a row of equal, growing or uneven dominoes, whose leans are up to a part of the largest possible
- * lean. */
+/* Makes a row of equal, growing or uneven dominoes. No lean is more than a random part of the largest
+ * possible lean. */
 static void leaning_row(struct run *run, uint64_t *seed, int kind)
 {
     static const double mus[] = {0, 0.1, 0.4}, pushes[] = {1.1, 1.5, 4, 15}, most[] = {0.02, 0.4, 0.9};

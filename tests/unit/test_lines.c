@@ -172,7 +172,7 @@ TEST(a_command_before_a_number_is_that_command)
         if (!name)
             name = more[n++];
         snprintf(number, sizeof number, "%s 2", name);
-        snprintf(value, sizeof value, "%s .2", name); /* the general path, with the same value */
+        snprintf(value, sizeof value, "%s .2", name); /* a '.' is no digit, so this takes the general path */
         const struct command *c = command_of(&session, number, &at, &column);
         assert_ptr_equal(c, command_of(&session, value, &value_at, &value_column));
         assert_int_equal(at, value_at);

@@ -95,7 +95,8 @@ TEST(mended_rows_fall)
             mended++;
         }
     }
-    print_message("# %d mends, %d of them end again; %d rows have none\n", mended, ended, lost);
+    print_message("# %d mends, %d of them with a limit on the far side; %d rows have none\n", mended, ended,
+                  lost);
     assert_true(mended > 40 && lost > 5 && ended > 5);
 }
 

@@ -89,7 +89,7 @@ TEST(agrees_with_hits)
         for (size_t k = 0; k < run.falls; k++) {
             assert_near("time", seen.time[k], (double)times[k], 0);
             assert_int_equal(seen.head[k], k + 1);
-            /* A domino may detach at that moment. */
+            /* A domino may detach at the moment of the hit. */
             assert_true(seen.moving[k] <= run.fall[k].moving && seen.moving[k] + 1 >= run.fall[k].moving);
             assert_near("a domino that is just hit", seen.tilt[k][k], (double)run.domino[k].lean, 1e-7);
             assert_near("its omega", seen.omega[k][k], (double)run.fall[k].omega, 1e-9);
@@ -124,7 +124,7 @@ TEST(keeps_the_laws_between)
             for (size_t j = head + 1 - seen.moving[k]; j < head; j++) {
                 assert_true(fabs(clearance(&run, tilt, j)) < 1e-11 * (double)run.domino[j].height);
                 double h = seen.time[k] - seen.time[k - 1], rise = tilt[j] - before[j];
-                /* The mean of both ends, correct to the third order in the step. */
+                /* The trapezoidal rule for the tilt has an error of third order in the step. */
                 if (same)
                     assert_true(fabs(rise - h * (seen.omega[k][j] + seen.omega[k - 1][j]) / 2) <
                                 1e-7 + 0.1 * rise);

@@ -305,7 +305,7 @@ TEST(rows)
             row_refused(&r.row, NULL, 0, DOM_BAD_PUSH);
         compute.tol = bad[k];
         row_make(&r);
-        struct dom_verdict verdict; /* a study treats any finer tolerance as 1e-9 */
+        struct dom_verdict verdict; /* a study accepts a tolerance below 1e-9, and uses 1e-9 */
         assert_named(dom_row_run(&r.row, &compute, true, never_fall, NULL, &verdict), DOM_BAD_TOL);
         searches_refused(&r.row, &compute, DOM_BAD_TOL);
         compute = dom_compute_default();

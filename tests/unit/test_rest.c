@@ -5,7 +5,7 @@
 #include "proof/rest.c"
 #include "support.h"
 
-/* Sums over domino n and all later ones, for each of which struct rest has a bound. */
+/* Sums over domino n and all later ones. struct rest has a bound for each of these sums. */
 struct tail {
     double drops, slides, tilts, shift;
 };

@@ -133,8 +133,8 @@ static struct asked any_train(uint64_t *seed)
     return train;
 }
 
-/* Checks that every such train has a result or a verdict in each precision, and compares some of them with
- * quad. */
+/* Checks that every random train has a result or a verdict in float and double, and compares some of the
+ * results with quad. */
 TEST(trains_anywhere)
 {
     uint64_t seed = 29;

@@ -407,7 +407,8 @@ TEST(light_dominoes_end_no_sum)
     assert_true(checked > 200);
 }
 
-/* Returns the tolerance over the smallest margin, as a bound of the difference. */
+/* Checks that the precisions agree. The allowed difference of a domino is inversely proportional to the
+ * smallest margin before it, since a small margin amplifies errors. */
 TEST(precisions_agree)
 {
     static struct run run[3];
@@ -445,8 +446,8 @@ TEST(precisions_agree)
     }
 }
 
-/* Checks that a long row of a train needs as much friction of the floor as the train. Checks the struck
- * domino by a formula. */
+/* Checks that a long row of a train needs a floor as rough as the endless train does. The friction that the
+ * struck domino needs is compared with a formula. */
 TEST(floor_of_the_train)
 {
     static struct run run;

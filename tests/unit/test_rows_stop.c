@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rows that stop. The missing energy is compared with the potential energy of the dominoes on a fine grid,
- * and the place of a stop under much friction with Newton's equations (direct.h).
+ * and the tilt at which a row with much friction comes to rest with Newton's equations (direct.h).
  */
 #include "run.h"
 #include "support.h"
@@ -22,8 +22,8 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 }
 
 /*
- * Returns the largest increase of the potential energy of the last `moving` dominoes up to the head, which is
- * domino k, on a grid of tilts of the head. A domino that its leader would turn back has detached, and keeps
+ * Returns by how much the potential energy of the `moving` dominoes, of which the head is domino k, increases
+ * at most on a grid of tilts of the head. A domino that its leader would turn back has detached, and keeps
  * its height, as do all dominoes that lean on it.
  */
 static double highest_energy_change(const struct run *run, size_t k, size_t moving)

@@ -43,7 +43,8 @@ TEST(the_first_root_counts)
     }
 }
 
-/* Checks bands that begin and end between two samples, which are a factor of e^(1/8) apart. */
+/* Checks bands of growths that begin and end between two samples. Successive samples differ by a factor of
+ * e^(1/8). */
 TEST(narrow_bands_of_pairs)
 {
     static const struct {
@@ -77,8 +78,8 @@ TEST(the_best_separation_to_its_digits)
 }
 
 /* Checks that quad precision adds its digits to the best separation that double precision has found, at a
- * kink and at a smooth top: a search of all separations in quad takes ten times the work. The references are
- * of such a search. */
+ * kink and at a smooth top: a search of all separations in quad takes ten times the work. The expected values
+ * come from such a complete search. */
 TEST(the_best_separation_in_quad_begins_near)
 {
     static const struct {
@@ -119,7 +120,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
     }
 }
 
-/* Checks two maxima close to a sample s = 0.9^k, of which the higher one counts. */
+/* Checks that the higher of two maxima is found, which are close to the same sample s = 0.9^k. */
 TEST(the_higher_of_two_tops)
 {
     struct asked train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);

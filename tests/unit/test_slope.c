@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A floor that slopes, compared with a table from 40-digit arithmetic, and in limits. */
+/* A floor that slopes, compared with a table from 40-digit arithmetic, and in limiting cases. */
 #include "support.h"
 
 static const double degree = 3.14159265358979323846 / 180;

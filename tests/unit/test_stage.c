@@ -128,11 +128,11 @@ TEST(contacts_are_on_back_faces)
                 fail_view(&v, i, "the contact is beyond the face", up, 1);
             here++;
         }
-        /* If followers detach, the head may have no follower by then. */
+        /* If followers detach, the head may have no follower at this tilt. */
         assert_true(here > 0 || v.angles.detaches || v.stage.count == 3);
         contacts += here;
     }
-    print_message("# %d contacts, at most %.2g of the bound off\n", contacts, most);
+    print_message("# %d contacts, whose errors are at most %.2g of the bound\n", contacts, most);
     assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
 }
 

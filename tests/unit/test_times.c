@@ -65,7 +65,8 @@ TEST(times_before_a_stop)
             fail_train("time", &train, (double)here.time, (double)there.time);
         struct domq_barrier b;
         assert_status(ask_barrier_find(&train, &b, NULL), DOM_STOPS);
-        if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch, no digits are lost in that case */
+        /* Near the launch no digits are lost, unless the margin is small. */
+        if (i % 4 == 0 && -b.margin > b.kinetic / 100)
             loosest = fmax(loosest, (double)(error.time / here.time));
         checked++;
     }
@@ -129,7 +130,7 @@ TEST(stops_have_times)
     assert_true(stops > 100 && at_reach > 25 && friction_work > 40);
 }
 
-/* Returns the growth at which the top moves away from theta = 0, by halving. */
+/* Finds by bisection the growth at which the maximum of H moves away from theta = 0. */
 static double vanishing(struct asked train)
 {
     double lo = 1, hi = 1 / (double)train.s;
@@ -263,7 +264,6 @@ TEST(small_margins_keep_their_digits)
     }
 }
 
-/* Checks that the table of a cycle has the same times and tilts as single results. */
 struct seen {
     const struct asked *train;
     int rows, events;
@@ -286,6 +286,7 @@ static bool state_seen(const struct domq_state *s, const struct domq_event *even
     return true;
 }
 
+/* Checks that the table of a cycle has the same times and tilts as single answers. */
 TEST(tables_and_answers)
 {
     uint64_t seed = 85;
@@ -312,7 +313,6 @@ TEST(tables_and_answers)
     assert_true(tables > 50);
 }
 
-/* Checks that the smallest contact force is that of many forces along the cycle. */
 static bool force_seen(const struct domq_force *f, void *context)
 {
     double *least = context;
@@ -321,6 +321,7 @@ static bool force_seen(const struct domq_force *f, void *context)
     return true;
 }
 
+/* Checks that the smallest contact force agrees with the smallest one at 500 tilts of the cycle. */
 TEST(least_forces)
 {
     uint64_t seed = 86;
@@ -343,7 +344,7 @@ TEST(least_forces)
             assert_status(ask_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
         if (isinf(least) || least > 1e6)
             continue;
-        /* Between 500 samples the force may be slightly smaller than at any of them. */
+        /* Between two samples, the force may be slightly smaller than at both. */
         if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
             found.force < least - 0.02 * fabs(least) - 1e-3)
             fail_train("least force", &train, (double)found.force, least);

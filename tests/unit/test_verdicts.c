@@ -173,8 +173,8 @@ static enum dom_status three_batches(size_t count, dom_task *task, void *context
     return DOM_INTERRUPTED;
 }
 
-/* Checks that an interrupted study counts the rows that were run, and that nothing is written if there are
- * none. */
+/* Checks that an interrupted study counts the rows that were run, and that it writes nothing if no row was
+ * run. */
 TEST(interrupted_in_the_middle)
 {
     struct domq_domino domino[MOST];

@@ -16,7 +16,7 @@ TEST(thin_and_solid)
     assert_status(domq_box_find(1, d, 0.5, 1e-9, &box), DOM_OK);
     assert_near("thin", (double)box.inertia, thin, 1e-7);
     assert_near("filled", (double)box.filled, 2e-9 * (1 + 1 / d + 2), 1e-7);
-    /* Walls of half of the thickness fill the box. Slightly thinner walls leave a slit. */
+    /* Walls that are half as thick as the box fill it. Slightly thinner walls leave a slit. */
     assert_status(domq_box_find(48, 7, 24, 3.5, &box), DOM_OK);
     assert_true(box.inertia == 1 && box.filled == 1);
     assert_status(domq_box_find(48, 7, 24, 3.4999, &box), DOM_OK);
@@ -60,8 +60,8 @@ TEST(no_room)
     }
 }
 
-/* Checks that a train moves as without walls in units of tau, with every law, precision, fuel and method, and
- * that tau has the right factor. */
+/* Checks that walls change nothing but tau: in units of tau a train moves as without walls, with every law,
+ * precision, fuel and method. Checks the factor of tau, too. */
 TEST(trains_move_as_without)
 {
     for (int k = 0; k < 24; k++) {

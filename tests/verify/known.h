@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Known largest growths of rows on real floors. */
+/* Known largest growths of rows with feet that slip, slopes, rounded edges, and bounces. */
 #ifndef VERIFY_KNOWN_H
 #define VERIFY_KNOWN_H
 
-/* Compares the engine with the known growths and prints both. Returns how many of them differ. */
+/* Prints the growths of the engine next to the known ones. Returns how many of them differ. */
 int known_compare(void);
 
 #endif

@@ -37,7 +37,7 @@ struct engine_row scene_boxes(const struct scene *scene)
 
 static struct engine_hit hits[SCENE_MOST]; /* hits of the last run */
 
-/* Runs the boxes with found->steps, and with a tolerance of the impulses that is `times` as small. */
+/* Runs the boxes with found->steps. Divides the tolerance of the impulses by `times`. */
 static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
     struct engine_row row = scene_boxes(scene);
@@ -45,8 +45,8 @@ static struct engine_fall run(const struct scene *scene, int times, struct found
     struct engine_fall fall;
 
     if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != ENGINE_OK) {
-        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the engine's row comes to no end\n", scene->s, scene->q,
-                scene->mu, scene->r);
+        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the row does not come to rest in the engine\n", scene->s,
+                scene->q, scene->mu, scene->r);
         exit(2);
     }
     found->depth = fmax(found->depth, fall.depth);
@@ -85,8 +85,8 @@ static bool hit(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns true if the dominoes fall. Unless `next` is NULL, writes the times of the hits to an array of which
- * it points to the first element. */
+/* Returns true if the dominoes fall. `next` is NULL, or points to a pointer to an array that receives the
+ * times of the hits. */
 static bool dominoes_fall(const struct scene *scene, double r, void *next)
 {
     struct scene at = *scene;

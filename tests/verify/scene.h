@@ -27,16 +27,16 @@ struct found {
      * larger. */
     double change;
     double steps;       /* steps per sqrt(height / g) in the last run */
-    bool same;          /* true if two more dominoes and more exact impulses change nothing */
-    bool other_contact; /* as in struct engine_fall, in any run */
+    bool same;          /* true if neither two more dominoes nor more exact impulses change the value */
+    bool other_contact; /* true if a run had a contact that the model does not have */
     double depth, drift;
 };
 
 /*
- * Steps are halved until the relative change of the value is less than scene_still, which is then the
- * remaining first-order error, or until scene_finest is reached. A difference of up to scene_allowed times
- * the last change, or times scene_still, counts as agreement, because the verdict of a row also depends on
- * where in a step a hit happens.
+ * Steps are halved until this changes the value by a fraction of less than scene_still, or until scene_finest
+ * is reached. The error of first order that remains is as large as the last change. A difference of up to
+ * scene_allowed times the last change, or times scene_still, counts as agreement, because the verdict of a
+ * row also depends on where in a step a hit happens.
  */
 extern const double scene_still, scene_finest, scene_allowed;
 extern const double scene_bracket; /* relative width to which growths are bisected */

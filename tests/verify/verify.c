@@ -187,7 +187,7 @@ struct tally {
     /* number of scenes in which the two fuels differ, and how many of these agree with the paper's fuel */
     int differ, paper;
     double most;       /* the largest deviation of values that must agree */
-    double again_most; /* the largest deviation for solid dominoes of which fallen ones continue to push */
+    double again_most; /* the largest deviation where fallen dominoes continue to push */
     double depth, drift;
 };
 
@@ -215,18 +215,18 @@ static void judge(struct tally *tally, const struct answer *a)
         return;
     tally->wrong++;
     printf("wrong: s %g, %s, mu %g: %s\n", a->scene.s, blocks(&a->scene), a->scene.mu,
-           !settled(found) ? "the length of steps still matters"
-           : !found->same  ? "two more dominoes, or more exact impulses, change it"
-                           : "off by more than is allowed");
+           !settled(found) ? "shorter steps still change the value"
+           : !found->same  ? "two more dominoes, or more exact impulses, change the value"
+                           : "the difference is larger than is allowed");
 }
 
 static void print_tally(const struct tally *tally)
 {
     if (tally->again > 0)
         printf(
-            "* A domino that has fallen off meets, with its upper end, the lower edge of the one it leaned\n"
-            "  on, and goes on pushing: a contact that the model does not have. With the upper back edge\n"
-            "  bevelled by %g %% of the height, mass and inertia as before, they miss each other.\n\n",
+            "* A domino slides off the one that it leaned on, meets its lower edge with the upper end, and\n"
+            "  continues to push: the model does not have this contact. If the upper back edges are\n"
+            "  bevelled by %g %% of the height, with the same mass and inertia, it does not occur.\n\n",
             100 * bevel);
     printf("Steps per sqrt(h / g) are doubled until that changes less than %g %% (last %%), up to %g;\n"
            "%g times that is allowed. Growths are bisected to %g; durations are extrapolated to steps\n"
@@ -251,7 +251,7 @@ int main(void)
         return 2;
     }
     if (workers_run(JOBS, solve, answers) != 0) {
-        fprintf(stderr, "verify: a scene broke down\n");
+        fprintf(stderr, "verify: a scene failed\n");
         return 2;
     }
     print_growths(answers);
