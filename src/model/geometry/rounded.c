@@ -255,18 +255,24 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 
 /*
  * Returns theta_inf, at which a follower leans as much as its leader: the right side of the contact equation
- * is 0. Up to pi/2 this side decreases and is concave, so after the first step Newton's method approaches the
- * root from above, until rounding errors stop it.
+ * is 0. Up to pi/2 this side decreases and is concave, so that Newton's method converges. It starts from the
+ * tilt for sharp edges. *slope receives the slope of the follower at theta_inf.
  */
-static real rounded_inf(const struct geometry *geometry)
+static real rounded_inf(const struct geometry *geometry, real *slope)
 {
-    const real more = geometry->rounded.rho - geometry->rounded.rho_1;
-    real theta = atan2(sqrt(geometry->s * (geometry->s + 2 * geometry->d)), geometry->d), by = -1;
-    for (int i = 0; i < TURN_STEPS && (i < 2 || by < -2 * REAL_EPSILON * theta); i++) {
-        const struct tilt t = tilt_of(theta);
-        const real left = geometry->s - geometry->L * t.v + more * unequal(t, theta);
-        by = left / (t.x * (geometry->L - more * (1 - theta)));
+    const struct rounded *of = &geometry->rounded;
+    const real more = of->rho - of->rho_1;
+    struct tilt t = tilt_make(sqrt(geometry->s * (geometry->s + 2 * geometry->d)) / geometry->L,
+                              geometry->d / geometry->L);
+    real theta = tilt_angle(t);
+    for (int i = 0; i < TURN_STEPS; i++) {
+        const real left = geometry->s - geometry->L * t.v + more * unequal(t, theta),
+                   falls = t.x * (geometry->L - more * (1 - theta)), by = left / falls;
+        *slope = 1 - falls / (of->tall_1 + of->rho_1 * t.y);
         theta = fmin(theta + by, PI / 2);
+        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * theta) /* a step reduces the error to about its square */
+            break;
+        t = tilt_of(theta);
     }
     return theta;
 }
@@ -325,17 +331,17 @@ static struct tilt rounded_hit(const struct geometry *geometry, real gap)
 static enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
-    real theta_leave;
+    real theta_leave, slope;
     if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    const real theta_inf = rounded_inf(geometry); /* the tilt that far followers approach */
+    const real theta_inf = rounded_inf(geometry, &slope); /* the tilt that far followers approach */
     geometry->inf = geometry->f = tilt_of(theta_inf);
-    geometry->decay = geometry->weight * fmax(0, rolling_of(geometry, geometry->inf, theta_inf).contact.step);
-    geometry->detaches = rounded_leave(geometry, theta_inf, &theta_leave);
+    geometry->decay = geometry->weight * fmax(0, slope);
+    geometry->detaches = slope < 0 && rounded_leave(geometry, theta_inf, &theta_leave);
     if (geometry->detaches) {
         geometry->leave = tilt_of(theta_leave);
         geometry->f = tilt_of(theta_leave + rolling_of(geometry, geometry->leave, theta_leave).turn);

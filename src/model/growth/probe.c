@@ -17,7 +17,7 @@ static real probe_r(const struct margin_context *c, real x)
 
 /* The number of samples while r increases by a factor of e, up to 0.9 of the reach. One more sample is at the
  * reach. */
-#define PROBE_PER_E 8
+#define PROBE_PER_E 5
 
 /* Returns sample k of r, between 1 and the reach. If k exceeds the number of the last sample, returns the
  * reach. */
@@ -28,7 +28,7 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The largest number of bisections of an interval. They divide an interval from r to r e^(1/8) into parts
+/* The largest number of bisections of an interval. They divide an interval from r to r e^(1/5) into parts
  * that are 1e-6 r wide. */
 #define PROBE_HALVES 17
 
