@@ -123,8 +123,8 @@ TEST(the_far_tail_is_within_its_bound)
     assert_true((orders & 1 << FAR_FIRST) && (orders & 1 << FAR_ORDER) && (orders & 1));
 }
 
-/* Checks that H is concave up to theta_u if barrier_single says that there is one top, and that no barrier is
- * higher than that of a single domino. */
+/* Checks that H is concave up to theta_u or, if that is less, up to theta_c, if barrier_single says that
+ * there is one top, and that no barrier is higher than that of a single domino. */
 TEST(one_top_if_concave)
 {
     uint64_t seed = 34;
@@ -140,14 +140,15 @@ TEST(one_top_if_concave)
         if (!barrier_single(&geometry))
             continue;
         single++;
+        const double highest = fmin(geometry_half_u(&geometry), half_of_tilt(geometry.c));
         for (int k = 0; k <= 16; k++) {
             struct sums at;
-            assert_status(chain_change(&geometry, upright, tilt_half(geometry_half_u(&geometry) * k / 16),
+            assert_status(chain_change(&geometry, upright, tilt_half(highest * k / 16),
                                        PASS_SECOND_DERIVATIVE, &at, NULL),
                           DOM_OK);
             if (!(at.H2 < 0))
-                fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", geometry.s,
-                         geometry.r, geometry.d, geometry.q, at.H2, k);
+                fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16", geometry.s, geometry.r,
+                         geometry.d, geometry.q, at.H2, k);
         }
     }
     print_message("# one top for sure: %d of %d\n", single, 10 * TRAINS);

@@ -163,20 +163,28 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if it is proved that H is concave up to theta_u, and so has a single top. The proof: up to
- * theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14; b10),
- * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 = cos theta_c.
- * With rounded edges (r L + (r + 1) rho) / l takes the place of r L y_i, as the second derivative in
- * rolling_here shows. Therefore no theta_i'' is below -i r L / cos theta_c, and the followers, all of which
- * lose height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i is w /
- * (1 - w)^2. A follower that has detached reduces the concavity by less.
+ * Returns true if H is proved to be concave up to theta_u. H has a single top then, because it decreases at
+ * all tilts above theta_u (6; b2), where the head and its followers lose height. The proof: by (12; b8) and
+ * (14; b10), theta_{i+1}'' is theta_1' theta_i'' minus at most c theta_i'^2, where c is r L / cos theta_c,
+ * because Y_i >= Y_0 = cos theta_c, and theta_1' is at most 1. With rounded edges (r L + (r + 1) rho) / l
+ * takes the place of r L, as the second derivative in rolling_here shows. Therefore -theta_i'' is at most c
+ * times the sum of theta_j'^2 over j < i. Let w be r^-q. In H'', which is the sum of w^i (h_i'' theta_i'^2 +
+ * h_i' theta_i''), where -h_i' is at most g, the terms with theta_j'^2 add up to at most
+ *
+ *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
+ *
+ * -h'' = h is at least h.y for the head, and at least `least` for the followers, whose theta_j'^2 is at most
+ * 1. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
     const struct rounded *of = &geometry->rounded;
-    const real apart = 1 - geometry->weight, bends = (geometry->rL + (geometry->r + 1) * of->rho) / of->tall;
-    return of->roll == 0 && falls_above_u(geometry) &&
-           bends * geometry->weight < apart * apart * geometry->c.y;
+    const real c = (geometry->rL + (geometry->r + 1) * of->rho) / of->tall / geometry->c.y,
+               w = geometry->weight, sum = w / (1 - w),
+               bends = -geometry_height_slope(geometry, geometry->f) * c * sum,
+               least = fmin(geometry->h.y, geometry_height(geometry, geometry->f));
+    return of->roll == 0 && geometry->dynamics->conservative && !geometry->follower &&
+           bends + fmax(bends - least, 0) * sum < geometry->h.y;
 }
 
 /*

@@ -94,12 +94,10 @@ static real root_next(const struct root_search *s, const struct margin_context *
 
 #define ROOT_STEPS 40
 
-/* Finds a root inside the bracket, starting at the growth r. `second` is the growth to try next, or 0 to let
- * the search choose it. */
-static enum dom_status root_search(struct margin_context *c, struct root_search *s, real r, real second,
-                                   real *root)
+/* Finds a root inside the bracket, starting at the growth r. */
+static enum dom_status root_search(struct margin_context *c, struct root_search *s, real r, real *root)
 {
-    real tol = c->geometry.tol / 8;
+    const real tol = c->geometry.tol / 8;
     for (int i = 0; i < ROOT_STEPS; i++) {
         real share = margin_follow(r, c);
         bool none = c->status == DOM_NOT_CONVERGED; /* H has no maximum, so the barrier is 0 */
@@ -117,7 +115,7 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             *root = r;
             return DOM_OK;
         }
-        real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
+        real next = root_next(s, c), step = fabs(next - r);
         /* As in the secant method, the error after a step is roughly the product of the last two errors,
          * divided by a length that can be estimated from the previous steps. The first step is not one of the
          * secant method, so that it says nothing about this length, and r / 16 is used after it. */
@@ -141,20 +139,28 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     bool both = !lo->margin.most && !hi->margin.most && up < 1 && down > -1;
     real first = both ? up / (up - down) : (real)0.5;
     margin_follow_begin(c);
-    return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), 0, r);
+    return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
 /* Relative distance from an approximate root at which the slope of the margin is measured. Its square is the
  * largest relative error that the approximate root may have. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Finds the root near an approximate root, by following the maximum of H. */
+/* Finds the root near an approximate root. Follows the maximum of H from a growth aside, which also shows the
+ * slope of the margin. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
                             .hi = fmin(near * (1 + ROOT_ASIDE), c->geometry.span / c->s)};
+    const real aside = near * (1 - ROOT_ASIDE);
     margin_follow_begin(c);
-    return root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
+    c->share = cbrt(ROOT_ASIDE); /* the slope is needed to a few digits only */
+    const real share = margin_follow(aside, c);
+    if (c->status != DOM_OK)
+        return c->status;
+    root_add(&s, (struct root_point){aside, share, c->followed_value});
+    c->share = ROOT_ASIDE * ROOT_ASIDE * ROOT_ASIDE; /* from here on, all digits are needed */
+    return root_search(c, &s, near, root);
 }
 
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found)
@@ -252,7 +258,7 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
     if (!(start > from->r && start < reach))
         return DOM_OK;
     margin_follow_begin(c);
-    const enum dom_status status = root_search(c, &s, start, 0, &at);
+    const enum dom_status status = root_search(c, &s, start, &at);
     if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
         return status;
     c->status = DOM_OK;
@@ -263,7 +269,7 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
     return DOM_OK;
 }
 
-enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };
+enum { DOWN_STRIPS = 24, DOWN_FAILS = 5 };
 
 /* Returns the width in ln r of the first strip below the root; `whole` is the width of the whole interval
  * below the root. */
@@ -311,7 +317,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
         margin = fmax(fmax(over, left), 0);
         barrier = highest;
         *down = lo;
-        width *= 2;
+        width = fmax(2 * width, fmin(2 * log(1 / (c->s * lo)), (real)1e-2));
         fails = 0;
     }
     return DOM_OK;
@@ -363,7 +369,7 @@ KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from,
     *root = reach;
     if (status == DOM_OK && start > from->r && start < reach) {
         margin_follow_begin(c);
-        status = root_search(c, &s, start, 0, root);
+        status = root_search(c, &s, start, root);
         known = status == DOM_OK && *root < reach && margin_highest(c, *root);
     }
     if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)

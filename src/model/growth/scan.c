@@ -131,7 +131,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         if (falls) {
             below = hi;
             bracketed = true;
-        } else if (known == KNOWN_POSITIVE || step <= finest) {
+        } else if (known == KNOWN_POSITIVE || step * (real)0.8 <= finest) {
             lo = hi;
             step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
         } else { /* a shorter strip may have sufficient bounds, or numbers that do not underflow */
