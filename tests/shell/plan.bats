@@ -70,4 +70,14 @@ END
     same 'saved and read again' '0.02 0.033' "$(widths 'effect row widths.csv; row > again.csv; effect row again.csv')"
     same changed '0.024 0.036 0.054' "$(widths 'effect row 3; change 2 height 80 mm')"
     same 'changed, saved and read again' '0.024 0.036 0.054' "$(widths 'effect row 3; change 2 height 80 mm; row > changed.csv; effect row changed.csv')"
+    same 'width changed' '0.024 0.04 0.0594' "$(widths 'effect row 3; change 2 width 4 cm; change 3 width +10 %')"
+    same 'width changed, saved as a script' '0.024 0.04 0.0594' "$(widths 'effect row 3; change 2 width 4 cm; change 3 width +10 %; save s.dom; effect row off; source s.dom')"
+    same 'mass of a wider domino' 'relative,1,1,2' "$("$DOMINO" -e 'set r 1; effect row 3; set output csv; change 3 width 48 mm; row' | cut -d, -f5 | paste -sd,)"
+}
+
+@test "plan: improve sizes keeps the proportions of each domino, also its width" {
+    proportions() { "$DOMINO" -e "$1; effect placement 5 mm; improve sizes; plan > p.csv" > /dev/null; awk -F, 'NR > 1 { printf "%.6g ", $13 / $7 }' p.csv; }
+    same 'from the parameters' '0.5 0.5 0.5 0.5 ' "$(proportions 'effect row 4')"
+    same 'a changed width' '0.5 0.416667 0.5 0.5 ' "$(proportions 'effect row 4; change 2 width 30 mm')"
+    same boxes '0.5 0.5 0.5 0.5 ' "$(proportions 'set q hollow; effect row 4; effect walls 2 mm 10 cm')"
 }

@@ -21,7 +21,7 @@ static void row_weigh(const struct scene *scene, struct domq_domino *domino, siz
         domino[k].mass *= by;
 }
 
-void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count)
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_real *width, size_t count)
 {
     const struct listed_row *listed = &scene->listed;
     if (listed->domino)
@@ -37,7 +37,13 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
-    row_changes_apply(scene, domino, count);
+    for (size_t k = 0; k < count; k++) {
+        struct measured_domino d = {domino[k], listed->domino ? listed->width[k] : domino[k].height / 2};
+        row_changes_apply(scene, k, &d);
+        domino[k] = d.domino;
+        if (width)
+            width[k] = d.width;
+    }
     /* a change may have affected the first domino, whose m g h / 2 must be 1 */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
@@ -47,18 +53,13 @@ domq_real *scene_row_widths(const struct scene *scene, size_t count)
 {
     domq_real *width = malloc(count * sizeof *width);
     struct domq_domino *domino = malloc(count * sizeof *domino);
-    struct scene unchanged = *scene;
-    unchanged.listed.changes = 0;
-    if (!width || !domino) {
+    const bool good = width && domino;
+    if (good)
+        scene_row_fill(scene, domino, width, count);
+    else
         free(width);
-        free(domino);
-        return NULL;
-    }
-    scene_row_fill(&unchanged, domino, count);
-    for (size_t k = 0; k < count; k++)
-        width[k] = scene->listed.domino ? scene->listed.width[k] : domino[k].height / 2;
     free(domino);
-    return width;
+    return good ? width : NULL;
 }
 
 /* Returns true if the walls fit into every domino. Otherwise reports the problem. */
@@ -85,7 +86,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     row->domino = malloc(count * sizeof *row->domino);
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    scene_row_fill(scene, row->domino, count);
+    scene_row_fill(scene, row->domino, NULL, count);
     if (scene_walls(scene) > 0 && !walls_fit(scene, row->domino, count, problem)) {
         free(row->domino);
         row->domino = NULL;
@@ -167,14 +168,15 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
         k + !is_gap, measured(tall, unit, 4).text,
         is_gap || measure == MEASURE_HEIGHT ? " tall"
         : is_mass                           ? " now"
+        : measure == MEASURE_WIDTH          ? " wide"
                                             : " thick",
         quad_text(value, 10), write);
 }
 
-domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
+domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino, domq_real width,
                             enum row_measure measure)
 {
-    struct domq_domino copy = *domino;
+    struct measured_domino copy = {*domino, width};
     return measure == MEASURE_LEAN                            ? domino->height * quad(sin)(domino->lean)
            : measure == MEASURE_RADIUS && domino->radius == 0 ? scene->train.rho * domino->height
                                                               : *row_measure_at(&copy, measure);
@@ -190,32 +192,35 @@ static domq_real lean_angle(domq_real off, domq_real height)
  * stored in listed_row.change. Sets *problem and returns false if the domino cannot have this value.
  */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
-                          const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
+                          const struct scene_row *row, const domq_real *width, size_t k, domq_real *kept,
+                          struct problem *problem)
 {
     const enum row_measure measure = change->measure;
     const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
-    struct domq_domino domino = row->domino[k];
-    domq_real *member = row_measure_at(&domino, measure),
-              now = is_lean && change->is_angle ? domino.lean : scene_row_measure(scene, &domino, measure),
+    struct measured_domino d = {row->domino[k], width[k]};
+    struct domq_domino *domino = &d.domino;
+    domq_real *member = row_measure_at(&d, measure),
+              now = is_lean && change->is_angle ? domino->lean
+                                                : scene_row_measure(scene, domino, d.width, measure),
               value = change->how == CHANGE_TO   ? change->value
                       : change->how == CHANGE_BY ? now + change->value
                                                  : now * change->value;
     const struct listed_row *listed = &scene->listed;
-    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].mass : DOMQ_NAN;
+    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].domino.mass : DOMQ_NAN;
     char message[MISFIT_MESSAGE];
     if (change->is_bare && !bare_likely(row->domino, k, measure, now, value, problem))
         return false;
     if (!csv_fits(&rowfile_kind.column[measure], value, message))
         return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
     if (is_lean && !change->is_angle)
-        value = lean_angle(value, domino.height);
-    if (measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS)
-        domino.mass *= value / *member;
+        value = lean_angle(value, domino->height);
+    if (row_measure_is_size(measure))
+        domino->mass *= value / *member;
     *kept = !is_mass ? value : change->how == CHANGE_TIMES ? change->value : value / now;
     *kept *= isnan(before) ? 1 : before;
     *member = value;
-    return (domino_misfit(&domino, scene->train.alpha, message) == ROW_MEASURES &&
-            csv_fits(&rowfile_kind.column[MEASURE_MASS], domino.mass, message)) ||
+    return (domino_misfit(domino, scene->train.alpha, message) == ROW_MEASURES &&
+            csv_fits(&rowfile_kind.column[MEASURE_MASS], domino->mass, message)) ||
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
@@ -239,8 +244,9 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
 }
 
 /* Changes the row of a scene that owns the memory of its row. On failure, sets *problem and returns false. */
-static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
-                       const struct row_range *range, int ranges, struct problem *problem)
+static bool row_change(struct scene *scene, const struct scene_row *row, const domq_real *width,
+                       const struct row_change *change, const struct row_range *range, int ranges,
+                       struct problem *problem)
 {
     struct scene_row changed;
     struct listed_row next;
@@ -251,8 +257,8 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const s
     bool good = true;
     for (int i = 0; i < ranges; i++)
         for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
-            good = domino_change(scene, change, row, k, row_measure_at(&next.change[k], change->measure),
-                                 problem);
+            good = domino_change(scene, change, row, width, k,
+                                 row_measure_at(&next.change[k], change->measure), problem);
     struct listed_row before = scene->listed;
     next.saved = false;
     scene->listed = next;
@@ -275,7 +281,10 @@ bool scene_row_change(struct scene *scene, const struct row_change *change, cons
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
-    good = good && row_change(scene, &row, change, range, ranges, problem);
+    domq_real *width = scene_row_widths(scene, row.row.count);
+    good = good && (width || problem_status(problem, scene, DOM_NO_MEMORY)) &&
+           row_change(scene, &row, width, change, range, ranges, problem);
+    free(width);
     free(row.domino);
     return good;
 }

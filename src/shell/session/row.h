@@ -27,26 +27,27 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the measurements that 'change'
- * has changed. */
-void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
+ * has changed. Writes their widths in m to `width` unless it is NULL. A domino is half as wide as it is tall,
+ * unless the file of the row has widths or 'change' has changed the width. A domino whose height is changed
+ * by 'change' keeps its width. */
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_real *width, size_t count);
 
 /* Returns the widths in m of the first `count` dominoes, in an array that the caller frees. Returns NULL if
- * memory runs out. A domino is half as wide as it is tall, unless the file of the row has widths. A domino
- * whose height is changed by 'change' keeps its width. */
+ * memory runs out. */
 domq_real *scene_row_widths(const struct scene *scene, size_t count);
 
 /* Returns true if the masses of the row are known. If they are, energies are in J; otherwise energies are in
  * m g h / 2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is returned as the distance of the top from plumb. A
- * domino without a radius of its own has the radius of 'effect edges'. */
-domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
+/* Returns a measurement of a domino in m or kg; `width` is the width of the domino. A lean is returned as the
+ * distance of the top from plumb. A domino without a radius of its own has the radius of 'effect edges'. */
+domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino, domq_real width,
                             enum row_measure measure);
 
 /*
- * Changes one measurement of all dominoes in the given ranges. A domino whose height or thickness changes
- * keeps its density. The changes are lost when the row is replaced. If a domino does not exist, or cannot
+ * Changes one measurement of all dominoes in the given ranges. A domino whose size changes keeps its
+ * density. The changes are lost when the row is replaced. If a domino does not exist, or cannot
  * have the new measurement, sets *problem, changes nothing and returns false.
  */
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,

@@ -11,15 +11,16 @@ const char *row_measure_names(const void *context, int k)
     return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
 }
 
-domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
+domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure)
 {
     static const size_t member[ROW_MEASURES] = {
-        [MEASURE_HEIGHT] = offsetof(struct domq_domino, height),
-        [MEASURE_THICKNESS] = offsetof(struct domq_domino, thickness),
-        [MEASURE_GAP] = offsetof(struct domq_domino, gap),
-        [MEASURE_MASS] = offsetof(struct domq_domino, mass),
-        [MEASURE_RADIUS] = offsetof(struct domq_domino, radius),
-        [MEASURE_LEAN] = offsetof(struct domq_domino, lean),
+        [MEASURE_HEIGHT] = offsetof(struct measured_domino, domino.height),
+        [MEASURE_THICKNESS] = offsetof(struct measured_domino, domino.thickness),
+        [MEASURE_GAP] = offsetof(struct measured_domino, domino.gap),
+        [MEASURE_MASS] = offsetof(struct measured_domino, domino.mass),
+        [MEASURE_RADIUS] = offsetof(struct measured_domino, domino.radius),
+        [MEASURE_LEAN] = offsetof(struct measured_domino, domino.lean),
+        [MEASURE_WIDTH] = offsetof(struct measured_domino, width),
     };
     return (void *)((char *)domino + member[measure]);
 }
@@ -30,35 +31,27 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-/* Sets *size, which is the height or the thickness of the domino, to a new value, and scales the mass with
- * the volume. The width does not change. If the mass was computed from the walls, it is scaled with the
- * volume of the wood, because the change may turn a solid domino into a box, or a box into a solid domino. */
-static void size_change(const struct scene *scene, domq_real width, struct domq_domino *d, domq_real *size,
-                        domq_real value)
+/* Returns the fraction of the domino's volume that is wood, if its mass was computed from the walls, and
+ * otherwise 1. A change of a size may turn a solid domino into a box, or a box into a solid domino. */
+static domq_real wood(const struct scene *scene, const struct measured_domino *d)
 {
     const struct listed_row *row = &scene->listed;
     const bool of_wood = row->from_volumes || (!row->domino && scene_boxes_above(scene) > 0);
-    const domq_real filled = of_wood ? scene_filled(scene, d->height, d->thickness, width) : 1;
-    d->mass *= value / *size;
-    *size = value;
-    if (of_wood)
-        d->mass *= scene_filled(scene, d->height, d->thickness, width) / filled;
+    return of_wood ? scene_filled(scene, d->domino.height, d->domino.thickness, d->width) : 1;
 }
 
-void row_changes_apply(const struct scene *scene, struct domq_domino *domino, size_t count)
+void row_changes_apply(const struct scene *scene, size_t k, struct measured_domino *d)
 {
-    const struct listed_row *row = &scene->listed;
-    for (size_t k = 0; k < count && k < row->changes; k++) {
-        const domq_real width = row->width ? row->width[k] : domino[k].height / 2;
-        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
-            domq_real value = changed(row, k, m), *member = row_measure_at(&domino[k], m);
-            if (isnan(value))
-                continue;
-            if (m == MEASURE_HEIGHT || m == MEASURE_THICKNESS)
-                size_change(scene, width, &domino[k], member, value);
-            else
-                *member = m == MEASURE_MASS ? *member * value : value;
-        }
+    for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
+        domq_real value = changed(&scene->listed, k, m), *member = row_measure_at(d, m);
+        if (isnan(value))
+            continue;
+        if (row_measure_is_size(m)) {
+            d->domino.mass *= value / *member / wood(scene, d);
+            *member = value;
+            d->domino.mass *= wood(scene, d);
+        } else
+            *member = m == MEASURE_MASS ? *member * value : value;
     }
 }
 

@@ -20,12 +20,18 @@ struct row_change {
     bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member of a domino that holds a measurement. For an element of listed_row.change,
+/* Returns a pointer to the member that holds a measurement of a domino. For an element of listed_row.change,
  * returns a pointer to the change of the measurement. */
-domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
+domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure);
 
-/* Applies the stored changes to the first `count` dominoes of the row. */
-void row_changes_apply(const struct scene *scene, struct domq_domino *domino, size_t count);
+/* Returns true for the three sizes of a domino: if one of them changes, the domino keeps its density. */
+static inline bool row_measure_is_size(enum row_measure measure)
+{
+    return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;
+}
+
+/* Applies the stored changes to domino k of the row, counted from 0. */
+void row_changes_apply(const struct scene *scene, size_t k, struct measured_domino *domino);
 
 /* Allocates the array of changes for a row of `count` dominoes, unless the row already has one. Returns false
  * if memory runs out. */

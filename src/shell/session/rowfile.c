@@ -57,7 +57,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
 
 /* ---- Rows ---- */
 
-enum { DENSITY = ROW_MEASURES, WIDTH, RELATIVE, DOMINO, KINDS };
+enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, KINDS };
 
 #define LENGTH                                                                                               \
     CSV_LENGTH, "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
@@ -75,9 +75,9 @@ static const struct csv_column columns[KINDS] = {
                       "1e-40 .. 1e38 kg"},
     [MEASURE_RADIUS] = {"radius", NULL, 0, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
     [MEASURE_LEAN] = {"lean", "plumb,tilt", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
+    [MEASURE_WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
     [DENSITY] = {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3",
                  WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
-    [WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
     [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by that of the first domino", 1e-40, 1e38,
                   "1e-40 .. 1e38"},
     [DOMINO] = {"domino", "nr,no,no.,number", 0, PLAIN "the program does not use it", 1, 1e6, "1 .. 1e6"},
@@ -128,7 +128,7 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
 static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *rows)
 {
     const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
-    domq_real width = csv->column[WIDTH] ? value[WIDTH] : height / 2;
+    domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : height / 2;
     domq_real density = csv->column[DENSITY] ? value[DENSITY] : 1;
     struct domq_domino domino = {
         .height = height,

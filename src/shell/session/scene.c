@@ -37,7 +37,7 @@ void listed_free(struct listed_row *row)
 bool listed_share(struct listed_row *to, const struct listed_row *from)
 {
     size_t size = from->changes * sizeof *from->change;
-    struct domq_domino *change = size ? malloc(size) : NULL;
+    struct measured_domino *change = size ? malloc(size) : NULL;
     *to = (struct listed_row){.domino = NULL};
     if (size && !change)
         return false;

@@ -26,7 +26,14 @@ enum row_measure {
     MEASURE_MASS,
     MEASURE_RADIUS,
     MEASURE_LEAN,
+    MEASURE_WIDTH,
     ROW_MEASURES
+};
+
+/* The measurements of a domino. */
+struct measured_domino {
+    struct domq_domino domino;
+    domq_real width; /* m */
 };
 
 /* The dominoes of a row that was read from a file, and the changes that 'change' has made to single dominoes.
@@ -44,7 +51,7 @@ struct listed_row {
     /* The changed measurements of each domino. Measurements that have not been changed are NaN. A changed
      * mass is stored as a factor, because the mass also changes with the size of the domino. NULL if nothing
      * has been changed. */
-    struct domq_domino *change;
+    struct measured_domino *change;
     size_t changes; /* the number of elements of `change` */
     bool saved;     /* the changes have been saved to a file */
     /* the reference count of `domino`, `width`, `path` and `others`; NULL if these are NULL */

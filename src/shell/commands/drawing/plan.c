@@ -22,7 +22,8 @@ const struct column plan_columns[] = {
     {"thickness", "m", "thickness of the domino", 0},
     {"thickness_low", "m", "the smallest thickness with which all dominoes fall", 0},
     {"thickness_high", "m", "the largest such thickness", 0},
-    {"width", "m", "width of the domino: half its height, unless the file of the row has widths", 0},
+    {"width", "m",
+     "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {NULL, NULL, NULL, 0},
 };

@@ -268,13 +268,12 @@ static bool change_bind(const struct question *q, const struct query *query, str
 
 enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
 
+/* Says that a measurement of domino k, counted from 1, has changed. */
 static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
-                       const struct domq_domino *before, const struct domq_domino *after)
+                       domq_real from, domq_real to)
 {
     const enum row_measure measure = change->measure;
     const char *name = row_measure_names(NULL, (int)measure);
-    const domq_real from = scene_row_measure(query->scene, before, measure),
-                    to = scene_row_measure(query->scene, after, measure);
     const struct measure unit =
         measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
     const char *one = quad_text(measure_number(unit, from), 6),
@@ -288,14 +287,14 @@ static void change_say(const struct query *query, struct answer *a, const struct
 }
 
 static void changes_say(const struct query *query, struct answer *a, const struct row_change *change,
-                        const struct row_range *range, int ranges, const struct domq_domino *before,
-                        const struct domq_domino *after)
+                        const struct row_range *range, int ranges, const domq_real *before,
+                        const domq_real *after)
 {
     size_t lines = 0, more = 0;
     for (int i = 0; i < ranges; i++)
         for (size_t k = range[i].first; k <= range[i].last; k++)
             if (lines < LINES) {
-                change_say(query, a, change, k, &before[k - 1], &after[k - 1]);
+                change_say(query, a, change, k, before[k - 1], after[k - 1]);
                 lines++;
             } else
                 more++;
@@ -304,26 +303,46 @@ static void changes_say(const struct query *query, struct answer *a, const struc
     a->wrote_text = true;
 }
 
+/* Returns an array of one measurement of all dominoes of a row, which the caller frees. On failure, sets
+ * *problem and returns NULL. */
+static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
+                                struct problem *problem)
+{
+    struct scene_row row;
+    if (!scene_row_list(scene, &row, problem))
+        return NULL;
+    *count = row.row.count;
+    domq_real *list = scene_row_widths(scene, *count);
+    for (size_t k = 0; list && k < *count; k++)
+        list[k] = scene_row_measure(scene, &row.domino[k], list[k], measure);
+    free(row.domino);
+    if (!list)
+        problem_status(problem, scene, DOM_NO_MEMORY);
+    return list;
+}
+
 static bool run_change(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct changing *c = query->given->bound;
-    struct scene_row before, after;
+    const enum row_measure measure = c->change.measure;
+    size_t count;
     if (!query->next)
         return true;
-    if (!scene_row_list(query->scene, &before, problem))
+    domq_real *before = measures_list(query->scene, measure, &count, problem), *after = NULL;
+    if (!before)
         return false;
-    struct row_range all = {c->change.measure == MEASURE_GAP ? 2 : 1, before.row.count};
+    struct row_range all = {measure == MEASURE_GAP ? 2 : 1, count};
     const struct row_range *range = c->ranges ? c->range : &all;
     const int ranges = c->ranges ? c->ranges : 1;
     bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
     if (good && answer_for_people(a) && !query->means->sourced) {
-        good = scene_row_list(&query->next->scene, &after, problem);
-        if (good) {
-            changes_say(query, a, &c->change, range, ranges, before.domino, after.domino);
-            free(after.domino);
-        }
+        after = measures_list(&query->next->scene, measure, &count, problem);
+        good = after;
+        if (good)
+            changes_say(query, a, &c->change, range, ranges, before, after);
     }
-    free(before.domino);
+    free(before);
+    free(after);
     return good;
 }
 
@@ -375,19 +394,20 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(tolerance)},
     {.name = "change",
-     .synonyms = "modify edit adjust alter thickness height mass radius lean",
+     .synonyms = "modify edit adjust alter thickness height width mass radius lean",
      .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
                   {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another measure of dominoes",
      .help =
          "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
-         "thickness, gap (the gap before the domino), mass, radius (of the edges) or lean (how far the top "
-         "is off plumb, or an angle; a negative lean is backwards). X is the new value. An X with a sign is "
-         "added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in 'change 4,5 "
-         "thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes taller or "
-         "thicker keeps the gaps beside it and its density, so it becomes heavier. The change lasts "
-         "until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
+         "thickness, width, gap (the gap before the domino), mass, radius (of the edges) or lean (how far "
+         "the top is off plumb, or an angle; a negative lean is backwards). X is the new value. An X with a "
+         "sign is added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in "
+         "'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes "
+         "taller, thicker or wider keeps the gaps beside it and its density, so it becomes heavier; its "
+         "other sizes stay. The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' "
+         "keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,
