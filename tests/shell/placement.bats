@@ -96,6 +96,7 @@ parts() { # PARTS ROWS
     cat all less | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
     study="$study; set seed 2" parts 1 100 | cat less - | pool_fails ':6:1: this block belongs to another study'
     study="$study; place 3 40 mm" parts 2 400 | cat less - | pool_fails ':6:1: this block belongs to another study'
+    study="$study; change 3 lean 1 mm" parts 2 400 | cat less - | pool_fails ':6:1: this block belongs to another study'
     pool_fails 'has no blocks of a study' </dev/null
     pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
     sed '2s/,100,/,x,/' all | pool_fails ":2:[0-9]+: rows at 'x'"

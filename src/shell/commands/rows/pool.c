@@ -47,8 +47,10 @@ static void checksum_add(uint32_t *sum, domq_real value)
         *sum = (*sum ^ bytes[i]) * 16777619u;
 }
 
-static uint32_t scene_checksum(const struct domq_row *row, const struct domq_compute *compute)
+static uint32_t scene_checksum(const struct scene_row *scene)
 {
+    const struct domq_row *row = &scene->row;
+    const struct domq_compute *compute = &scene->compute;
     uint32_t sum = 2166136261u;
 #define VALUE(name, member, status) row->member,
     const domq_real all[] = {row->g, isnan(row->push) ? -1 : row->push, DOM_DYNAMICS(VALUE) compute->tol,
@@ -56,11 +58,17 @@ static uint32_t scene_checksum(const struct domq_row *row, const struct domq_com
 #undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
+    if (row->engine) {
+        checksum_add(&sum, scene->engine.effects.feet);
+        checksum_add(&sum, scene->engine.effects.bounce);
+    }
     for (size_t k = 0; k < row->count; k++) {
         checksum_add(&sum, row->domino[k].height);
         checksum_add(&sum, row->domino[k].thickness);
         checksum_add(&sum, row->domino[k].gap);
         checksum_add(&sum, row->domino[k].mass);
+        checksum_add(&sum, row->domino[k].radius);
+        checksum_add(&sum, row->domino[k].lean);
     }
     return sum;
 }
@@ -136,7 +144,7 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
 {
     struct blocks b = {.scene = scene, .placement = placement};
     bool by_point;
-    snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
+    snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(scene));
     a->columns = block_columns;
     a->rows = true;
     a->style.errors = false; /* counts are exact, and have no error bounds */
