@@ -39,8 +39,8 @@ struct symbol_names {
 struct derived {
     struct symbol_names names;
     unsigned with; /* the conditions under which this entry is used, as bits */
-    unsigned ends; /* the conditions, as bits, each of which means that the equation does not hold; the
-                      derivation then ends */
+    unsigned ends; /* if the train fulfils one of these conditions, the equation does not hold, and the
+                      derivation ends */
     enum sum sum;
     const char *equation; /* NULL if there is no equation in closed form, so that the derivation ends with
                              this quantity */

@@ -22,7 +22,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
             text_add(filled, size, "%c", *text);
 }
 
-/* Returns the quantity with this name, such as "margin", of one hit. */
+/* Returns a quantity of one hit by its name, such as "margin". */
 static domq_real fall_value(const struct domq_fall *fall, const char *name)
 {
     return strcmp(name, "margin") == 0    ? fall->margin
@@ -270,7 +270,7 @@ static bool conditions_find(struct derivation *d, bool reach)
     struct domq_angles angles;
     const struct scene *scene = &d->state->scene;
     if (d->fall)
-        return true; /* the conditions are those of a train, but the dominoes of a row may have any sizes */
+        return true; /* the equations for a row have no conditions */
     enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);

@@ -152,7 +152,8 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
                                      ? "all dominoes fall, and none of them has a barrier to climb"
                                      : "this row ends at domino %zu for a reason other than its energy: %s",
                                  v.domino, dom_row_end_text(v.end));
-    a->note = NULL; /* the note would say that the answer is about the train, but it is about the row */
+    a->note =
+        NULL; /* the note would say that the answer is about the train, but the answer is about the row */
     snprintf(verdict, VERDICT_TEXT,
              v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
                                     : "Of %zu dominoes, k = %zu is the one at which the row stops.",
@@ -216,7 +217,8 @@ const struct command explain_commands[] = {
      .help =
          "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
          "in symbols and with numbers, the value, and the quantities from which the value comes. With "
-         "'deep', these are explained as well, down to the parameters. The values are those that the other "
+         "'deep', these quantities are explained as well, down to the parameters. The values are those that "
+         "the other "
          "commands compute. After theta1, energy and omega, MORE begins with a tilt; after rmax, with a "
          "separation; after count, with a height. With a row, 'explain verdict' is about the domino that "
          "decides the verdict. Where no equation in closed form exists, as with friction or rounded edges, "
@@ -246,9 +248,9 @@ const struct command explain_commands[] = {
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
      .summary = "the numbers and figures of the paper, recomputed with both fuels",
      .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
-             "and the quiz. Each is computed with the paper's closed form of the fuel and with the fuel from "
-             "the balance of energy, and the table says why the two differ. It is about the paper's own "
-             "dominoes and does not depend on the scene.",
+             "and the quiz. Each number is computed with the paper's closed form of the fuel and with the "
+             "fuel from the balance of energy, and the table says why the two results differ. The table is "
+             "about the paper's own dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
      .unswept = "it does not depend on the scene",

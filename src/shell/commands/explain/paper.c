@@ -6,7 +6,7 @@
 
 const struct column paper_columns[] = {
     {"where", "", "the figure, the equation or the section of the paper", 13},
-    {"what", "", "what the paper states or draws there", 34},
+    {"what", "", "the quantity that the paper states or draws", 34},
     {"q", "", "mass exponent: 3 for hollow dominoes, 4 for massive ones", 4},
     {"s", "h", "separation", 0},
     {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},

@@ -44,8 +44,7 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* the errors of all measurements are known */
-    /* Times of hits are compared as intervals, each from the hit on the previous measured domino to the hit
-     * on this domino. */
+    /* The times of hits are compared as intervals between the hits on successive measured dominoes. */
     bool intervals;
 };
 
@@ -77,10 +76,10 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes what the model gives for each measurement, with these values of the unknowns. Times of hits are
- * counted from a start time that is chosen for each run so that the sum of its squared residuals is smallest.
- * For angles, clock[k] is the time at which the motion of run k begins. Returns false and sets fit->problem
- * if there is no answer, or if the row of the model ends before the last domino that was measured. */
+/* Computes what the model gives for each measurement, with these values of the unknowns. For hits, each run
+ * gets the start time with which the sum of its squared residuals is smallest. For angles, clock[k] is the
+ * time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or if
+ * the row of the model ends before the last domino that was measured. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
 /* For angles, estimates when the motion of each run begins. On failure, sets fit->problem and returns false.
@@ -107,7 +106,7 @@ bool fit_solve(struct fit *fit, struct problem *problem);
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 
-/* The command: its parser and its answer. */
+/* ---- The command ---- */
 extern const struct column fit_columns[];
 const char *fit_names(const void *context, int k); /* a names_list of the parameters that can be fitted */
 bool fit_parse(struct reader *reader, struct question *question);

@@ -50,8 +50,8 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Returns true if the part of the row that falls includes all dominoes that were measured; `dominoes` is
- * the length of this part. Otherwise reports that the row is too short, and returns false. */
+/* Returns true if all measured dominoes are among the first `dominoes` dominoes, which fall in the model.
+ * Otherwise reports that the row is too short, and returns false. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||

@@ -154,8 +154,8 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Tries all combinations of starting values, and stores the best one in the unknowns and in *clock. If the
- * model has an answer for none of them, sets f->problem and returns false. */
+/* Tries all combinations of starting values, and stores the best combination in the unknowns and in *clock.
+ * If the model has an answer for none of the combinations, sets f->problem and returns false. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -285,8 +285,8 @@ static bool limit_take(struct fit *f, double near)
 }
 
 /* Finds the minimum. If the sum of squares decreases towards a limit of the range of an unknown, the search
- * would jump back and forth across the limit. Such an unknown is therefore set to the limit, and the others
- * are searched again. */
+ * would jump back and forth across the limit. Such an unknown is therefore set to the limit, and the search
+ * is repeated for the others. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;

@@ -96,8 +96,8 @@ static void none_write(const struct tried *tried, size_t count, const struct dom
                                         : "a smaller friction");
     else
         snprintf(reason, REASON,
-                 "infeasible: no number of dominoes falls with a probability of %s; with %zu dominoes %zu of "
-                 "%zu rows fall; make the errors smaller%s",
+                 "infeasible: no row falls with a probability of %s, whatever its number of dominoes; with "
+                 "%zu dominoes, %zu of %zu rows fall; make the errors smaller%s",
                  measured(falls, "share", 6).text, tried[best].count, tried[best].study.fall,
                  tried[best].study.rows, isfinite(wish->hall) ? ", or the hall longer" : "");
 }

@@ -17,7 +17,7 @@ const struct column design_columns[] = {
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
     {"weakest", "", "the number of the weakest domino", 0},
     {"train", "", "the safety of the endless train", 0},
-    {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
+    {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
     {"probability", "share", "the share of the random rows that fall", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"rows", "", "the number of random rows that were set up", 0},

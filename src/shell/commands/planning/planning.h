@@ -31,7 +31,7 @@ struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* search for changes of the verdict of a command; `value` is not used */
+    bool verdict;          /* search for changes of a verdict instead of a value */
     struct quantity value; /* the value to solve for */
 };
 

@@ -18,7 +18,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 /* The friction that the floor must have so that the foot of `domino` does not slip while `head` falls, or
  * when it is hit. `domino` is often not the head itself. */
 struct slip {
-    domq_real needs;     /* infinite if the domino is lifted off the floor */
+    domq_real needs;     /* the friction that is needed; infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers of dominoes, from 1; head is 0 if no foot slips */
 };
 

@@ -249,8 +249,8 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
     char after[2 * CELL_TEXT] = "";
     if (k < w->count)
         snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
-    answer_say(a, "'change %zu gap %c%s%s' puts it into the middle.", k, by < 0 ? '-' : '+', shift.text,
-               after);
+    answer_say(a, "'change %zu gap %c%s%s' moves the domino to the middle.", k, by < 0 ? '-' : '+',
+               shift.text, after);
 }
 
 static const char *const size_names[] = {
@@ -323,7 +323,7 @@ static void columns_choose(struct answer *a, const struct windows *w)
         answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
                             "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)
-        for (int i = 0; i < COLUMN_KINDS; i++) { /* so that both ends of a window have the same unit */
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window must have the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
             answer_largest(a, tolerance_columns[3 * i + 2].key, high);
             answer_largest(a, tolerance_columns[3 * i + 3].key, high);

@@ -38,10 +38,10 @@ struct sweeper {
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the command that does the sweep, for messages */
-    struct means means;   /* for the command at one point, so without the shard, which only selects points */
-    bool styled;          /* the grid changes the number of digits */
-    struct answer answer; /* this worker's part of the answer of the sweep, which is copied to begin the
-                             answer at each point */
+    struct means means;        /* without the shard of the sweep, because a point is not divided into parts */
+    bool styled;               /* the grid changes the number of digits */
+    /* This worker's part of the answer of the sweep, and the template for the answer at each point. */
+    struct answer answer;
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by point_probe */
     struct tally tally;
