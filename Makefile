@@ -165,9 +165,9 @@ LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPE
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
-# -O1 takes two thirds of the time to compile or less. Whatever waits for the kernels in float and double is as fast with
-# it, and so is the kernel in quad, which waits for functions that multiply and add. The kernels in float and double need
-# the same options, because 'cost' compares their times.
+# With -O1, compiling takes two thirds of the time or less. Code that waits for the kernels in float and double is as
+# fast with -O1, and so is the kernel in quad, which waits for library functions that multiply and add. The kernels in
+# float and double need the same options, because 'cost' compares their times.
 QUICK := $(call OBJ,$(SHELL_C) $(TYPED) src/model/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) src/model/precision/quad.c)
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 $(B)/objq/%.o: %.c | $(FIRST)
@@ -176,8 +176,7 @@ $(B)/objq/%.o: %.c | $(FIRST)
 	$(Q)$(CC) $(C_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
 
 $(LIB_OBJ): $(B)/library.h
-# Objects from different folders may have the same name, so they are appended. 'r' would replace one
-# by another.
+# Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one by another.
 $(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
@@ -271,7 +270,7 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out 
 	$(call LINK,$(GSL) -lmpfr -lgmp -lcmocka)
 
 # Each suite is a target that always runs the suite and writes its counts: suites run in parallel, the
-# longest first. A suite that fails stops no other; the counts are added up at the end.
+# longest first. A suite that fails does not stop the others. The counts are added up at the end.
 COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
 BATS       := $(foreach name,package terminal prompt,tests/shell/$(name).bats)
 BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
@@ -331,8 +330,8 @@ CROSS := aarch64-linux-gnu i686-linux-gnu
 cross: | $(FIRST)
 	+@for machine in $(CROSS); do tests/cross $(B)/cross $$machine || exit 1; done
 
-# Tests failing memory, full disks, closed streams, missing readers and writers, and signals at the
-# wrong moment.
+# Tests what happens when memory runs out, disks are full, streams are closed, readers or writers are missing, and
+# signals arrive at the wrong moment.
 FAULTS := $(wildcard tests/faults/*.bats)
 faults: all $(B)/faults/fail_alloc.so
 	@tests/run $(B) $(FAULTS)
@@ -342,9 +341,9 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 -D_GNU_SOURCE $(WARN) -O2 -fPIC -shared $< -o $@
 
-# Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and keep rows, under
-# sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of
-# the model that the tests run. With -g1, which records only lines, gcc takes half as long.
+# Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and store rows under
+# sanitizers. The examples run in 'make valgrind' instead, and every command in 'make fuzz'. A leak is a failure. Counts
+# the lines of the model that the tests run. With -g1, which records only lines, gcc takes half as long.
 SANITIZED := $(patsubst %,tests/shell/%.bats,prompt assert complete draw effects errors escape expressions files fifo help lines \
   mend names options placement prove rowfiles rows save settings tolerance undo units variables)
 sanitize: | $(FIRST)

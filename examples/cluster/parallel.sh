@@ -5,8 +5,8 @@
 #
 #   parallel.sh [PARTS] [FOLDER] [SCENE...]     FOLDER/SCENE.csv of each scene; by default all scenes but map.dom and improve.dom
 #
-# A part whose program is killed is computed again, twice at most. When the script itself was ended, run it again: it
-# computes only what is missing. The parts are in FOLDER/SCENE.parts.
+# A part whose program is killed is computed again, twice at most. If the script itself was stopped, run it again: it
+# computes only the parts that are missing. The parts are in FOLDER/SCENE.parts.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 parts=${1:-8}

@@ -3,17 +3,17 @@
 # A scene as a job array of Slurm: task I of N computes part I of N.
 #
 #   sbatch slurm.sh                               20 parts of the sweep, part-01.csv ... part-20.csv
-#   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement, and so of errors.dom
+#   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement; errors.dom likewise
 #   sbatch --array=1-100 slurm.sh map.dom         a map of a million points
-#   sbatch slurm.sh improve.dom                   'improve' from 20 seeds, of which one takes the best
+#   sbatch slurm.sh improve.dom                   'improve' from 20 seeds; choose the best
 #
-# When all are done the whole is
+# When all tasks are done, combine the parts:
 #
-#   cat part-*.csv > sweep.csv                    of a sweep, such as sweep.dom, map.dom and improve.dom
-#   cat part-*.csv | domino -e 'pool -'           of a study
+#   cat part-*.csv > sweep.csv                    for a sweep, as in sweep.dom, map.dom and improve.dom
+#   cat part-*.csv | domino -e 'pool -'           for a study
 #
-# After tasks were lost, the same command computes only the parts that are missing, and '--array=7,31' only these two:
-# then say how many parts there are with '--export=ALL,PARTS=50'.
+# If tasks were lost, the same command computes only the parts that are missing. To run only tasks 7 and 31, use
+# '--array=7,31', and give the number of parts with '--export=ALL,PARTS=50'.
 #
 #SBATCH --job-name=domino
 #SBATCH --array=1-20

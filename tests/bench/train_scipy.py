@@ -52,7 +52,8 @@ class Train:
             self.y_leave = (L * L + d * d - 1 / (r * r)) / (2 * d * L)
             x_f = min((1 + r * r * (L * L - d * d)) / (2 * r * L), 1)
             self.h_f = math.sqrt(1 - x_f * x_f) + d * x_f
-        # Heights in the upright train, computed as far as they are needed. All energy differences use them.
+        # Heights of the dominoes while the head is upright. The list grows as far as it is needed. All energy
+        # differences use it.
         self.upright = [(0.0, 1.0, 1.0)]
         fall, J = self.rise(self.theta_c)
         T, rq = self.inertia * J, r**q

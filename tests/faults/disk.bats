@@ -81,7 +81,8 @@ export -f saved
 @test "a full folder for temporary files: pictures and appended answers are errors" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
-    # The folder of the test is in /tmp. This one must be elsewhere, and is removed in any case.
+    # The usual folder of a test is in /tmp, which is full here. So this test has a folder elsewhere, which is removed
+    # even if the test fails.
     away=$(mktemp -d /var/tmp/domino.XXXXXX)
     cp "$DOMINO" "$away/domino"
     # shellcheck disable=SC2016
@@ -127,7 +128,7 @@ export -f saved
     run -1 --separate-stderr soon "$DOMINO" -n -e 'plot energy > x.svg'
     [[ $stderr =~ (gnuplot did not draw it|cannot draw: File too large) ]] || same 'plot' 'an error' "$stderr"
     same 'no picture' 'before file old other' "$(inside)"
-    # The same for standard output.
+    # Standard output has the same limit.
     # shellcheck disable=SC2016
     run -1 --separate-stderr bash -c '"$DOMINO" -n -e "set output csv; curve 0.1 0.9 900" >out'
     same 'standard output' 'domino: cannot write the output: File too large' "$stderr"

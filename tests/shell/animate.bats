@@ -63,7 +63,7 @@ record="effect row \"$root/examples/record.csv\""
     read -r _ _ fast _ <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
     read -r _ _ slow _ <<<"$("$BATS_TEST_DIRNAME/gif" b.gif)"
     awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
-    # The same for a row that stops, and for one in which the view follows the front.
+    # A row that stops is also shown, and a row in which the view follows the front.
     "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
     "$BATS_TEST_DIRNAME/gif" a.gif
     "$BATS_TEST_DIRNAME/gif" b.gif
@@ -137,7 +137,7 @@ END
     same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
         "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
             'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
-    # The row of the last count falls towards the tower, whose data are those of the row.
+    # With 'tower' the row of the last count falls towards a tower. The data are those of the row alone.
     "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
     "$BATS_TEST_DIRNAME/gif" b.gif >said
     same tower "$(csv 'effect row 8; animate a.gif rate 5')" "$(csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d)"

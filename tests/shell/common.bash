@@ -163,13 +163,13 @@ wrong() { # COMMANDS PATTERN
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
 
-# The same, and no row.
+# Checks the same as 'wrong', and that no row is written.
 wrong_line() { # COMMANDS PATTERN
     wrong "$@"
     [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
 }
 
-# Rows of COMMANDS|PATTERN on stdin: each fails with a message that has the pattern.
+# Checks lines COMMANDS|PATTERN on stdin. Each time the commands must fail with a message that matches the pattern.
 all_fail() {
     local commands pattern
     while IFS='|' read -r commands pattern; do
@@ -186,13 +186,13 @@ one_line() { # TEXT COMMANDS
     [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
 }
 
-# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
+# Checks lines LINE|ANSWER on stdin. ANSWER must be the last line of the output of LINE.
 all_print() {
     local line answer
     while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
 }
 
-# Rows of LINE|COMMANDS: the two print the same, in json.
+# Checks lines LINE|COMMANDS on stdin. LINE and COMMANDS must have the same json output.
 all_mean() {
     local line commands
     while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done

@@ -21,7 +21,7 @@ load common
 END
 }
 
-@test "count: h counts, the last height reaches the height, r = 1 reaches nothing" {
+@test "count: starts from h, the last height is at least the given one, and r = 1 reaches no larger height" {
     same 'h 1' 7 "$(json 'set h 1; count 128 2' | values dominoes)"
     close 'last height' 128 "$(json 'set h 1; count 100 2' | values last_height)"
     answer=$(json 'count 112 1')
@@ -100,7 +100,7 @@ effect edges 0.01; set r 1.5|20|true|true
 END
 }
 
-@test "count says how a row ends that does not start, and how many dominoes start by themselves" {
+@test "count says how a row ends if its first domino just tips over, and how many dominoes it takes at a growth that such a row can have" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
     for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
         'just tips over the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \

@@ -7,8 +7,8 @@ load common
 
 wood='set q hollow; effect friction 0.3'
 
-# The published rows were found in steps of 0.02 in s: 0.46, 0.48 and 0.54. The first has a length of 12.0
-# m while it stands.
+# The published rows were found in steps of 0.02 in s: 0.46, 0.48 and 0.54. The row of the first separation is 12.0 m
+# long before it falls.
 @test "design: rows from 48 mm to 8 m, with friction 0.3" {
     while read -r q safety s r steps feet; do
         answer=$(json "$wood; set q $q; design 8 m safety $safety")
@@ -82,7 +82,7 @@ END
     [ ! -e hall.csv ]
 }
 
-@test "design: where the engine runs rows, its verdict of the row is yes" {
+@test "design: if the engine runs rows, the row that is found also falls in the engine" {
     scene='set h 5 cm; set q hollow; set d 0.2; effect friction 0.3; effect slope 0.5 deg; effect row 5'
     answer=$(json "$scene; effect feet 0.4; design 9 m; verdict")
     same verdict 'all fall' "$(values verdict <<<"$answer")"
@@ -102,7 +102,7 @@ END
         echo "$(values safety <<<"$a") $(values weakest <<<"$a") $(values train <<<"$a")"; done)"
 }
 
-@test "design: wrong wishes are one line each" {
+@test "design: a wrong wish gives an error in one line" {
     wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
     wrong 'design 8 m safety 1' "safety 1 is not above 1.*'safety 2'"
@@ -113,7 +113,7 @@ END
     wrong 'design' 'H is missing; usage: design H \[WISHES\]'
 }
 
-@test "design: the fewest dominoes with which the row falls with a probability, by the lower end of the interval" {
+@test "design: finds the fewest dominoes for which the lower end of the interval reaches the wanted probability" {
     scene='set q hollow; effect friction 0.3; effect placement 5 mm'
     answer=$(json "$scene; sweep seed 1 1 1 : design 30 cm falls 90 %")
     steps=$(values steps <<<"$answer")
@@ -122,7 +122,7 @@ END
     row="$scene; set s $(values s <<<"$answer"); set r (30/4.8)^(1/"
     same rows "$(values probability <<<"$answer")" "$(json "$row$steps); effect row $((steps + 1)); placement 2000" | values probability)"
     within fewer 0.9 "$(json "$row$((steps - 1))); effect row $steps; placement 2000" | values low)" 'o < e'
-    # The session gets the improved row, of which 'placement' says the same.
+    # The session gets the row, for which 'placement' has the same result.
     run -0 "$DOMINO" -e "$scene; effect placement 0.1 mm; design 30 cm falls 90 %; show row"
     grep -qE "^dominoes +length +relative +fail +rows +falls +low$" <<<"$output"
     grep -qE '^ +[0-9]+ .* 0 +2000 +100 +99\.816$' <<<"$output"

@@ -6,7 +6,7 @@
 
 load common
 
-@test "effects are off by default and enter no code; each effect enters only its own code" {
+@test "effects are off by default, and then no code of them runs; each effect runs only its own code" {
     run -0 json effects
     same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
     same entered '0 0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
@@ -216,7 +216,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     [[ $output == *'the foot of domino 2, while it falls, is the first to slip; it needs 0.1041.'*'can stop sooner'* ]]
     run "$DOMINO" -e "$scene 3; verdict"
     [[ $output == *'On a floor with a friction of 3, no foot slips at a hit.'* && $output != *'feet that do not slip'* ]]
-    # The two columns are the motion and the hit of the library.
+    # The columns floor and floor_hit have the library's values for the motion and for the hit.
     close floor 0.1041 "$(json "$scene 1; fall" | values floor | tail -1)" 1e-3
     close floor_hit 2.504 "$(json "$scene 1; fall" | values floor_hit | tail -1)" 1e-3
 }
@@ -225,7 +225,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close 'thin walls' 1.02806 "$(awk -v a="$(json 'effect walls 1e-6; duration' | values seconds)" -v b="$(json 'duration' | values seconds)" 'BEGIN { printf "%.17g", a / b }')" 1e-5
     same 'a solid block' "$(json 'duration' | values seconds)" "$(json 'effect walls 3.5 mm; duration' | values seconds)"
     same growth "$(json 'rmax; set fuel paper; rmax' | sed 's/"r_start.*//')" "$(json 'effect walls 1 mm; rmax; set fuel paper; rmax' | sed 's/"r_start.*//')"
-    # The walls change how the moments of inertia of a row relate, and with them the growth at which it starts.
+    # The walls change the ratios of the moments of inertia in a row, and so the growth at which the row starts.
     [ "$(json 'rmax' | values r_start)" != "$(json 'effect walls 1 mm; rmax' | values r_start)" ]
     same proof "$(json 'prove rmax 0.4' | sed 's/"seconds.*//')" "$(json 'effect walls 1 mm; prove rmax 0.4' | sed 's/"seconds.*//')"
     # Boards of 10 mm with 0.6 g/cm^3 make a box of 200 x 60 x 100 mm with a hollow of 180 x 40 x 80
@@ -250,7 +250,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close 'mass of the first box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; t = h * 7 / 48; print 600 * (h * h / 2 * t - (h - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; row" | values mass | sed -n 6p)" 1e-9
     differ 'time of the boxes' "$(json "$tall; effect walls 12 mm 30 cm; verdict" | values seconds)" "$(json "$tall; verdict" | values seconds)"
-    # A changed height may make a box of a block; the mass is then that of the wood.
+    # If a changed height turns a block into a box, the mass is that of the wood in its walls.
     close 'a block becomes a box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^4; t = h * 7 / 48; print 600 * (0.4 * h / 2 * t - (0.4 - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; change 5 height 40 cm; row" | values mass | sed -n 5p)" 1e-9
     close 'a box becomes a block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; print 600 * 0.2 * h / 2 * 0.05 }')" \
@@ -262,7 +262,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         same "boards: $made" 0 "$(paste <(values height <boxes) <(values thickness <boxes) | awk 'NR > 1 && $1 < 0.3 && ! index(" 0.007 0.01 0.015 0.02 0.025 0.03 ", " " $2 " ")' | wc -l)"
         [ "$(paste <(values height <boxes) <(values thickness <boxes) | awk '$1 > 0.3 && $2 > 0.031' | wc -l)" -gt 0 ]
     done
-    # A window of heights leaves a block a block, and an error of the heights does, too.
+    # Neither a window of heights nor an error of the heights turns a block into a box.
     run -0 "$DOMINO" -e "$tall; effect walls 12 mm 30 cm; tolerance; effect placement 1 mm 5 %; placement 50; improve sizes"
     [ "$(json "set q solid; effect walls 12 mm 30 cm; design 2 m" | values steps)" -gt 3 ]
     wrong "$tall; effect walls 3 cm 30 cm; verdict" 'walls of 3 cm do not fit into domino 6'
@@ -273,7 +273,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect walls 3 deg' 'enter it without a unit, or as a length'
 }
 
-@test "'on' prints the value that was taken, but only for people" {
+@test "'on' prints the value that it chose, but not in csv and json" {
     while IFS='|' read -r command line; do
         same "$command" "$line" "$("$DOMINO" -e "$command" | tail -n 1)"
         same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"

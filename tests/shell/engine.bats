@@ -12,7 +12,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     differ 'another way to compute' "$model" "$engine"
     paste <(tr ' ' '\n' <<<"$model") <(tr ' ' '\n' <<<"$engine") |
         awk 'NR > 1 { off = $2 / $1 - 1; if (off > 0.01 || off < -0.01) { print; bad = 1 } } END { exit bad || NR != 5 }'
-    # With each single effect that both have, the last domino lies at the same time, to 1 %.
+    # With each single effect that both the model and the engine have, the last domino lies at the same time, to 1 %.
     for effect in 'friction 0.2' 'slope 1 deg' 'edges 0.01' 'walls 1 mm'; do
         paste <(json "$scene; effect $effect; verdict" | values seconds) \
             <(json "$scene; effect $effect; set method engine; verdict" | values seconds) |
@@ -49,7 +49,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
     [[ $output == *' slid'* && $output == *'Feet slide. Domino '*' of its height.'* ]]
     [[ $output == *'Chipmunk 7'*'With half as many steps the verdict is the same, and times agree within '*' %.'* ]]
-    # On hinges there is no such column. Times have error bounds.
+    # Without feet that slip, there is no column 'slid'. Times have error bounds.
     run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall"
     [[ $output != *slid* && $output == *'Chipmunk 7'* ]]
     json "$scene; effect feet 0.5; set errors on; verdict" | values seconds_error | awk '{ exit !($1 > 0 && $1 < 0.01) }'

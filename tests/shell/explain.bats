@@ -74,7 +74,7 @@ check=$root/tests/derivations/check.py
     done
     run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e 'explain launch > none.pdf'
     [[ $stderr == *"needs pdflatex, which is not installed: 'apt install texlive-latex-base'"* ]] && [ ! -e none.pdf ]
-    # If pdflatex fails, here a fake one, its message is shown and no files are left.
+    # If pdflatex fails, as this fake one does, its message is shown and no files are left.
     mkdir -p bin temporary
     printf '#!/bin/sh\necho "! no such font" >&2\nexit 1\n' >bin/pdflatex
     chmod +x bin/pdflatex

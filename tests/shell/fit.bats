@@ -22,8 +22,7 @@ load common
 laboratory 7.5 0.294
 sandpaper 7.5 0.711
 END
-    # The published value is 0.067, for which the speed at the widest gap was different. Of this
-    # speed only a range is known.
+    # The published friction is 0.067. It was fitted with another speed at the widest gap, where only a range is known.
     fit=$(json "set d 7.5438/48; fit friction $measured/hard-floor.csv")
     awk -v mu="$(values friction <<<"$fit" | head -n 1)" -v sd="$(values friction_sd <<<"$fit" | head -n 1)" \
         'BEGIN { exit !(sd > 0.005 && sd < 0.03 && mu - 0.067 < sd && 0.067 - mu < sd) }'
@@ -45,7 +44,7 @@ END
     wide=$(json 'fit friction errors.csv' | values friction_sd | head -n 1)
     sed -i 's/,0\.01$/,0.005/' errors.csv
     close uncertainty "$wide" "$(json 'fit friction errors.csv' | values friction_sd | head -n 1 | awk '{ print 2 * $1 }')" 1e-3
-    # The picture in the terminal, with its own look, and its data.
+    # The picture in the terminal has the title and the range that were given, and the data are those of 'fit'.
     "$DOMINO" -e 'plot fit title "Mine" xrange 0 1 friction errors.csv' >picture
     for words in '^ *Mine$' 'measured = fitted' 'fitted speed in m/s'; do grep -q "$words" picture || same plot "$words" "$(cat picture)"; done
     same 'its data' "$(csv 'fit friction errors.csv')" "$(csv 'plot fit friction errors.csv')"

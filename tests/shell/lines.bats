@@ -72,7 +72,7 @@ END
     for text in '' ' ' ';' ' ; ;; ' '#' $'\n\n' $'\r\n' $'\t'; do
         same "-e '$text'" '(nothing)' "$("$DOMINO" -e "$text" 2>&1)"
         same "'$text'" '(nothing)' "$(printf '%s' "$text" | "$DOMINO" 2>&1)"
-        # Commands after it are run.
+        # Commands after the empty input are run.
         same "-e '$text', then an answer" 42 "$("$DOMINO" -e "$text" -e 'print 6*7' 2>&1)"
         same "'$text', then an answer" 42 "$(printf '%s\nprint 6*7' "$text" | "$DOMINO" 2>&1)"
     done

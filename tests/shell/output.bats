@@ -251,7 +251,7 @@ END
     [[ $output == *$'\n60,,,,' ]]
 }
 
-@test "contact forces where the contact is at the hinge, and a floor that no friction makes hold: in words" {
+@test "a contact at the hinge, and a foot that no friction can hold, are explained in words" {
     [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'pushed: 0: none is enough'* ]]
     null_of 'set s 1; set r 1; draw forces' '.i == 0' force 'the contact is at the hinge'
     null_of 'effect floor 0; effect friction 1.5; slip' true hit 'lifted off the floor'

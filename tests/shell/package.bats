@@ -90,7 +90,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     done
 }
 
-@test "any PREFIX, with blanks too: programs find the shared library there, and the example in Python does" {
+@test "with any PREFIX, even with blanks, programs and the example in Python find the shared library there" {
     local prefix="$PWD/my app"
     plain_make -C "$root" B="$build" install PREFIX="$prefix"
     export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"

@@ -298,8 +298,7 @@ END
     "$BATS_TEST_DIRNAME/labels" b.svg >texts
     for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
     grep -q 'width="540" height="315"' b.svg && grep -q 'font-size="13.9' b.svg
-    # The default picture does not change, the order of the words does not matter, and data have no
-    # look.
+    # The order of the words does not matter, and the words do not change the data.
     same order "$("$DOMINO" -e 'plot growth width 9 cm paper > c.svg' && cat c.svg)" "$("$DOMINO" -e 'plot growth paper width 9 cm > c.svg' && cat c.svg)"
     same data "$(csv 'plot growth')" "$(csv 'plot growth title "x" width 8 cm')"
     "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'

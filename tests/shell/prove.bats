@@ -42,8 +42,8 @@ root=$BATS_TEST_DIRNAME/../..
 }
 
 @test "bounds are rounded outwards" {
-    # The largest growth is 10 up to 13 digits, so the upper bound has one digit more before the
-    # point.
+    # To 13 digits the largest growth is 10, so the upper bound has one more digit before the point than the lower
+    # bound.
     ten='set s 0.05; set q hollow; set d 0.00066373441778146873; set tol 1e-12; prove rmax'
     same 'the upper bound' 10.00000000004 "$(json "$ten" | values high)"
     [[ $("$DOMINO" -e "$ten") == *$'\n'high*' 10.00000000004 '* ]]

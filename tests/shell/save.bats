@@ -58,7 +58,7 @@ digits 17
 angle deg
 timing on
 END
-    # Also 'output', which the other checks need for themselves.
+    # 'output' is checked alone, because the other checks set it.
     "$DOMINO" -e 'set output csv; set s 0.3; save output.dom; set s 0.2; save output.dom'
     same output "$("$DOMINO" -e 'set output csv; set s 0.2; show')" "$("$DOMINO" -e 'source output.dom; show')"
     # All parameters at once, in a session with other values.

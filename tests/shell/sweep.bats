@@ -31,7 +31,7 @@ each_sweep() { # SETTING FORMAT...
     while IFS= read -r sweep; do
         number=$((number + 1))
         for format in "$@"; do
-            # Tables are for people and have no ending.
+            # No file name ending means a table, so tables go to .txt files.
             printf 'reset; %s; set output %s; %s > %s\n' "$setting" "$format" "$sweep" "$number.${format/table/txt}"
         done
     done
@@ -74,7 +74,7 @@ END
         for file in *; do cat "$BATS_TEST_TMPDIR/$parts"/*/"$file" | cmp "$file" - || same "$file" whole "$parts"; done
     done
     [ "$(wc -l <1.csv)" -gt 400 ]
-    # And on standard output.
+    # The parts also add up on standard output.
     for part in 1 2 3; do "$DOMINO" --shard "$part/3" -e "set output csv; $(head -n 1 <<<"$sweeps")"; done | cmp 1.csv -
 }
 

@@ -103,7 +103,7 @@ answers=('chain 0.1' show 'show s' thetac rmax 'count 112' 'count 112 2' 'curve 
 helps=(help 'apropos barrier' 'help count' 'help curve' 'help set' 'help sweep' 'help s' 'help tol' 'help output' 'help friction')
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
 
-# The same at 40 columns, and no word is cut: -J would join a line that tmux had to wrap.
+# Commands whose answers must fit in 40 columns without a cut word: 'screen -J' would join a line that tmux had to wrap.
 narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 'cycle 3' 'curve 0.1 0.9 3' effects
     'set errors on; thetac')
 @test "answers fit in 40 columns, and in 60, where no word is cut" {

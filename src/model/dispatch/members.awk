@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Prints a macro for each structure of the headers that is both in double and in quad and has no pointers and no arrays:
+# Prints a macro for each structure that exists in double and in quad, and has no pointers and no arrays:
 #   #define DOM_MEMBERS_limit(NUMBER, OTHER, PART) NUMBER(r_max) OTHER(ends) OTHER(why) PART(error, limit_error)
 # NUMBER is applied to members of the type dom_real, PART to structures, OTHER to all other members.
 #   awk -f members.awk HEADER...

@@ -54,7 +54,7 @@ class OutOfRange(DominoError, ValueError):
         self.parameter = parameter
 
 
-# The parameters of this module that have another name than in the library.
+# The parameters whose names in this module differ from those in the library.
 PARAMETERS = {"mu": "friction", "alpha": "slope", "rho": "edges", "tilt": "theta"}
 
 
