@@ -278,30 +278,31 @@ static real rounded_inf(const struct geometry *geometry, real *slope)
 }
 
 /*
- * Finds the first tilt of the leader, up to hi, at which a follower detaches: the root of the follower's
- * slope, which decreases. Newton's method starts from the tilt for sharp edges and is kept inside a bracket.
- * Returns false if no follower detaches. The slope is NaN where there is no contact.
+ * Finds the tilt of the leader at which a follower detaches: the root of the follower's slope, which
+ * decreases and is negative at hi. Newton's method starts from the tilt for sharp edges and is kept inside a
+ * bracket. The slope is NaN where there is no contact. Returns the tilt of the follower, which has its
+ * maximum there, so that the last step changes it only by a term of second order.
  */
-static bool rounded_leave(const struct geometry *geometry, real hi, real *theta)
+static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
     const real L = geometry->L, of_r = 1 / geometry->r, s = geometry->s,
                v = (of_r - s) * (of_r + s) / (2 * geometry->d * L);
-    real lo = 0, by = 2 * atan(sqrt(v / (2 - v))) - hi;
-    *theta = hi;
+    real lo = 0, follower = REAL_NAN;
+    *theta = 2 * atan(sqrt(v / (2 - v)));
     for (int i = 0; i <= 2 * TURN_STEPS && hi - lo > 2 * REAL_EPSILON * hi; i++) {
-        const struct rolling at = rolling_of(geometry, tilt_of(*theta), *theta);
-        if (i == 0 && at.contact.step >= 0)
-            return false;
-        *(at.contact.step >= 0 ? &lo : &hi) = *theta;
-        by = i == 0 ? by : -at.contact.step / at.curve;
-        *theta += by;
-        /* near the root, each step roughly squares the error */
-        if (i > 0 && fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
-            break;
         if (!(*theta > lo && *theta < hi))
             *theta = (lo + hi) / 2;
+        const struct rolling at = rolling_of(geometry, tilt_of(*theta), *theta);
+        const real by = -at.contact.step / at.curve;
+        *(at.contact.step >= 0 ? &lo : &hi) = *theta;
+        if (!isnan(at.turn))
+            follower = *theta + at.turn + by * at.contact.step / 2;
+        *theta += by;
+        /* near the root, a step reduces the error to about its square */
+        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
+            break;
     }
-    return true;
+    return follower;
 }
 
 /* Returns how far a head with rounded edges reaches beyond the next domino; `sharp` is how far it would reach
@@ -341,10 +342,10 @@ static enum dom_status rounded_set(struct geometry *geometry)
     const real theta_inf = rounded_inf(geometry, &slope); /* the tilt that far followers approach */
     geometry->inf = geometry->f = tilt_of(theta_inf);
     geometry->decay = geometry->weight * fmax(0, slope);
-    geometry->detaches = slope < 0 && rounded_leave(geometry, theta_inf, &theta_leave);
+    geometry->detaches = slope < 0;
     if (geometry->detaches) {
+        geometry->f = tilt_of(rounded_leave(geometry, theta_inf, &theta_leave));
         geometry->leave = tilt_of(theta_leave);
-        geometry->f = tilt_of(theta_leave + rolling_of(geometry, geometry->leave, theta_leave).turn);
     }
     return DOM_OK;
 }
@@ -356,8 +357,11 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     of->rho_1 = follower->rounded.rho / geometry->r;
     of->tall_1 = follower->rounded.tall / geometry->r;
     geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
-    bool leaves = rounded_leave(geometry, PI / 2, &theta);
-    geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
+    geometry->leave = (struct tilt){0, -1, 2};
+    if (!(rolling_of(geometry, tilt_of(PI / 2), PI / 2).contact.step >= 0)) {
+        rounded_leave(geometry, PI / 2, &theta);
+        geometry->leave = tilt_of(theta);
+    }
 }
 
 /* The context of led_by. A root of led_by is the tilt of a leader whose follower has the tilt `follower`. */
