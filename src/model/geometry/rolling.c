@@ -136,6 +136,12 @@ static struct apart apart_next(const struct walk *a, const struct walk *b, struc
     return apart_by((t + t_D) / (1 - t * t_D));
 }
 
+/* Returns the difference between the tilts of the follower of a and of a itself. */
+static struct apart apart_turn(const struct walk *a)
+{
+    return (struct apart){.by = a->rolling.turn, .t = a->link.contact.X / (1 + a->link.contact.Y)};
+}
+
 /* Returns the smallest product of a with a number in [lo, hi]. */
 static real least_product(real a, real lo, real hi)
 {
@@ -257,7 +263,7 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
             break;
         }
         pushes = pushes && rounded_pushes(&a, &b);
-        struct apart next = apart_next(&a, &b, apart);
+        struct apart next = pass == PASS_SHIFT ? apart_turn(&a) : apart_next(&a, &b, apart);
         real shrinks = apart.by == 0 ? 1 : fabs(next.by / apart.by);
         const struct geometry *self = link->geometry;
         bool done =
