@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows how time grows with the number of dominoes that matter and with the digits, and how it falls with the
- * threads. */
+/* Shows how time grows with the number of dominoes that matter and with the number of digits, and how it
+ * decreases with the number of threads. */
 #include "bench.h"
 #include <stdlib.h>
 
@@ -145,7 +145,7 @@ static void with_threads(FILE *data)
     count[n++] = most;
     threads_measure(POINTS, count, at, n);
     printf(
-        "\nTime against threads: the curve of %d points; times as fast, and what the machine gives at best\n",
+        "\nThreads: how many times as fast the curve of %d points is, and the most that the machine allows\n",
         POINTS);
     printf("  %-8s %12s %12s %12s %12s\n", "threads", "ms", "times", "at best", "efficiency");
     for (unsigned i = 0; i < n; i++) {
@@ -178,7 +178,7 @@ static const char script[] =
     "if (GPVAL_DATA_X_MAX > 16) set xtics autofreq\n"
     "set key bottom right; set xlabel 'threads'; set ylabel 'times as fast, 10,000 points'\n"
     "plot '' index 2 using 1:2 with linespoints lw 2 pt 7 ps 0.6 title 'measured', \\\n"
-    "     '' index 2 using 1:3 with lines dt 2 lc '#888888' title 'what the machine gives'\n"
+    "     '' index 2 using 1:3 with lines dt 2 lc '#888888' title 'what the machine allows'\n"
     "unset multiplot\n";
 
 void growth_print(const char *build)

@@ -64,7 +64,7 @@ struct lines_goals lines_print(const char *build, const char *domino)
     }
     for (int i = PRINTS; i <= GROWTHS; i++)
         remove(path[i]);
-    puts("\nLines on standard input, ms of a processor");
+    puts("\nLines on standard input, processor time in ms");
     const char *const names[] = {"100,000 times 'print 2+2'", "  '2+2' in bc", "10,000 times 'rmax 0.4'",
                                  "  the same r_max with both fuels, by the library"};
     const double seconds[] = {least[PRINTS], least[SUMS], least[GROWTHS], library};

@@ -179,7 +179,8 @@ static double own_size(struct ref *ref, enum ref_quantity quantity)
 
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input)
 {
-    mpfr_srcptr here = ref_value(ref, quantity); /* first, since nearby references start from it */
+    /* Nearby references start from this value, so it must be computed first. */
+    mpfr_srcptr here = ref_value(ref, quantity);
     struct ref *near = ref_near(ref, input);
     if (!near)
         return 0;

@@ -226,7 +226,7 @@ static void check_stop(struct point *point, struct answers *answers)
     if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
         return;
     library_ask(&point->train, 0, REF_STOP, answers);
-    /* The kinetic energy and this angle may be so small that more bits are needed. */
+    /* The kinetic energy and the tilt of the stop may be so small that more bits are needed. */
     struct ref *ref = point->ref;
     struct ref_input there = point->input;
     there.tilt = isnan((double)answers->value[REF_STOP]) ? 0 : answers->value[REF_STOP];

@@ -9,8 +9,8 @@
 #include "library.h"
 #include "sweep.h"
 
-/* A dip or a band narrower than this in r may be missed. The limit of scan.c is 1e-6, and here rounding is
- * allowed for. */
+/* A dip or a band narrower than this in r may be missed. scan.c misses only what is narrower than 1e-6; the
+ * larger width allows for rounding. */
 #define RESOLVED 1e-5
 
 /* Returns how many of `all` trains are checked. */

@@ -111,7 +111,7 @@ ASK_NUMBER(cycle_stop, , )
 ASK_NUMBER(cycle_duration, , )
 /* clang-format on */
 
-/* Functions without bounds, and walks. */
+/* Functions whose results have no error bounds, and walks along a chain or a cycle. */
 #define ask_train_check(a)            domq_train_check(ASKED(a, false))
 #define ask_cycle_events(a, ...)      domq_cycle_events(ASKED(a, false), __VA_ARGS__)
 #define ask_cycle_tilt(a, ...)        domq_cycle_tilt(ASKED(a, false), __VA_ARGS__)

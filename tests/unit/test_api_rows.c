@@ -231,7 +231,7 @@ TEST(studies)
     alone.error[DOM_ERROR_thickness].size = 0;
     assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
     assert_int_equal(causes.fall, without[DOM_ERROR_thickness]);
-    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* an error that is switched off */
+    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* the masses have no error */
     study.low = studyq.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
     assert_status(domq_study_interval(&studyq), DOM_OK);

@@ -123,8 +123,8 @@ TEST(the_far_tail_is_within_its_bound)
     assert_true((orders & 1 << FAR_FIRST) && (orders & 1 << FAR_ORDER) && (orders & 1));
 }
 
-/* Checks that H is concave up to theta_u or, if that is less, up to theta_c, if barrier_single says that
- * there is one top, and that no barrier is higher than that of a single domino. */
+/* Checks that H is concave up to theta_u and theta_c, whichever is smaller, where barrier_single says that
+ * there is a single top. Checks that no barrier is higher than that of a single domino. */
 TEST(one_top_if_concave)
 {
     uint64_t seed = 34;

@@ -97,7 +97,7 @@ static bool may_go_on(const char *line)
         if (parses(whole))
             return true;
     }
-    /* The words of parameters, as a value and in a list. */
+    /* Words that are values of parameters, alone and in a list. */
     for (const struct parameter *p = session_parameters; p->name; p++)
         for (int k = 0; parameter_offered(p, k); k++) {
             static const char *const forms[] = {"%s %s", "%s, %s : rmax", "%s %s, %s : rmax"};

@@ -23,7 +23,7 @@ static double train_ratio(const struct domq_train *train, double s, double r)
     return status == DOM_OK || status == DOM_STOPS ? (double)(b.kinetic / b.barrier) : 0;
 }
 
-/* The first domino with the smallest ratio after domino 1. */
+/* The first of the dominoes after domino 1 whose kinetic / barrier is the smallest. */
 static size_t weakest;
 
 static bool least_seen(const struct domq_fall *fall, void *context)
@@ -161,7 +161,7 @@ static enum dom_status fake_run(const struct domq_row *row, const struct domq_co
     return fake->decides ? DOM_OK : DOM_NOT_CONVERGED;
 }
 
-/* Checks that the row also falls in the engine of the wish, and that dominoes are added until it does. */
+/* Checks that dominoes are added until the row also falls in the engine that the wish names. */
 TEST(engine_decides)
 {
     struct domq_train train = domq_train_default();

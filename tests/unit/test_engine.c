@@ -184,8 +184,8 @@ TEST(settled_steps_no_longer_matter)
     assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
 }
 
-/* Checks that the verdict of coarse runs, which end as soon as it is certain, is the verdict of a fine run to
- * the end. */
+/* Checks that coarse runs, which end as soon as the verdict is certain, have the verdict of a fine run to the
+ * end. */
 TEST(verdicts_of_coarse_steps)
 {
     static const struct engine_grain fine = {800, 1e-4};

@@ -225,8 +225,8 @@ TEST(friction_takes_its_work)
 
 /* ---- Tolerance ---- */
 
-/* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums, and which the scan for
- * r_max passes. */
+/* Checks float near 1 - r s = 0.01, where rounding leaves few correct digits of the sums. The scan for r_max
+ * meets this case. */
 TEST(float_near_the_reach)
 {
     struct asked train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
@@ -314,8 +314,8 @@ TEST(refusals)
     assert_status(limit.why, DOM_LOCKS);
 }
 
-/* Checks that r_max decreases with mu and is never the reach, and that trains keep falling just below r_max
- * and stop just above, at a distance of 1e-6. */
+/* Checks that r_max decreases with mu and is never the reach, and that trains keep falling 1e-6 below r_max
+ * and stop 1e-6 above it. */
 TEST(growth_falls_with_friction)
 {
     uint64_t seed = 57;
@@ -425,8 +425,8 @@ static double floor_hit(const struct asked *train, double theta_c)
     return most;
 }
 
-/* Compares with Newton's law at a few hundred tilts. The error is the square of the distance between two
- * tilts. */
+/* Compares with Newton's law at a few hundred tilts. The error is of the order of the square of the distance
+ * between two tilts. */
 TEST(floor_holds)
 {
     uint64_t seed = 58;

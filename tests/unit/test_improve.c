@@ -241,7 +241,8 @@ TEST(limits_of_a_row_that_falls)
     assert_memory_equal(found, given, sizeof found);
 }
 
-/* Checks the length that the limits count, and the mass of a domino whose walls keep their thickness. */
+/* Checks which rows are too long or too heavy for the limits, and the mass of a domino whose size changes
+ * while its walls keep their thickness. */
 TEST(lengths_and_masses)
 {
     scene_begin();

@@ -155,7 +155,7 @@ static bool force_seen(const struct domq_force *force, void *context)
     if (force->i == 0)
         s->head = (double)force->force;
     s->force = fmin(s->force, (double)force->of_own);
-    /* Each domino has r^(q-1) times less mass than its leader, so mass times height is r^-q. */
+    /* Each domino has r^(q-1) times less mass than its leader, so mass times height is multiplied by r^-q. */
     if (!isnan((double)force->force))
         assert_near("of its own weight", force->of_own,
                     force->force * pow(s->train->r, (s->train->q - 1) * (double)force->i), 1e-12);

@@ -207,7 +207,7 @@ TEST(linear_everywhere)
     for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
         struct linear l = linears[i];
         solution.panels = 0;
-        /* Solve in two parts, as after an edge. */
+        /* Solve in two parts, as for a function with a kink at 0.4. */
         assert_int_equal(num_linear_solve(linear_rate, &l, 0, 0.4, 1e-13, &solution), NUM_OK);
         assert_int_equal(num_linear_solve(linear_rate, &l, 0.4, 1, 1e-13, &solution), NUM_OK);
         double most = linear_v(&l, 1);

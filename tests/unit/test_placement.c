@@ -10,7 +10,7 @@ static void alike(struct run *seen, size_t count)
     seen->row.push = 5;
 }
 
-/* Runs all tasks of a call, as often as the int to which `pool` points, and then reports an interrupt. */
+/* `pool` points to a number of calls that run all their tasks. Later calls report an interrupt. */
 static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
 {
     int *left = pool;

@@ -48,8 +48,8 @@ static int outside(struct span a, double value, double slack)
     return !(a.lo <= value + slack && a.hi >= value - slack);
 }
 
-/* Checks that every operation encloses its exact result, with which an fma compares each bound. Fails if the
- * compiler has removed a rounding. */
+/* Checks that the bounds of every operation enclose its exact result. An fma finds on which side of the exact
+ * result a bound is. Fails if the compiler has removed a rounding. */
 static int arithmetic_wrong(void)
 {
     uint64_t seed = 1;

@@ -22,9 +22,9 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 }
 
 /*
- * Returns by how much the potential energy of the `moving` dominoes, of which the head is domino k, increases
- * at most on a grid of tilts of the head. A domino that its leader would turn back has detached, and keeps
- * its height, as do all dominoes that lean on it.
+ * Returns the largest increase of the potential energy of the moving dominoes on a grid of tilts of the head.
+ * There are `moving` of them, and the head is domino k. A domino that its leader would turn back has
+ * detached, and keeps its height, as do all dominoes that lean on it.
  */
 static double highest_energy_change(const struct run *run, size_t k, size_t moving)
 {
@@ -130,7 +130,7 @@ TEST(a_stop_needs_what_a_fall_needs)
 /* ---- At the reach ---- */
 
 /* Checks that a row with r = 1/s, rounded in the widest type, is in reach in every precision, as a train is,
- * and that a gap wider by 1e-5 is not. */
+ * and that a row whose gaps are wider by 1e-5 is not. */
 TEST(rounded_reach_is_reached)
 {
     static struct run run, near;
@@ -169,8 +169,8 @@ TEST(rounded_reach_is_reached)
 /* ---- Much friction ---- */
 
 /*
- * Checks much friction, where arms become 0 during the motion (Painleve) and the motion locks, although most
- * rows come to rest before. The verdict in every precision agrees with the hits and the stop by Newton's
+ * Checks much friction, where lever arms become 0 during the motion (Painleve) and the motion locks, although
+ * most rows come to rest before. The verdict in every precision agrees with the hits and the stop by Newton's
  * equations, and no row is an error. Heads that are still moving when they lock are left out, since Newton's
  * equations are singular there.
  */

@@ -11,7 +11,8 @@ struct scene {
     size_t count;       /* number of dominoes, at most SCENE_MOST; the first has the height 1, and g is 1 */
     double push;        /* initial angular velocity of the first domino */
     double bevel;       /* bevel of the boxes in the engine */
-    /* Effects that only the engine has here. The friction of the floor is 0 if the feet are hinges. */
+    /* Effects that are on only in the engine. `feet` is the friction of the floor, or 0 if the feet are
+     * hinges. */
     double feet, bounce, slope, radius;
 };
 

@@ -228,13 +228,15 @@ static void print_tally(const struct tally *tally)
             "  continues to push: the model does not have this contact. If the upper back edges are\n"
             "  bevelled by %g %% of the height, with the same mass and inertia, it does not occur.\n\n",
             100 * bevel);
-    printf("Steps per sqrt(h / g) are doubled until that changes less than %g %% (last %%), up to %g;\n"
-           "%g times that is allowed. Growths are bisected to %g; durations are extrapolated to steps\n"
-           "of 0. The foremost dominoes penetrate each other by up to %.0e of the height, and stray up to\n"
-           "%.0e from their hinges. Two more dominoes, with more exact impulses, change no more.\n",
-           100 * scene_still, scene_finest, scene_allowed, scene_bracket, tally->depth, tally->drift);
-    printf("In %d scenes the two fuels differ by more than that: %d support the paper's.\n\n", tally->differ,
-           tally->paper);
+    printf(
+        "Steps per sqrt(h / g) are doubled until the value changes by less than %g %% (last %%), or up to\n"
+        "%g; deviations of up to %g times this change are allowed. Growths are bisected to %g;\n"
+        "durations are extrapolated to steps of 0. The foremost dominoes penetrate each other by up to\n"
+        "%.0e of the height, and stray up to %.0e from their hinges. Two more dominoes, with more\n"
+        "exact impulses, change the values by no more.\n",
+        100 * scene_still, scene_finest, scene_allowed, scene_bracket, tally->depth, tally->drift);
+    printf("In %d scenes the fuels differ by more than is allowed; %d of these support the paper's fuel.\n\n",
+           tally->differ, tally->paper);
     printf("verify: %d scenes, %d wrong, largest deviation %.3f %%", JOBS, tally->wrong, 100 * tally->most);
     if (tally->again > 0)
         printf("; %.3f %% in %d (*)", 100 * tally->again_most, tally->again);
