@@ -258,7 +258,7 @@ $(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/l
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
-# Tests compare results of the widest type in double.
+# Tests convert results of the widest type to double to compare them, so warnings about such conversions are off.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
 .SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
 

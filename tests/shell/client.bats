@@ -82,7 +82,7 @@ setup() {
     done
 }
 
-# A study that would take minutes follows a quick answer.
+# A quick answer, followed by a study that would take minutes.
 long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
 
 @test "a finished answer is written while the next one is computed, into pipes and files" {

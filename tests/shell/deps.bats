@@ -5,7 +5,7 @@
 
 load common
 
-# Puts fake package managers into $PWD/bin. Each prints its arguments, and has only gsl installed.
+# Puts fake package managers into $PWD/bin. Each prints its arguments, and reports that only gsl is installed.
 managers() {
     mkdir bin
     for manager in apt-get dnf pacman apk brew pkg dpkg-query rpm sudo; do

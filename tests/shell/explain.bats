@@ -173,7 +173,7 @@ END
     grep -q "^      = no value: this train has no such cycle; 'why' says more" <<<"$answer"
     ! grep -qi 'nan' <<<"$answer"
     same 'in json' null "$(json 'set s 0.05; explain why' | head -n 1 | values value)"
-    # Each name that a quantity needs is a row of its own.
+    # Each name that a quantity needs has its own row.
     json 'explain omega 0.1 deep' >tree
     for name in $(values needs <tree | tr ' ' '\n' | sort -u); do
         grep -q "\"quantity\":\"$name\"" tree || same needs "$name" '(nothing)'

@@ -68,7 +68,7 @@ END
         "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
 }
 
-@test "rmax names both limits if a row starts only with a smaller growth than keeps a train going" {
+@test "rmax names both limits if a row starts only at a smaller growth than the one at which a train keeps falling" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
     for words in '1\.64423 times as large' 'just tips over falls with growth up to 1\.59459' \
         'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do

@@ -94,7 +94,7 @@ END
     wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
 }
 
-@test "q takes solid, its synonym, and beginnings, and only solid is offered" {
+@test "q accepts 'solid', its synonym and abbreviations, and completion offers no synonym" {
     same 'set q hol' 3 "$(json 'set q hol; show q' | values value)"
     same values '4 4 3' "$(for word in solid massive hollow; do "$DOMINO" -e "set q $word; print q"; done | paste -sd ' ' -)"
     same offered 'hollow solid' "$("$DOMINO" -e 'complete set q ' | paste -sd ' ' -)"

@@ -26,7 +26,7 @@ parts() { # PARTS ROWS
     within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.0125'
 }
 
-@test "placement with an effect that no row can have reads nothing that was not written" { # under UBSan
+@test "placement with a value that no row can have reads no uninitialized memory" { # under UBSan
     wrong 'effect edges 0.2; effect row 4; effect placement 1 mm; placement 20' 'radius'
     wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
 }

@@ -60,7 +60,7 @@ END
     "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
 }
 
-@test "plot: no text of a picture is cut off, broken within 'r = 1.5', or written over another; a legend is low" {
+@test "plot: no text of a picture is cut off, broken within 'r = 1.5', or written over another; the legend takes little height" {
     local what title label
     while IFS='|' read -r what title label; do
         "$DOMINO" -e "$row; plot $what > a.svg"

@@ -127,7 +127,7 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
 rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
 modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
 
-@test "help on a short terminal without a program that pages: Enter goes on, q and ^C end, and the modes stay" {
+@test "help on a short terminal without a pager: Enter goes on, q and ^C end it, and the terminal modes do not change" {
     export PAGER=""
     open_terminal 80 24 env TERM=dumb "$DOMINO"
     see_last "$prompt"
