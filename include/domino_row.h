@@ -55,11 +55,11 @@ enum dom_window_of {
     DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
     /* The distance from the back of the first domino to the back of this domino. No other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT, /* the height of a domino, which changes its mass, since the density stays the same */
+    DOM_WINDOW_HEIGHT,   /* the height of a domino, whose mass changes with the volume of its wood */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
-    /* The thickness of a domino, which changes its mass, since the density stays the same. The gaps beside
-     * the domino do not change. */
+    /* The thickness of a domino, whose mass changes with the volume of its wood. The gaps beside the domino
+     * do not change. */
     DOM_WINDOW_THICKNESS
 };
 

@@ -109,3 +109,13 @@ verdicts() { # COMMANDS...
     sed 's/, [^,]*$//' radii.csv >plain.csv
     same windows "$(csv 'effect row plain.csv; effect push 6; tolerance')" "$(csv 'effect row radii.csv; effect push 6; tolerance')"
 }
+
+@test "tolerance: 'change' agrees with the windows of boxes, whose walls keep their thickness" {
+    printf 'height (mm),thickness (mm),gap (mm)\n48,10.498,0\n56.343,11.041,32.42\n84.451,12.29,38.007\n119.643,22.966,26.517\n149.523,32.78,70.316\n' > boxes.csv
+    for row in 'effect row boxes.csv; effect walls 1 mm' 'effect row 5; effect walls 1 mm' 'effect row 5; effect walls 1 mm 10 cm'; do
+        high=$(csv "$row; tolerance" | awk -F, '$1 == 3 { print $13 }')
+        echo "$row: $high"
+        "$DOMINO" -e "$row; change 3 thickness $high*0.9999 m; assert verdict" > /dev/null
+        wrong "$row; change 3 thickness $high*1.0001 m; assert verdict" 'not true: all dominoes fall'
+    done
+}

@@ -67,20 +67,21 @@ static dom_real growth_excess(const struct shape *s, const double *growth)
     return (sum - log(d[gaps].height / d[0].height)) / (dom_real)gaps;
 }
 
-dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness)
+dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness, dom_real width)
 {
-    const dom_real walls = walls_of(row, height), volume = height * height / 2 * thickness;
+    const dom_real walls = walls_of(row, height), volume = height * width * thickness;
     struct dom_box box;
-    return walls == 0                                                           ? volume
-           : dom_box_find(height, thickness, height / 2, walls, &box) == DOM_OK ? volume * box.filled
-                                                                                : 0;
+    return walls == 0                                                      ? volume
+           : dom_box_find(height, thickness, width, walls, &box) == DOM_OK ? volume * box.filled
+                                                                           : 0;
 }
 
 void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, dom_real thickness)
 {
     const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
-                   before = s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness) : 0,
-                   after = before > 0 ? wood_volume(s->row, height, thickness) : 0;
+                   before =
+                       s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness, d->height / 2) : 0,
+                   after = before > 0 ? wood_volume(s->row, height, thickness, height / 2) : 0;
     /* Besides the height, the thickness matters: the mass of a solid domino (q = 4) is proportional to its
      * thickness, and the mass of a domino with thin walls (q = 3) hardly depends on it. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/trial.h"
+#include "planning/shape.h"
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
@@ -200,6 +201,17 @@ dom_real trial_now(const struct trial *t)
     return t->domino[t->k].gap;
 }
 
+/* Sets *size, which is the height or the thickness of the domino. The density of the wood, the thickness of
+ * the walls and the width stay the same. */
+static void size_set(const struct dom_row *row, struct dom_domino *d, dom_real *size, dom_real value)
+{
+    const dom_real width = d->height / 2, times = value / *size,
+                   before = row->walls > 0 ? wood_volume(row, d->height, d->thickness, width) : 0;
+    *size = value;
+    const dom_real after = before > 0 ? wood_volume(row, d->height, d->thickness, width) : 0;
+    d->mass *= after > 0 ? after / before : times;
+}
+
 void trial_change(struct trial *t, dom_real value)
 {
     struct dom_domino *d = &t->domino[t->k];
@@ -217,8 +229,7 @@ void trial_change(struct trial *t, dom_real value)
             d[1].gap = fmax(d[1].gap - by, 0);
         break;
     case DOM_WINDOW_HEIGHT:
-        d->mass *= value / d->height; /* the density stays the same */
-        d->height = value;
+        size_set(&t->row, d, &d->height, value);
         break;
     case DOM_WINDOW_FRICTION:
         t->row.mu = value;
@@ -227,8 +238,7 @@ void trial_change(struct trial *t, dom_real value)
         d->lean = value;
         break;
     case DOM_WINDOW_THICKNESS:
-        d->mass *= value / d->thickness; /* the density stays the same */
-        d->thickness = value;
+        size_set(&t->row, d, &d->thickness, value);
         break;
     }
 }

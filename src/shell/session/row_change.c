@@ -31,13 +31,11 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-/* Returns the fraction of the domino's volume that is wood, if its mass was computed from the walls, and
- * otherwise 1. A change of a size may turn a solid domino into a box, or a box into a solid domino. */
+/* Returns the fraction of the domino's volume that is wood. A change of a size may turn a solid domino into a
+ * box, or a box into a solid domino. */
 static domq_real wood(const struct scene *scene, const struct measured_domino *d)
 {
-    const struct listed_row *row = &scene->listed;
-    const bool of_wood = row->from_volumes || (!row->domino && scene_boxes_above(scene) > 0);
-    return of_wood ? scene_filled(scene, d->domino.height, d->domino.thickness, d->width) : 1;
+    return scene_filled(scene, d->domino.height, d->domino.thickness, d->width);
 }
 
 void row_changes_apply(const struct scene *scene, size_t k, struct measured_domino *d)
