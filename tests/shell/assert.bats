@@ -11,6 +11,7 @@ load common
     wrong 'assert 1/0 < 2' 'assert: .*division by zero'
     wrong 'assert rmax' "'rmax' has no verdict; .* 'assert rmax < 1.7'"
     wrong 'assert rmax(0.4) > 2' "'>' is followed by a file name, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
+    wrong 'assert rmax > 2' "'>' is followed by a file name, .* parentheses"
     wrong 'assert (rmax(0.4) > 2)' 'assert: not true'
 }
 

@@ -14,6 +14,15 @@ const char *assert_names(const void *context, int k)
     return NULL;
 }
 
+/* Reports a problem and returns false if a '>' follows, which would write the answer into a file. */
+static bool comparison_ends(struct reader *r)
+{
+    return *skip_blanks(r->at) != '>' ||
+           problem_error(r->problem,
+                         "'>' is followed by a file name, but a condition has no answer to write; put the "
+                         "comparison in parentheses, as in 'assert (rmax(0.4) > 1.6)'");
+}
+
 bool assert_parse(struct reader *r, struct question *q)
 {
     struct question *asserted = q->parsed = reader_memory(r, sizeof *asserted);
@@ -26,6 +35,8 @@ bool assert_parse(struct reader *r, struct question *q)
     if (!asserted->command)
         return false;
     if (!asserted->command->holds && !command_is_print(asserted->command)) {
+        if (!comparison_ends(r))
+            return false;
         for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)
             n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", name);
         return problem_error(
@@ -35,11 +46,7 @@ bool assert_parse(struct reader *r, struct question *q)
     }
     bool good = question_parse(r, asserted);
     asserted->name = question_name(r, begin, r->at);
-    if (good && !asserted->command->holds && *skip_blanks(r->at) == '>')
-        return problem_error(r->problem,
-                             "'>' is followed by a file name, but a condition has no answer to write; put "
-                             "the comparison in parentheses, as in 'assert (rmax(0.4) > 1.6)'");
-    return good;
+    return good && (asserted->command->holds || comparison_ends(r));
 }
 
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem)
