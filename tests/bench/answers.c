@@ -177,6 +177,7 @@ static const struct counted table[] = {
     {.name = "rmax float", .ask = ask_rmax, .single = true},
     {.name = "rmax quad", .ask = ask_rmax, .quad = true},
     {.name = "rmax with its bound", .ask = ask_rmax_bound},
+    {.name = "rmax with edges", .ask = ask_rmax, .rho = 0.01},
     {.name = "rmax with friction", .ask = ask_rmax, .mu = 0.2},
     {.name = "curve", .ask = ask_curve},
     {.name = "pair", .ask = ask_pair},

@@ -165,6 +165,11 @@ struct recurrence recurrence_measure(void);
 void floor_print(const char *title, const struct question *question, size_t n, double seconds,
                  const char *operations);
 
+/* Prints the times of r_max with sharp edges and with rounded ones, and what the ratio of both would be if
+ * both searches visited the same number of dominoes. */
+void floor_print_edges(const struct question *sharp, double sharp_seconds, const struct question *rounded,
+                       double rounded_seconds);
+
 /* Prints how the time of each main answer divides, as the script `shares` finds it. */
 void shares_print(const char *build);
 

@@ -22,6 +22,40 @@ static inline struct point next(struct point p, double r, double L, double d)
     return (struct point){Y * p.x + X * p.y, Y * p.y - X * p.x};
 }
 
+/* Returns the time in nanoseconds of one link of a train with rounded edges (src/model/geometry/rounded.h):
+ * an arc sine and one step of Halley's method for the turn, the tilt, and nothing else. */
+static double rounded_link(double rho)
+{
+    const struct asked train = asked_default();
+    const double r = 1.5, d = (double)train.d, L = (double)train.s + d, l = (1 - 2 * rho) / r,
+                 rho_1 = rho / r;
+    double least = INFINITY, x = 0, y = 1, theta = 0;
+    volatile double sink;
+    for (int k = 0; k < REPEATS; k++) {
+        double begun = seconds_now();
+        for (int t = 0; t < TRAINS; t++) {
+            x *= 0.0;
+            y = 1 + 0.0 * y;
+            theta *= 0.0;
+            for (int i = 0; i < DOMINOES; i++) {
+                double G = L * y - d + (rho - rho_1) * (1 - y - x + theta * y), c = rho_1 * y,
+                       X = G / (l + c), Y = sqrt(1 - X * X), U = asin(X), of_S = 1 / (l * Y + c),
+                       by = c * (X - U) * of_S;
+                by += by * by * l * X * of_S / 2;
+                double sine = X + by * (Y - by * X / 2), cosine = Y - by * (X + by * Y / 2);
+                struct point next = {cosine * x + sine * y, cosine * y - sine * x};
+                x = next.x;
+                y = next.y;
+                theta += U + by;
+            }
+        }
+        least = fmin(least, seconds_now() - begun);
+        sink = x + y + theta;
+    }
+    (void)sink;
+    return 1e9 * least / ((double)TRAINS * DOMINOES);
+}
+
 static double lanes_measure(size_t lanes)
 {
     const struct asked train = asked_default();
@@ -117,4 +151,25 @@ void floor_print(const char *title, const struct question *question, size_t n, d
     line("  measured / this bound", us / of_any, "");
     puts("  (*) Newton's method for r, from one correct digit: 4 steps, each with a pass at theta_c for the\n"
          "      launch and one at theta_m for the barrier.  Trains side by side can be faster.");
+}
+
+void floor_print_edges(const struct question *sharp, double sharp_seconds, const struct question *rounded,
+                       double rounded_seconds)
+{
+    struct dom_work few = {.passes = 0}, many = few;
+    ask_ours(sharp, 1e-12, DOM_DOUBLE, &few);
+    ask_ours(rounded, 1e-12, DOM_DOUBLE, &many);
+    const double of_sharp = 1e9 * sharp_seconds / (double)few.dominoes,
+                 of_rounded = 1e9 * rounded_seconds / (double)many.dominoes;
+    printf("\nThe lower bound of r_max with rounded edges, massive, s = %.1f\n", (double)sharp->train.s);
+    line("measured, with sharp edges", 1e6 * sharp_seconds, "us");
+    line("measured, with rounded edges", 1e6 * rounded_seconds, "us");
+    line("dominoes in all passes, with sharp edges", (double)few.dominoes, "");
+    line("dominoes in all passes, with rounded edges", (double)many.dominoes, "");
+    line("time for a domino, with sharp edges", of_sharp, "ns");
+    line("time for a domino, with rounded edges", of_rounded, "ns");
+    line("a bare link of one train, with sharp edges", recurrence_measure().one, "ns");
+    line("a bare link of one train, with rounded edges", rounded_link((double)rounded->train.rho), "ns");
+    line("measured, with rounded edges / with sharp edges", rounded_seconds / sharp_seconds, "");
+    line("the same for a search that visits as many dominoes as with sharp edges", of_rounded / of_sharp, "");
 }

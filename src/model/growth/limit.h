@@ -4,7 +4,8 @@
  * scan.c samples the margin, and bounds (strip.h) cover the intervals between samples: an interval of
  * growths, called a strip, is passed only if K > B is known everywhere in it, or if the margin is known to
  * decrease at each of its roots in the strip. For other trains, and for pairs, probe.c adds samples wherever
- * the curvature of the margin leaves room for a sign change between two samples.
+ * the curvature of the margin leaves room for a sign change between two samples. For endless trains without
+ * friction, it first finds a root near an estimate, so that its samples only look for a smaller root.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
