@@ -269,7 +269,7 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
     return DOM_OK;
 }
 
-enum { DOWN_STRIPS = 24, DOWN_FAILS = 5 };
+enum { DOWN_STRIPS = 32, DOWN_FAILS = 8 };
 
 /* Returns the width in ln r of the first strip below the root; `whole` is the width of the whole interval
  * below the root. */

@@ -157,8 +157,9 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of the first follower that stays finite at the reach, where u_1(0) may
- * be infinite. u_1 decreases with the tilt of the head. At the maxima that matter, the head leans by at least
+ * Returns an upper bound on the terms of the first follower that stays finite at the reach. Let u_1 be d
+ * theta_1 / d ln r, as in strip_follower. For an upright head u_1 is tan theta_c, which is infinite at the
+ * reach, and u_1 decreases with the tilt of the head. At the maxima that matter, the head leans by at least
  * `least`, so u_1(theta) is at most the value of u_1 at `least`. u_1(0), which is subtracted, is at least its
  * value at lo.
  */
