@@ -233,6 +233,7 @@ END
     all_wrong <<'END'
 8|set s 0,3|^set: the value of s ends before ',3'; use a decimal point, as in 0\.5$
 10|count 112,5 m|^count: the value of H ends before ',5 m'; use a decimal point
+29|print rmax with friction 0.2, s 0.3|^print: the value of MU ends before ', s 0.3'; separate values by blanks
 9|budget s%|^budget: the value of P ends before '%'; write the fraction as 0\.95 or 95/100$
 END
 }

@@ -39,7 +39,7 @@ const struct command design_commands[] = {
      ANSWER(design)},
     {.name = "plan",
      .synonyms = "guide print sheet cut list boards tape workshop hall build",
-     .argument = {{.name = "TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
+     .argument = {{.name = "title TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
      .summary = "a guide for building the row: sizes, boards, places",
      .help = "The guide lists, for the hall, the places of the dominoes on a tape measure, and for the "
              "workshop, their sizes and the boards to cut. Beside each value stand the limits between which "
