@@ -86,7 +86,7 @@ static void truth_print(void)
     char line[256], fuel[16];
     int rows = 0;
     while (table && fgets(line, sizeof line, table)) {
-        struct question question = {.task = RMAX, .train = asked_default()};
+        struct question question = {.task = RMAX, .train = setup_default()};
         if (sscanf(line, "%lf,%lf,%lf,%15[^,],%lf", &s, &q, &d, fuel, &r_max) != 5)
             continue;
         question.train.s = s;
@@ -112,7 +112,7 @@ static size_t duration_questions(struct question *question)
     for (int q = 3; q <= 4; q++)
         for (size_t i = 0; i < sizeof separations / sizeof *separations; i++, n++) {
             struct domq_limit limit = {.r_max = 1};
-            struct asked train = asked_default();
+            struct setup train = setup_default();
             train.q = q;
             train.s = separations[i];
             ask_limit_rmax(&train, &limit, NULL);
@@ -127,7 +127,7 @@ static size_t row_questions(struct question *question)
     static const double growths[] = {1, 1.05, 1.1};
     size_t n = 0;
     for (; n < sizeof growths / sizeof *growths; n++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         train.r = growths[n];
         question[n] = (struct question){.task = ROW, .train = train, .dominoes = 20, .push = 6};
     }
@@ -208,7 +208,7 @@ static double passes_near(double s, double q)
     size_t most = 0;
     for (int k = -100; k <= 100; k++) {
         struct dom_work work = {.passes = 0};
-        struct question question = {.task = RMAX, .train = asked_default()};
+        struct question question = {.task = RMAX, .train = setup_default()};
         question.train.s = s + 1e-4 * k;
         question.train.q = q;
         ask_ours(&question, 1e-12, DOM_DOUBLE, &work);
@@ -221,7 +221,7 @@ static double passes_near(double s, double q)
  * contender does not reach the error. */
 static double ratio(const struct result *result, enum contender contender)
 {
-    return result[contender].asked ? result[contender].seconds / result[OURS].seconds : NONE;
+    return result[contender].compared ? result[contender].seconds / result[OURS].seconds : NONE;
 }
 
 int main(int argc, char **argv)

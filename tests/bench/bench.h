@@ -50,7 +50,7 @@ enum task { RMAX, DURATION, ROW };
 
 struct question {
     enum task task;
-    struct asked train; /* the train; for ROW, the ratios of the row's dominoes */
+    struct setup train; /* the train; for ROW, the ratios of the row's dominoes */
     size_t dominoes;    /* only for ROW: their number */
     double push;        /* only for ROW: the push in rad/s */
 };
@@ -62,7 +62,7 @@ void contenders_start(void);
 void contenders_end(void);
 
 struct result {
-    bool asked;
+    bool compared;
     /* the largest tolerance with which the target is reached; for our own library, the target itself */
     double tol;
     double seconds; /* mean time of one question */

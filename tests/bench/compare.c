@@ -25,7 +25,7 @@ static double ask_row(const struct question *q, double tol, enum dom_precision p
     struct domq_scale scale = domq_scale_default();
     struct domq_verdict verdict;
     ask_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
-    struct asked_row row = {.domino = domino,
+    struct row_setup row = {.domino = domino,
                             .count = q->dominoes,
                             .g = scale.g,
                             .push = q->push,
@@ -60,7 +60,7 @@ static double ask_newton(const struct question *q)
     return !direct_run(&row, hits, &result) && result.all_fall ? result.end_time : NONE;
 }
 
-static domq_real ask_train(const struct question *q, const struct asked *train)
+static domq_real ask_train(const struct question *q, const struct setup *train)
 {
     struct domq_limit limit = {.r_max = DOMQ_NAN};
     domq_real duration = DOMQ_NAN;
@@ -71,7 +71,7 @@ static domq_real ask_train(const struct question *q, const struct asked *train)
 
 domq_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)
 {
-    struct asked train = q->train;
+    struct setup train = q->train;
     if (q->task == ROW)
         return ask_row(q, tol, precision, work);
     train.tol = tol;
@@ -83,7 +83,7 @@ domq_real ask_ours(const struct question *q, double tol, enum dom_precision prec
 static bool ask_scipy(const struct question *q, double tol, double *seconds, double *value)
 {
     static const char *const name[] = {[RMAX] = "rmax", [DURATION] = "duration", [ROW] = "row"};
-    const struct asked *t = &q->train;
+    const struct setup *t = &q->train;
     struct domq_scale scale = domq_scale_default();
     char line[256];
     if (q->task == ROW)
@@ -111,7 +111,7 @@ static double sweep(enum contender contender, const struct question *q, size_t n
         } else if (q[i].task == ROW) {
             value[i] = ask_row(&q[i], tol, DOM_DOUBLE, NULL);
         } else {
-            struct asked train = q[i].train;
+            struct setup train = q[i].train;
             train.tol = tol;
             train.method = method[contender];
             value[i] = (double)ask_train(&q[i], &train);
@@ -156,11 +156,11 @@ static void calibrate(enum contender contender, const struct question *q, size_t
         if (!(now.seconds > 0))
             return;
         judge(&now, q, n, value, truth, target);
-        now.asked = true;
+        now.compared = true;
         /* If a question is missed by far at two successive tolerances, the method is the cause. */
-        bool method = result->asked && now.missed == result->missed && now.worst > 1e3 * target &&
+        bool method = result->compared && now.missed == result->missed && now.worst > 1e3 * target &&
                       now.worst > result->worst / 2;
-        if (!result->asked || now.missed < result->missed)
+        if (!result->compared || now.missed < result->missed)
             *result = now;
         if (now.missed == 0 || method || contender == OURS || tol <= fmax(target / 10, finest))
             return;
@@ -173,7 +173,7 @@ static void table_print(const struct result result[CONTENDERS], size_t n, double
     printf("  %-20s %8s %9s %13s %9s  %s\n", "", "tol", "error", "time, us", "ratio", "");
     for (enum contender contender = OURS; contender < CONTENDERS; contender++) {
         const struct result *r = &result[contender];
-        if (!r->asked)
+        if (!r->compared)
             continue;
         printf("  %-20s %8.0e %9.1e %13.2f %9.4g", contender_name[contender], r->tol, r->error,
                1e6 * r->seconds * scale, r->seconds / ours);
@@ -191,14 +191,14 @@ void compare(const char *title, const struct question *question, size_t n, doubl
     for (size_t i = 0; i < n; i++)
         truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
     for (enum contender w = OURS; w < CONTENDERS; w++) {
-        result[w] = (struct result){.asked = false};
+        result[w] = (struct result){.compared = false};
         if ((contender & 1U << w) && (w != SCIPY || scipy.pid > 0))
             calibrate(w, question, n, target, truth, &result[w]);
     }
     for (int round = 0; round < ROUNDS; round++)
         for (enum contender w = OURS; w < CONTENDERS; w++) {
             struct result *r = &result[w];
-            if (!r->asked || round * r->seconds > SECONDS_EACH)
+            if (!r->compared || round * r->seconds > SECONDS_EACH)
                 continue;
             double seconds = sweep(w, question, n, r->tol, value);
             r->seconds = seconds < r->seconds ? seconds : r->seconds;
@@ -230,7 +230,7 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
 {
     size_t half = n / 2;
     for (size_t i = 0; i < n; i++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         train.q = i < half ? 3 : 4;
         train.s = lo + (hi - lo) * (double)(i % half) / (double)(half - 1);
         question[i] = (struct question){.task = RMAX, .train = train};
@@ -243,7 +243,7 @@ void contenders_start(void)
 {
     /* one of them may lack the package */
     static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
-    const struct question first = {.task = RMAX, .train = asked_default()};
+    const struct question first = {.task = RMAX, .train = setup_default()};
     double seconds, value;
     for (int i = 0; i < 2; i++) {
         const char *const argv[] = {interpreters[i], "tests/bench/train_scipy.py", NULL};

@@ -16,7 +16,7 @@ struct curve {
 static void *curve_run(void *context)
 {
     struct curve *curve = context;
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_limit limit;
     size_t first;
     while ((first = atomic_fetch_add(&curve->next, AT_ONCE)) < curve->points)

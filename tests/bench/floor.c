@@ -26,7 +26,7 @@ static inline struct point next(struct point p, double r, double L, double d)
  * an arc sine and one step of Halley's method for the turn, the tilt, and nothing else. */
 static double rounded_link(double rho)
 {
-    const struct asked train = asked_default();
+    const struct setup train = setup_default();
     const double r = 1.5, d = (double)train.d, L = (double)train.s + d, l = (1 - 2 * rho) / r,
                  rho_1 = rho / r;
     double least = INFINITY, x = 0, y = 1, theta = 0;
@@ -58,7 +58,7 @@ static double rounded_link(double rho)
 
 static double lanes_measure(size_t lanes)
 {
-    const struct asked train = asked_default();
+    const struct setup train = setup_default();
     volatile double sink;
     double r = 1, d = (double)train.d, L = (double)train.s + d, least = INFINITY;
     for (int k = 0; k < REPEATS; k++) {
@@ -107,7 +107,7 @@ static double dominoes_at_answer(const struct question *question, size_t n)
     struct dom_work work = {.passes = 0};
     struct domq_fuels fuels;
     for (size_t i = 0; i < n; i++) {
-        struct asked train = question[i].train;
+        struct setup train = question[i].train;
         train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
         train.work = &work;
         ask_fuel_find(&train, &fuels, NULL);

@@ -70,7 +70,7 @@ static double front_speed(struct front *f)
 
 static double our_speed(const struct front *f)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     domq_real duration;
     train.s = f->s;
     train.d = f->d;
@@ -105,7 +105,7 @@ void front_print(void)
 {
     static const double separations[] = {0.1, 0.2, 0.4, 0.6, 0.8};
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    struct front f = {.d = (double)asked_default().d, .space = gsl_integration_workspace_alloc(INTERVALS)};
+    struct front f = {.d = (double)setup_default().d, .space = gsl_integration_workspace_alloc(INTERVALS)};
     puts("\nThe front speed of equal dominoes to 1.49e-8, in sqrt(g h), beside the recipe of a published "
          "program\n"
          "(J. Luebke, 2018: ten dominoes in the sum; its own law between two hits, so another speed)");

@@ -33,7 +33,7 @@ static double time_of(const struct question *q, enum dom_method method, enum dom
 
 static double energy_seconds(double s, double r, struct dom_work *work)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_fuels fuels;
     double least = INFINITY;
     train.s = s;
@@ -73,7 +73,7 @@ static void with_dominoes(FILE *data)
         struct dom_work work = {.longest = 0}, of_thin = {.longest = 0};
         double seconds = energy_seconds(s, 1, &work);
         for (int thin = 0; thin < 2; thin++) {
-            struct question q = {.task = RMAX, .train = asked_default()};
+            struct question q = {.task = RMAX, .train = setup_default()};
             q.train.s = s;
             if (thin) {
                 q.train.d = 0.005;
@@ -85,7 +85,7 @@ static void with_dominoes(FILE *data)
                1e9 * seconds / (double)work.longest);
         number_print(16, 1, us[0]);
         number_print(16, 1, us[1]);
-        struct question thick = {.task = RMAX, .train = asked_default()};
+        struct question thick = {.task = RMAX, .train = setup_default()};
         thick.train.s = s;
         for (size_t k = 0; k < sizeof peers / sizeof *peers; k++)
             number_print(10, 0, s >= PEERS_FROM ? 1e6 * contender_seconds(peers[k], &thick, 1e-12) : NONE);
@@ -100,7 +100,7 @@ static void with_digits(FILE *data)
 {
     static const double tolerances[] = {1e-3,  1e-6,  1e-9,  1e-12, 1e-15, 1e-18,
                                         1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
-    struct question q = {.task = RMAX, .train = asked_default()};
+    struct question q = {.task = RMAX, .train = setup_default()};
     puts("\nTime against digits: r_max at s = 0.4, massive, us; '-': no such arithmetic, or too slow to wait "
          "for");
     printf("  %-8s %12s %12s %12s %12s %14s %10s\n", "tol", "float", "double", "quad", "GSL, nested",

@@ -18,7 +18,7 @@ struct line {
 
 static bool line_make(struct line *line, size_t count)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     train.r = 1;
     *line = (struct line){.count = count, .domino = calloc(count, sizeof *line->domino)};
@@ -27,20 +27,20 @@ static bool line_make(struct line *line, size_t count)
     return line->domino != NULL;
 }
 
-static struct asked_row line_asked(const struct line *line)
+static struct row_setup line_setup(const struct line *line)
 {
     struct domq_scale scale = domq_scale_default();
-    return (struct asked_row){.domino = line->domino,
+    return (struct row_setup){.domino = line->domino,
                               .count = line->count,
                               .g = scale.g,
                               .push = PUSH,
-                              .tol = asked_default().tol,
+                              .tol = setup_default().tol,
                               .precision = DOM_DOUBLE};
 }
 
 static bool ours_falls(const struct line *line, bool times)
 {
-    struct asked_row row = line_asked(line);
+    struct row_setup row = line_setup(line);
     struct domq_verdict verdict;
     return ask_row_run(&row, times, NULL, NULL, &verdict) == DOM_OK && verdict.end == DOM_ROW_FALLS;
 }

@@ -28,7 +28,7 @@ static bool lines_write(const char *path, const char *line, int count)
  * ask for it. */
 static double library_seconds(void)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_limit limit;
     struct timespec from, to;
     train.s = (domq_real)4 / 10;

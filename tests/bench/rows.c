@@ -8,13 +8,13 @@ enum { DOMINOES = 20, ROWS = 2000, REPEATS = 3 };
 /* Returns the number of rows per second, or 0 after a failure. */
 static double rows_a_second(double growth, double mu, unsigned threads)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[DOMINOES];
     struct domq_study study;
     train.r = growth;
     ask_row_of_train(&train, &scale, 1, domino, DOMINOES);
-    struct asked_row row = {.domino = domino,
+    struct row_setup row = {.domino = domino,
                             .count = DOMINOES,
                             .g = scale.g,
                             .push = 6,

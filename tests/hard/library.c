@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-struct asked library_train(const struct ref_input *input, enum dom_precision precision)
+struct setup library_train(const struct ref_input *input, enum dom_precision precision)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = input->s;
     train.r = input->r;
     train.d = input->d;
@@ -55,10 +55,10 @@ static bool look_at_link(const struct domq_link *link, void *context)
     return link->i < look->wanted;
 }
 
-void library_link(const struct asked *asked, domq_real tilt, size_t wanted, struct answers *answers)
+void library_link(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
 {
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, true);
+    const struct domq_train train = setup_train(setup);
+    const struct domq_compute compute = setup_compute(setup, true);
     struct look look = {.wanted = wanted};
     enum dom_status status = domq_chain_walk(&train, &compute, tilt, look_at_link, &look);
     struct domq_link link = look.link;
@@ -114,11 +114,11 @@ static void ask_growth(const struct domq_train *train, const struct domq_compute
     note(answers, quantity, status, f->limit.r_max, f->limit.error.r_max);
 }
 
-void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
+void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers)
 {
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, true);
+    const struct domq_train train = setup_train(setup);
+    const struct domq_compute compute = setup_compute(setup, true);
     union found f;
     enum dom_status status;
     memset(&f, 0xff, sizeof f);
@@ -137,7 +137,7 @@ void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity qu
         NOTE(ARM_A, f.contact, arm_a);
         NOTE(ARM_B, f.contact, arm_b);
     } else if (quantity <= REF_LINK_WEIGHT) {
-        library_link(asked, tilt, 1, answers);
+        library_link(setup, tilt, 1, answers);
     } else if (quantity <= REF_J0) {
         status = domq_energy_find(&train, &compute, tilt, &f.energy);
         NOTE(DH, f.energy, dH);

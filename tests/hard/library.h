@@ -15,7 +15,7 @@ struct answers {
     size_t link, links; /* number of the link, and how many links were visited */
 };
 
-struct asked library_train(const struct ref_input *input, enum dom_precision precision);
+struct setup library_train(const struct ref_input *input, enum dom_precision precision);
 
 /* Return the unit roundoff of the precision, and its smallest tolerance. */
 double library_unit(enum dom_precision precision);
@@ -23,9 +23,9 @@ double library_floor(enum dom_precision precision);
 
 void library_nothing(struct answers *answers);
 /* Calls the function that computes this quantity, and stores all quantities of its result. */
-void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
+void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers);
 /* Finds the LINK_... quantities of a domino. */
-void library_link(const struct asked *asked, domq_real tilt, size_t link, struct answers *answers);
+void library_link(const struct setup *setup, domq_real tilt, size_t link, struct answers *answers);
 
 #endif

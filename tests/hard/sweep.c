@@ -29,7 +29,7 @@ struct point {
     struct ref_input input;
     struct ref *ref;
     struct tally *tally;
-    struct asked train;
+    struct setup train;
     bool sharp;
 };
 

@@ -32,7 +32,7 @@ static struct ref_input input_of(const struct hard_case *c, enum dom_precision p
     } else {
         struct answers answers;
         library_nothing(&answers);
-        struct asked train = library_train(&input, precision);
+        struct setup train = library_train(&input, precision);
         library_ask(&train, 0, REF_THETA_C, &answers);
         input.tilt = -(domq_real)c->tilt * answers.value[REF_THETA_C];
         if (precision == DOM_DOUBLE)
@@ -94,7 +94,7 @@ static long check_case(int number, void *context)
     if ((c->lengthy || part) && precision != DOM_DOUBLE)
         return 0;
     const struct ref_input input = input_of(c, precision);
-    const struct asked train = library_train(&input, precision);
+    const struct setup train = library_train(&input, precision);
     const int digits2 = precision == DOM_QUAD ? 120 : 60;
     struct ref *ref = ref_open_for(&input, digits2);
     struct answers answers;
@@ -144,7 +144,7 @@ TEST(a_slow_cycle_in_float_has_a_duration)
                                     (domq_real)0x1.c0a998p-1f,
                                     0,
                                     false};
-    struct asked train = library_train(&input, DOM_FLOAT);
+    struct setup train = library_train(&input, DOM_FLOAT);
     struct answers answers;
     library_nothing(&answers);
     library_ask(&train, 0, REF_DURATION, &answers);

@@ -14,7 +14,7 @@ struct counts {
     int brackets, reaches, none, partly, wrong, refuted;
 };
 
-static struct dom_train doubles(const struct asked *a)
+static struct dom_train doubles(const struct setup *a)
 {
     struct dom_train t = dom_train_default();
     t.s = (double)a->s;
@@ -40,9 +40,9 @@ static bool refutes(const struct dom_proof *p, double r_max)
 
 /* Compares a computed limit with a proof to 1e-10, allowing for a relative error `tol` of the computed
  * limit. */
-static void compare(const struct asked *asked, bool pair, struct counts *c)
+static void compare(const struct setup *setup, bool pair, struct counts *c)
 {
-    const struct dom_train train = doubles(asked);
+    const struct dom_train train = doubles(setup);
     struct dom_compute compute = dom_compute_default();
     struct dom_limit limit;
     struct dom_proof proof;
@@ -76,9 +76,9 @@ static void compare(const struct asked *asked, bool pair, struct counts *c)
         say("does not refute", &train, pair, &proof, limit.r_max);
 }
 
-static struct asked any_train(uint64_t *seed)
+static struct setup any_train(uint64_t *seed)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.d = random_log(seed, 1e-3, 0.75);
     train.s = random_log(seed, 0.02, 1);
     train.q = random_unit(seed) < 0.5 ? 3 + (random_unit(seed) < 0.5) : random_log(seed, 0.4, 6);
@@ -92,7 +92,7 @@ TEST(limits_of_random_trains_lie_in_what_is_proved)
     struct counts c = {0};
     int trains = (int)ceil(200 * sweep_size());
     for (int i = 0; i < trains; i++) {
-        struct asked train = any_train(&seed);
+        struct setup train = any_train(&seed);
         compare(&train, false, &c);
         train.fuel = DOM_FUEL_EXACT;
         if (i % 2 == 0)
@@ -110,7 +110,7 @@ TEST(limits_of_hard_cases_lie_in_what_is_proved)
     int step = sweep_size() < 1 ? 4 : 1;
     for (int i = 0; i < hard_cases_number; i += step) {
         const struct hard_case *h = &hard_cases[i];
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         train.s = h->s;
         train.d = h->d;
         train.q = h->q;
@@ -130,9 +130,9 @@ TEST(verdicts_agree)
     uint64_t seed = 88;
     int goes = 0, stops = 0, open = 0, wrong = 0, trains = (int)ceil(150 * sweep_size());
     for (int i = 0; i < trains; i++) {
-        struct asked asked = any_train(&seed);
-        asked.r = pow((double)asked.s, -0.8 * random_unit(&seed));
-        const struct dom_train train = doubles(&asked);
+        struct setup setup = any_train(&seed);
+        setup.r = pow((double)setup.s, -0.8 * random_unit(&seed));
+        const struct dom_train train = doubles(&setup);
         struct dom_barrier b;
         struct dom_proof_cycle proof;
         enum dom_status status = dom_barrier_find(&train, NULL, &b);

@@ -39,7 +39,7 @@ static void close_(const char *what, const struct ref_input *in, domq_real got, 
 static domq_real growth_of(double s, double q, double d, enum ref_quantity quantity, struct answers *a)
 {
     struct ref_input input = {.s = (domq_real)s, .r = 1, .d = (domq_real)d, .q = (domq_real)q};
-    struct asked train = library_train(&input, DOM_DOUBLE);
+    struct setup train = library_train(&input, DOM_DOUBLE);
     library_nothing(a);
     library_ask(&train, 0, quantity, a);
     assert_status(a->status[quantity], DOM_OK);
@@ -123,7 +123,7 @@ TEST(best_separations)
                                       .d = rounded(known[k].d, precisions[p]),
                                       .q = rounded(known[k].q, precisions[p]),
                                       .paper = known[k].paper};
-            struct asked train = library_train(&input, precisions[p]);
+            struct setup train = library_train(&input, precisions[p]);
             struct answers a;
             double scale;
             library_nothing(&a);

@@ -19,9 +19,9 @@ static int part_of(int all)
     return (int)ceil(sweep_size() * all);
 }
 
-static struct asked any_train(uint64_t *seed, double mu)
+static struct setup any_train(uint64_t *seed, double mu)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.d = random_log(seed, 1e-3, 0.75);
     train.s = random_log(seed, 0.01, 1);
     train.q = random_log(seed, 0.4, 4);
@@ -31,10 +31,10 @@ static struct asked any_train(uint64_t *seed, double mu)
 }
 
 /* Returns the margin divided by the sum of its terms, or -1 if the train cannot start. */
-static double share(const struct asked *train, double r)
+static double share(const struct setup *train, double r)
 {
     struct domq_barrier b;
-    struct asked at = *train;
+    struct setup at = *train;
     at.r = r;
     at.tol = 1e-6;
     enum dom_status status = ask_barrier_find(&at, &b, NULL);
@@ -45,7 +45,7 @@ static double share(const struct asked *train, double r)
 
 /* Returns the first growth at which the train stops, among n growths up to r_max. These are evenly spaced in
  * ln r, with additional ones near the end. */
-static double first_stop(const struct asked *train, double r_max, int n)
+static double first_stop(const struct setup *train, double r_max, int n)
 {
     double ln_r = log(r_max);
     for (int k = 0; k < 2 * n; k++) {
@@ -62,7 +62,7 @@ TEST(no_train_stops_below_r_max)
     uint64_t seed = 4711;
     int limits = 0, reached = 0, missed = 0;
     for (int i = 0; i < part_of(1000); i++) {
-        struct asked train = any_train(&seed, 0);
+        struct setup train = any_train(&seed, 0);
         struct domq_limit limit;
         if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
@@ -86,7 +86,7 @@ TEST(few_trains_with_friction_stop_below_r_max)
     uint64_t seed = 815;
     int limits = 0, missed = 0;
     for (int i = 0; i < part_of(100); i++) {
-        struct asked train = any_train(&seed, 0.4);
+        struct setup train = any_train(&seed, 0.4);
         struct domq_limit limit;
         if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
@@ -122,7 +122,7 @@ TEST(pairs_succeed_in_their_first_band)
     uint64_t seed = 99;
     int bands = 0, missed = 0;
     for (int i = 0; i < part_of(4000); i++) {
-        struct asked train = any_train(&seed, 0);
+        struct setup train = any_train(&seed, 0);
         struct domq_limit limit;
         double s = (double)train.s, d = (double)train.d, q = (double)train.q;
         train.fuel = DOM_FUEL_EXACT;
@@ -150,7 +150,7 @@ TEST(no_separation_allows_more)
     uint64_t seed = 31;
     int missed = 0, found = 0, refused = 0;
     for (int i = 0; i < part_of(40); i++) {
-        struct asked train = any_train(&seed, 0);
+        struct setup train = any_train(&seed, 0);
         struct domq_best best;
         struct domq_limit limit;
         enum dom_status status = ask_limit_best(&train, &best, NULL);

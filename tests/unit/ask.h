@@ -12,16 +12,16 @@
 
 /* Define the members in the library's lists of parameters, and initializers that copy these members from
  * *a. */
-#define ASKED_NUMBER(name, default_, lowest, highest, unit, meaning)      domq_real name;
-#define ASKED_EFFECT(effect, member, status)                              domq_real member;
-#define ASKED_COPY_NUMBER(name, default_, lowest, highest, unit, meaning) .name = a->name,
-#define ASKED_COPY_EFFECT(effect, member, status)                         .member = a->member,
+#define SETUP_NUMBER(name, default_, lowest, highest, unit, meaning)      domq_real name;
+#define SETUP_EFFECT(effect, member, status)                              domq_real member;
+#define SETUP_COPY_NUMBER(name, default_, lowest, highest, unit, meaning) .name = a->name,
+#define SETUP_COPY_EFFECT(effect, member, status)                         .member = a->member,
 
 /* A train and how to compute. */
-struct asked {
-    DOMQ_TRAIN_PARAMETERS(ASKED_NUMBER)
-    DOMQ_COMPUTE_PARAMETERS(ASKED_NUMBER)
-    DOM_DYNAMICS(ASKED_EFFECT)
+struct setup {
+    DOMQ_TRAIN_PARAMETERS(SETUP_NUMBER)
+    DOMQ_COMPUTE_PARAMETERS(SETUP_NUMBER)
+    DOM_DYNAMICS(SETUP_EFFECT)
     enum dom_precision precision;
     enum dom_fuel fuel;
     enum dom_method method;
@@ -30,24 +30,24 @@ struct asked {
 };
 
 /* Returns the defaults, with every effect off. */
-static inline struct asked asked_default(void)
+static inline struct setup setup_default(void)
 {
     const struct domq_train train = domq_train_default(), *a = &train;
     const struct domq_compute compute = domq_compute_default();
-    return (struct asked){.fuel = train.fuel,
+    return (struct setup){.fuel = train.fuel,
                           .tol = compute.tol,
                           .precision = compute.precision,
                           .method = compute.method,
-                          DOMQ_TRAIN_PARAMETERS(ASKED_COPY_NUMBER)};
+                          DOMQ_TRAIN_PARAMETERS(SETUP_COPY_NUMBER)};
 }
 
-static inline struct domq_train asked_train(const struct asked *a)
+static inline struct domq_train setup_train(const struct setup *a)
 {
     return (struct domq_train){.fuel = a->fuel,
-                               DOMQ_TRAIN_PARAMETERS(ASKED_COPY_NUMBER) DOM_DYNAMICS(ASKED_COPY_EFFECT)};
+                               DOMQ_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
 
-static inline struct domq_compute asked_compute(const struct asked *a, bool errors)
+static inline struct domq_compute setup_compute(const struct setup *a, bool errors)
 {
     return (struct domq_compute){.tol = a->tol,
                                  .precision = a->precision,
@@ -59,9 +59,9 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
 
 /* The first two arguments of a call of the library: the train and how to compute. */
 #define ASKED(a, errors)                                                                                     \
-    (const struct domq_train[]){asked_train(a)}, (const struct domq_compute[])                               \
+    (const struct domq_train[]){setup_train(a)}, (const struct domq_compute[])                               \
     {                                                                                                        \
-        asked_compute(a, errors)                                                                             \
+        setup_compute(a, errors)                                                                             \
     }
 
 /* Copies the error bounds of a result into a structure of the same type. `first` is the first member that has
@@ -72,20 +72,20 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
 /* Defines ask_NAME, which calls domq_NAME for a result and, unless `error` is NULL, for its error bounds. */
 #define ASK(name, type, first, PARAMETER, ARGUMENT)                                                          \
     static inline enum dom_status ask_##name(                                                                \
-        const struct asked *asked, PARAMETER struct domq_##type *result, struct domq_##type *error)          \
+        const struct setup *setup, PARAMETER struct domq_##type *result, struct domq_##type *error)          \
     {                                                                                                        \
-        enum dom_status status = domq_##name(ASKED(asked, error), ARGUMENT result);                          \
+        enum dom_status status = domq_##name(ASKED(setup, error), ARGUMENT result);                          \
         ASK_BOUNDS(result, error, first);                                                                    \
         return status;                                                                                       \
     }
 
 /* Defines ask_NAME for a function whose result is one number, which is NaN if there is no result. */
 #define ASK_NUMBER(name, PARAMETER, ARGUMENT)                                                                \
-    static inline enum dom_status ask_##name(const struct asked *asked, PARAMETER domq_real *number,         \
+    static inline enum dom_status ask_##name(const struct setup *setup, PARAMETER domq_real *number,         \
                                              domq_real *error)                                               \
     {                                                                                                        \
         struct domq_value value = {DOMQ_NAN, DOMQ_NAN};                                                      \
-        enum dom_status status = domq_##name(ASKED(asked, error), ARGUMENT & value);                         \
+        enum dom_status status = domq_##name(ASKED(setup, error), ARGUMENT & value);                         \
         *number = value.value;                                                                               \
         if (error)                                                                                           \
             *error = value.error;                                                                            \
@@ -120,12 +120,12 @@ ASK_NUMBER(cycle_duration, , )
 #define ask_cycle_floor(a, ...)       domq_cycle_floor(ASKED(a, false), __VA_ARGS__)
 #define ask_chain_walk(a, ...)        domq_chain_walk(ASKED(a, false), __VA_ARGS__)
 #define ask_cycle_walk(a, ...)        domq_cycle_walk(ASKED(a, false), __VA_ARGS__)
-#define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){asked_train(a)}, __VA_ARGS__)
+#define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){setup_train(a)}, __VA_ARGS__)
 
-static inline domq_real ask_scale_speed(const struct domq_scale *scale, const struct asked *asked,
+static inline domq_real ask_scale_speed(const struct domq_scale *scale, const struct setup *setup,
                                         domq_real duration)
 {
-    const struct domq_train train = asked_train(asked);
+    const struct domq_train train = setup_train(setup);
     return domq_scale_speed(scale, &train, duration);
 }
 
@@ -145,28 +145,28 @@ static inline enum dom_status ask_count_find(enum dom_precision precision, domq_
 /* ---- Rows ---- */
 
 /* A row and how to compute. */
-struct asked_row {
+struct row_setup {
     const struct domq_domino *domino;
     size_t count;
     domq_real g, push;
-    DOM_DYNAMICS(ASKED_EFFECT)
+    DOM_DYNAMICS(SETUP_EFFECT)
     domq_real boxes_above; /* as in struct domq_row */
     bool floor;
-    DOMQ_COMPUTE_PARAMETERS(ASKED_NUMBER)
+    DOMQ_COMPUTE_PARAMETERS(SETUP_NUMBER)
     enum dom_precision precision;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
 
 /* Returns a row on a level floor, in double, with every effect off. */
-static inline struct asked_row asked_row_default(const struct domq_domino *domino, size_t count,
+static inline struct row_setup row_setup_default(const struct domq_domino *domino, size_t count,
                                                  domq_real push)
 {
-    return (struct asked_row){
+    return (struct row_setup){
         .domino = domino, .count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
 }
 
-static inline struct domq_row asked_row(const struct asked_row *a)
+static inline struct domq_row row_setup(const struct row_setup *a)
 {
     return (struct domq_row){.domino = a->domino,
                              .count = a->count,
@@ -174,28 +174,28 @@ static inline struct domq_row asked_row(const struct asked_row *a)
                              .push = a->push,
                              .floor = a->floor,
                              .boxes_above = a->boxes_above,
-                             DOM_DYNAMICS(ASKED_COPY_EFFECT)};
+                             DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
 
-static inline struct domq_compute asked_row_compute(const struct asked_row *a)
+static inline struct domq_compute row_setup_compute(const struct row_setup *a)
 {
     return (struct domq_compute){
         .tol = a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
 }
 
-#define ASKED_ROW(a)                                                                                         \
-    (const struct domq_row[]){asked_row(a)}, (const struct domq_compute[])                                   \
+#define ROW_SETUP(a)                                                                                         \
+    (const struct domq_row[]){row_setup(a)}, (const struct domq_compute[])                                   \
     {                                                                                                        \
-        asked_row_compute(a)                                                                                 \
+        row_setup_compute(a)                                                                                 \
     }
 
-#define ask_row_run(a, ...)          domq_row_run(ASKED_ROW(a), __VA_ARGS__)
-#define ask_row_rmax(a, ...)         domq_row_rmax(ASKED_ROW(a), __VA_ARGS__)
-#define ask_row_mend(a, ...)         domq_row_mend(ASKED_ROW(a), __VA_ARGS__)
-#define ask_row_windows(a, ...)      domq_row_windows(ASKED_ROW(a), __VA_ARGS__)
-#define ask_row_push(a, ...)         domq_row_push(ASKED_ROW(a), __VA_ARGS__)
-#define ask_row_watch(a, ...)        domq_row_watch(ASKED_ROW(a), __VA_ARGS__)
-#define ask_placement_study(a, ...)  domq_placement_study(ASKED_ROW(a), __VA_ARGS__)
-#define ask_placement_budget(a, ...) domq_placement_budget(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_run(a, ...)          domq_row_run(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_rmax(a, ...)         domq_row_rmax(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_mend(a, ...)         domq_row_mend(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_windows(a, ...)      domq_row_windows(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_push(a, ...)         domq_row_push(ROW_SETUP(a), __VA_ARGS__)
+#define ask_row_watch(a, ...)        domq_row_watch(ROW_SETUP(a), __VA_ARGS__)
+#define ask_placement_study(a, ...)  domq_placement_study(ROW_SETUP(a), __VA_ARGS__)
+#define ask_placement_budget(a, ...) domq_placement_budget(ROW_SETUP(a), __VA_ARGS__)
 
 #endif

@@ -10,7 +10,7 @@
 #define REQUEST_EFFECT(effect, member, status) (double)a->member,
 
 /* Returns the request that the kernel gets for the train. */
-static inline struct request request_of(const struct asked *a)
+static inline struct request request_of(const struct setup *a)
 {
     return (struct request){.s = (double)a->s,
                             .r = (double)a->r,

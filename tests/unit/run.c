@@ -32,12 +32,12 @@ double push_over(const struct domq_domino *domino)
 
 void make_row(struct run *run, size_t count, double s, double r, double mu)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     train.s = s;
     train.r = r;
     ask_row_of_train(&train, &scale, 0.01, run->domino, count);
-    run->row = asked_row_default(run->domino, count, 3 * push_over(run->domino));
+    run->row = row_setup_default(run->domino, count, 3 * push_over(run->domino));
     run->row.mu = mu;
 }
 

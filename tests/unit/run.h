@@ -10,7 +10,7 @@ enum { ROW_MOST = 64 };
 
 struct run {
     struct domq_domino domino[ROW_MOST];
-    struct asked_row row;
+    struct row_setup row;
     struct domq_fall fall[ROW_MOST];
     size_t falls;
     struct domq_verdict verdict;

@@ -41,7 +41,7 @@ static inline void same_(const char *what, double value, domq_real wide, double 
     assert_string_equal(dom_status_text(status), dom_status_text(expected))
 
 /* Fails with a number and the train that gave it. */
-static inline void fail_train(const char *what, const struct asked *t, double got, double expected)
+static inline void fail_train(const char *what, const struct setup *t, double got, double expected)
 {
     fail_msg("%s: %.17g, expected %.17g at s %.17g r %.17g d %.17g q %.17g mu %.17g alpha %.17g rho %.17g",
              what, got, expected, (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu,
@@ -103,9 +103,9 @@ static inline double csv_number(const struct csv *csv, const char *name)
     return *text ? strtod(text, NULL) : DOMQ_NAN;
 }
 
-static inline struct asked csv_train(const struct csv *csv)
+static inline struct setup csv_train(const struct csv *csv)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = csv_number(csv, "s");
     train.q = csv_number(csv, "q");
     return train;
@@ -126,9 +126,9 @@ static inline double random_log(uint64_t *seed, double lo, double hi)
 }
 
 /* Returns a random train with r s <= 1. One in four is close to the reach. */
-static inline struct asked random_train(uint64_t *seed)
+static inline struct setup random_train(uint64_t *seed)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.tol = 1e-15;
     train.s = random_log(seed, 3e-3, 1);
     train.d = random_log(seed, 1e-4, 2);

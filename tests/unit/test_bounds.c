@@ -96,7 +96,7 @@ TEST(strips_enclose_their_trains)
     uint64_t seed = 41;
     struct strips count[2] = {{0}, {0}};
     for (int i = 0; i < 600; i++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         struct strip strip;
         train.s = random_log(&seed, 0.02, 0.9);
         train.d = random_log(&seed, 0.01, 0.5);

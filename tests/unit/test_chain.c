@@ -12,7 +12,7 @@ static const struct tilt upright = {0, 1, 0};
  * times the largest possible one. */
 static struct geometry random_geometry(uint64_t *seed, double tol, double rho, struct tilt *head)
 {
-    struct asked train = random_train(seed);
+    struct setup train = random_train(seed);
     struct geometry geometry;
     train.rho = rho * fmin((double)train.d / 2, 0.49);
     train.s = fmin((double)train.s, (1 - (double)train.rho / 2) / (double)train.r);
@@ -83,7 +83,7 @@ TEST(the_far_tail_is_within_its_bound)
     for (int k = 0; k < 6; k++)
         for (double s = 0.02; s < 0.3; s *= 1.7)
             for (double passes = 0.1; passes < 100; passes *= 9) {
-                struct asked train = asked_default();
+                struct setup train = setup_default();
                 struct geometry geometry;
                 train.s = s;
                 train.q = 3 + k % 2;
@@ -161,7 +161,7 @@ static void assert_few_passes(double rho, size_t on_average, size_t at_most)
     struct dom_work work = {.passes = 0};
     size_t limits = 0, most = 0;
     for (int k = 2; k <= 90; k += 2, limits++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         struct domq_limit limit;
         size_t before = work.passes;
         train.s = (domq_real)k / 100;

@@ -7,9 +7,9 @@
 
 /* ---- The first r counts, even if the train keeps falling again at larger ones ---- */
 
-static struct asked train_of(double s, double d, double q, enum dom_fuel fuel)
+static struct setup train_of(double s, double d, double q, enum dom_fuel fuel)
 {
-    struct asked t = asked_default();
+    struct setup t = setup_default();
     t.s = s;
     t.d = d;
     t.q = q;
@@ -17,7 +17,7 @@ static struct asked train_of(double s, double d, double q, enum dom_fuel fuel)
     return t;
 }
 
-static double margin_at(struct asked t, double r)
+static double margin_at(struct setup t, double r)
 {
     struct domq_barrier b;
     t.r = r;
@@ -45,7 +45,7 @@ TEST(dips_of_the_margin)
                 {0.50140717804106072, 0.50829806206800721, 0.47287566425845079, DOM_FUEL_EXACT}};
     enum { SAMPLES = 20000 };
     for (size_t i = 0; i < sizeof dips / sizeof *dips; i++) {
-        struct asked t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
+        struct setup t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
         struct domq_limit limit;
         assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
@@ -69,7 +69,7 @@ TEST(bounds_are_extra)
     uint64_t seed = 77;
     int barriers = 0, limits = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train = random_train(&seed);
+        struct setup train = random_train(&seed);
         struct dom_work plain = {0}, bounded = {0};
         struct domq_barrier without, with, error;
         struct domq_limit limit, limit_with, limit_error;
@@ -111,7 +111,7 @@ TEST(bounds_are_extra)
  * bounds. */
 TEST(methods_agree)
 {
-    struct asked t = asked_default();
+    struct setup t = setup_default();
     struct domq_barrier ours, other;
     domq_real duration, by_method, error;
     t.tol = 1e-5;
@@ -132,12 +132,12 @@ TEST(methods_agree)
 /* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */
 TEST(methods_at_the_ends)
 {
-    struct asked t = asked_default();
+    struct setup t = setup_default();
     struct domq_limit limit;
     t.method = DOM_METHOD_GSL;
     t.d = 0.8;
     t.s = 0.9;
-    struct asked ours = t;
+    struct setup ours = t;
     ours.method = DOM_METHOD_OURS;
     assert_status(ask_limit_rmax(&ours, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
@@ -149,7 +149,7 @@ TEST(methods_at_the_ends)
     t.r = 1;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
     assert_true(isnan((double)barrier.kinetic) && barrier.barrier > 0);
-    t = asked_default();
+    t = setup_default();
     t.s = 0.95;
     t.tol = 1e-4;
     for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
@@ -186,10 +186,10 @@ TEST(numbers_without_a_text)
 TEST(interrupted)
 {
     const volatile sig_atomic_t now = 1;
-    struct asked t = asked_default();
+    struct setup t = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[5];
-    struct asked_row row = asked_row_default(domino, 5, DOMQ_NAN);
+    struct row_setup row = row_setup_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2, .interrupt = &now};
     struct domq_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
@@ -257,10 +257,10 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
  * is freed. */
 TEST(memory_runs_out)
 {
-    struct asked t = asked_default();
+    struct setup t = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[5];
-    struct asked_row row = asked_row_default(domino, 5, DOMQ_NAN);
+    struct row_setup row = row_setup_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2};
     struct domq_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};

@@ -7,7 +7,7 @@ TEST(no_cycle_without_fuel)
 {
     static const double trains[][4] = {{0.3, 1.1, 1.5, 3}, {0.00633775, 1, 7.0 / 48, 3}};
     for (size_t i = 0; i < 2; i++) {
-        struct asked t = asked_default();
+        struct setup t = setup_default();
         struct domq_launch launch;
         struct domq_barrier barrier;
         domq_real value;
@@ -26,7 +26,7 @@ TEST(no_cycle_without_fuel)
 /* Checks that there is no domino effect for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
 TEST(no_fuel_below_a_separation)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_limit limit;
     double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
     assert_near("edge", edge, 0.0063378, 1e-5);
@@ -45,7 +45,7 @@ TEST(no_fuel_below_a_separation)
 /* Checks d > h: no domino tips over far enough to topple a larger one, at any separation. */
 TEST(thick_dominoes_do_not_grow)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_best best;
     struct domq_limit limit;
     train.d = 1.5;
@@ -67,7 +67,7 @@ TEST(every_status_has_a_text)
 
 TEST(metres_and_seconds)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     /* (1; a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
     double tau = sqrt((0.048 * 0.048 + 0.007 * 0.007) / (3 * 9.81 * 0.048));

@@ -4,9 +4,9 @@
 #include "run.h"
 #include "support.h"
 
-static struct asked train_of(double s, double r, double d, double q, double tol)
+static struct setup train_of(double s, double r, double d, double q, double tol)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = s;
     train.r = r;
     train.d = d;
@@ -15,9 +15,9 @@ static struct asked train_of(double s, double r, double d, double q, double tol)
     return train;
 }
 
-static struct asked friction_train(double s, double r, double d, double q, double mu)
+static struct setup friction_train(double s, double r, double d, double q, double mu)
 {
-    struct asked t = train_of(s, r, d, q, (double)asked_default().tol);
+    struct setup t = train_of(s, r, d, q, (double)setup_default().tol);
     t.mu = mu;
     return t;
 }
@@ -30,7 +30,7 @@ static struct asked friction_train(double s, double r, double d, double q, doubl
 TEST(thin_dominoes_with_friction)
 {
     for (double d = 1e-8; d < 1e-4; d *= 10) {
-        struct asked t = friction_train(0.01, 1, d, 4, 0.2);
+        struct setup t = friction_train(0.01, 1, d, 4, 0.2);
         struct domq_limit here, finer;
         assert_status(ask_limit_rmax(&t, &here, NULL), DOM_OK);
         t.precision = DOM_QUAD;
@@ -44,13 +44,13 @@ TEST(thin_dominoes_with_friction)
                  {1e-8, 18.099999466532033, 17.8721020258},
                  {1e-5, 8.9623097869442692, 13.3383189996}};
     for (size_t i = 0; i < sizeof lasts / sizeof *lasts; i++) {
-        struct asked t = friction_train(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
+        struct setup t = friction_train(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
         domq_real duration;
         assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_OK);
         assert_near("duration", duration, lasts[i].duration, 1e-10);
     }
     /* Very little friction changes no verdict. */
-    struct asked t =
+    struct setup t =
         friction_train(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
     struct domq_barrier barrier;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
@@ -95,7 +95,7 @@ TEST(one_detaches_after_another)
     static struct run seen;
     static struct newton n;
     for (int i = 0; i <= 40; i++) {
-        seen.row = asked_row_default(seen.domino, 8, 9.00688);
+        seen.row = row_setup_default(seen.domino, 8, 9.00688);
         for (int k = 0; k < 8; k++) {
             const double *of = size[k];
             seen.domino[k] = (struct domq_domino){of[0], of[1], of[2], of[0] * of[0] * of[1], 0, 0};
@@ -143,7 +143,7 @@ TEST(ends)
 /* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
 TEST(floor_at_the_reach)
 {
-    struct asked t = friction_train(0.5, 2, 0.1, 3, 0);
+    struct setup t = friction_train(0.5, 2, 0.1, 3, 0);
     struct domq_floor floor;
     assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
@@ -155,7 +155,7 @@ TEST(floor_at_the_reach)
  * verdict is right. */
 TEST(nearly_no_fuel)
 {
-    struct asked train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
+    struct setup train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
     struct domq_barrier barrier;
     struct domq_limit limit;
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
@@ -169,7 +169,7 @@ TEST(nearly_no_fuel)
  * levels of the integration rule once agreed by chance. */
 TEST(durations_of_thin_dominoes)
 {
-    struct asked train =
+    struct setup train =
         train_of(0.02072704061889355, 11.027200294736572, 1.1351813090041499e-10, 4, 0.00781374);
     domq_real duration = DOMQ_NAN, error = DOMQ_NAN;
     train.fuel = DOM_FUEL_PAPER;
@@ -182,7 +182,7 @@ TEST(durations_of_thin_dominoes)
 
 TEST(the_reason_is_the_first)
 {
-    struct asked train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
+    struct setup train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
     struct domq_best best;
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }

@@ -72,7 +72,7 @@ TEST(two_tops)
         double edge = sqrt(3 * g * (hypot(h, d) - centre(&b, 0)) / (h * h + d * d));
         b.push = edge * (i % 3 ? random_log(&seed, 1.0001, 1.1) : random_log(&seed, 1.1, 5));
         struct domq_domino domino[] = {{h, d, 0, 1, 0, 0}, {2 * h, d, gap, 1, 0, 0}};
-        struct asked_row row = asked_row_default(domino, 2, b.push);
+        struct row_setup row = row_setup_default(domino, 2, b.push);
         struct domq_fall fall;
         struct domq_verdict verdict;
         int tops;

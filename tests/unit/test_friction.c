@@ -3,9 +3,9 @@
 #include "support.h"
 #include <float.h>
 
-static struct asked friction_train(double s, double r, double mu)
+static struct setup friction_train(double s, double r, double mu)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = s;
     train.r = r;
     train.mu = mu;
@@ -13,10 +13,10 @@ static struct asked friction_train(double s, double r, double mu)
 }
 
 /* Returns a random train with friction and r s <= 1, which may keep falling or stop. */
-static struct asked random_friction_train(uint64_t *seed, double s_least, double mu_most)
+static struct setup random_friction_train(uint64_t *seed, double s_least, double mu_most)
 {
     double s = random_log(seed, s_least, 1);
-    struct asked train = friction_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
+    struct setup train = friction_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
     train.d = random_log(seed, 0.01, 0.5);
     train.q = 1 + 4 * random_unit(seed);
     train.mu = random_log(seed, 1e-6, mu_most);
@@ -42,7 +42,7 @@ TEST(digits)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/friction.csv");
     for (; csv_next(csv); rows++) {
-        struct asked train = csv_train(csv);
+        struct setup train = csv_train(csv);
         struct domq_limit limit;
         struct domq_launch launch;
         domq_real w, duration;
@@ -69,7 +69,7 @@ TEST(digits)
 
 enum { ANSWERS = 6 };
 
-static void answers_of(const struct asked *train, double theta, bool limit_too, domq_real *x)
+static void answers_of(const struct setup *train, double theta, bool limit_too, domq_real *x)
 {
     struct domq_launch launch = {0};
     struct domq_barrier barrier = {0};
@@ -99,7 +99,7 @@ static const double some_trains[][4] = {
 TEST(no_friction_is_never_entered)
 {
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
-        struct asked plain = friction_train(some_trains[i][0], some_trains[i][1], 0), train;
+        struct setup plain = friction_train(some_trains[i][0], some_trains[i][1], 0), train;
         struct dom_work work = {0};
         domq_real before[ANSWERS], after[ANSWERS];
         plain.q = some_trains[i][2];
@@ -147,7 +147,7 @@ static bool force_seen(const struct domq_force *force, void *context)
     return (c->forces = force->i + 1) < CHAIN_MOST;
 }
 
-static void chain_at(const struct asked *train, double theta, struct chain *c)
+static void chain_at(const struct setup *train, double theta, struct chain *c)
 {
     assert_status(ask_chain_walk(train, theta, link_seen, c), DOM_OK);
     assert_status(ask_cycle_forces(train, theta, force_seen, c), DOM_OK);
@@ -159,7 +159,7 @@ static void chain_at(const struct asked *train, double theta, struct chain *c)
  * cos(theta' - theta) - L_leader sin theta is the distance of the follower's tip from the hinge of its
  * leader.
  */
-static double friction_work_at(const struct asked *train, double theta)
+static double friction_work_at(const struct setup *train, double theta)
 {
     static struct chain c;
     double sum = 0, size = 1, r = train->r, L = (double)train->s + (double)train->d;
@@ -173,7 +173,7 @@ static double friction_work_at(const struct asked *train, double theta)
 }
 
 /* Integrates by Gauss's ten-point rule on `parts` equal parts. */
-static double integral(const struct asked *train, double lo, double hi, int parts)
+static double integral(const struct setup *train, double lo, double hi, int parts)
 {
     static const double place[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
                                    0.86506336668898451, 0.97390652851717172},
@@ -198,7 +198,7 @@ TEST(friction_takes_its_work)
     uint64_t seed = 51;
     int checked = 0, falls = 0;
     for (int i = 0; i < 150; i++) {
-        struct asked train = random_friction_train(&seed, 0.1, 2);
+        struct setup train = random_friction_train(&seed, 0.1, 2);
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_state s;
         int n;
@@ -229,7 +229,7 @@ TEST(friction_takes_its_work)
  * meets this case. */
 TEST(float_near_the_reach)
 {
-    struct asked train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
+    struct setup train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
     struct domq_limit limit;
     struct domq_launch launch;
     train.d = 0.0992909595F;
@@ -251,7 +251,7 @@ TEST(tolerance_is_kept)
     uint64_t seed = 54;
     int checked = 0;
     for (int i = 0; i < 150; i++) {
-        struct asked train = random_friction_train(&seed, 0.02, 2);
+        struct setup train = random_friction_train(&seed, 0.02, 2);
         struct domq_launch exact, rough;
         if (ask_launch_find(&train, &exact, NULL) != DOM_OK)
             continue;
@@ -273,7 +273,7 @@ TEST(tolerance_is_kept)
 
 TEST(refusals)
 {
-    struct asked train = friction_train(0.4, 1.3, 0.1);
+    struct setup train = friction_train(0.4, 1.3, 0.1);
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
@@ -321,7 +321,7 @@ TEST(growth_falls_with_friction)
     uint64_t seed = 57;
     int met = 0, none = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train = random_friction_train(&seed, 0.02, 3);
+        struct setup train = random_friction_train(&seed, 0.02, 3);
         double before = INFINITY, mu = train.mu;
         for (int k = 0; k < 3; k++) {
             struct domq_limit limit;
@@ -356,7 +356,7 @@ static double needed(double x, double z)
 
 /* Returns the friction that the hinge of block i needs. The force of the hinge is mass times acceleration of
  * the centre, as `motion` gives it, minus contact forces and weight. */
-static double hinge_needs(const struct asked *train, const struct chain *c, size_t i, const double *push,
+static double hinge_needs(const struct setup *train, const struct chain *c, size_t i, const double *push,
                           double x, double z, double weight)
 {
     double size = pow(train->r, -(double)i), mass = c->weight[i] / size, d = train->d, mu = train->mu,
@@ -374,7 +374,7 @@ static double hinge_needs(const struct asked *train, const struct chain *c, size
     return needed(X, Z);
 }
 
-static double centre(const struct asked *train, const struct chain *c, size_t i, bool up)
+static double centre(const struct setup *train, const struct chain *c, size_t i, bool up)
 {
     double size = pow(train->r, -(double)i), d = train->d, x = sin(c->theta[i]), y = cos(c->theta[i]);
     return size * (up ? y + d * x : x - d * y) / 2;
@@ -382,7 +382,7 @@ static double centre(const struct asked *train, const struct chain *c, size_t i,
 
 /* Returns the largest friction that a hinge needs at a tilt. Accelerations of the centres are second
  * differences of their positions. */
-static double floor_at(const struct asked *train, double theta, double h)
+static double floor_at(const struct setup *train, double theta, double h)
 {
     static struct chain at, below, above;
     struct domq_state s;
@@ -406,7 +406,7 @@ static double floor_at(const struct asked *train, double theta, double h)
 
 /* Returns the largest friction that a hinge needs in the collision, from the angular velocities of all
  * dominoes before and after it. */
-static double floor_hit(const struct asked *train, double theta_c)
+static double floor_hit(const struct setup *train, double theta_c)
 {
     static struct chain at, old;
     domq_real w_0, w_c;
@@ -432,7 +432,7 @@ TEST(floor_holds)
     uint64_t seed = 58;
     int checked = 0, lifted = 0, by_head = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train = random_friction_train(&seed, 0.1, 1);
+        struct setup train = random_friction_train(&seed, 0.1, 1);
         struct domq_floor floor;
         struct domq_barrier barrier;
         struct domq_angles angles;

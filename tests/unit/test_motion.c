@@ -4,7 +4,7 @@
 #include <float.h>
 
 /* Makes the next random train that completes its cycle or stops in it. Trains without fuel are skipped. */
-static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *events, int *count)
+static bool next_train(uint64_t *seed, struct setup *train, struct domq_event *events, int *count)
 {
     *train = random_train(seed);
     train->tol = 1e-13;
@@ -18,7 +18,7 @@ static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *e
 
 /* Makes the next random train, which in turn has no effects, friction, a slope, friction on a slope, or
  * rounded edges. */
-static bool next_with_effects(uint64_t *seed, int i, struct asked *train, struct domq_event *events,
+static bool next_with_effects(uint64_t *seed, int i, struct setup *train, struct domq_event *events,
                               int *count)
 {
     if (!next_train(seed, train, events, count) || train->s < 0.05)
@@ -47,7 +47,7 @@ TEST(events_are_in_order)
     uint64_t seed = 41;
     int stops = 0, falls = 0, tops = 0, hits = 0;
     for (int i = 0; i < 400; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_barrier barrier;
         struct domq_angles angles;
@@ -91,7 +91,7 @@ TEST(ledger_closes)
     uint64_t seed = 42;
     int checked[5] = {0};
     for (int i = 0; i < 600; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         int n;
         if (!next_with_effects(&seed, i, &train, events, &n))
@@ -121,7 +121,7 @@ TEST(acceleration_is_the_slope_of_omega)
     uint64_t seed = 43;
     int checked[5] = {0};
     for (int i = 0; i < 600; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_state s, below, above;
         int n;
@@ -145,7 +145,7 @@ TEST(acceleration_is_the_slope_of_omega)
 }
 
 struct smallest {
-    const struct asked *train;
+    const struct setup *train;
     double head, force, impulse;
 };
 
@@ -172,7 +172,7 @@ TEST(forces_hold_the_train_together)
     uint64_t seed = 44;
     int checked = 0;
     for (int i = 0; i < 300; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         int n;
         if (!next_train(&seed, &train, events, &n))
@@ -204,7 +204,7 @@ TEST(tilt_inverts_time)
     uint64_t seed = 45;
     int checked = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         domq_real theta, duration;
         struct domq_state s;

@@ -26,12 +26,12 @@ static enum dom_status few_studies(size_t count, dom_task *task, void *context, 
 TEST(budget_interrupted)
 {
     struct domq_domino domino[6];
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     const struct domq_scale scale = domq_scale_default();
     train.s = 0.3;
     train.r = 1.3;
     ask_row_of_train(&train, &scale, 0.01, domino, 6);
-    const struct asked_row row = asked_row_default(domino, 6, 5);
+    const struct row_setup row = row_setup_default(domino, 6, 5);
     struct domq_placement p = {.seed = 5, .rows = 40};
     struct domq_budget whole, part;
     assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);

@@ -14,7 +14,7 @@ struct bounds {
 
 static const struct bounds tight = {1e-15, 3e-14, 1e-13}, usual = {1e-12, 1e-12, 1e-12};
 
-static void check_geometry(const struct csv *csv, const struct asked *train, double bound)
+static void check_geometry(const struct csv *csv, const struct setup *train, double bound)
 {
     struct domq_angles angles;
     struct domq_contact first, second;
@@ -37,7 +37,7 @@ static void check_geometry(const struct csv *csv, const struct asked *train, dou
     }
 }
 
-static void check_dynamics(const struct csv *csv, struct asked train, const struct bounds *bounds, bool paper)
+static void check_dynamics(const struct csv *csv, struct setup train, const struct bounds *bounds, bool paper)
 {
     double theta = csv_number(csv, "theta");
     domq_real duration = DOMQ_NAN, omegasq = DOMQ_NAN;
@@ -93,7 +93,7 @@ static void check_points(const struct bounds *bounds)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/points.csv");
     for (; csv_next(csv); rows++) {
-        struct asked train = csv_train(csv);
+        struct setup train = csv_train(csv);
         train.r = csv_number(csv, "r");
         train.d = csv_number(csv, "d");
         train.tol = bounds->tol;
@@ -121,7 +121,7 @@ TEST(largest_growth)
     struct csv *csv = csv_open("tests/reference/rmax.csv");
     for (; csv_next(csv); rows++) {
         struct domq_limit limit;
-        struct asked train = csv_train(csv);
+        struct setup train = csv_train(csv);
         train.d = csv_number(csv, "d");
         train.fuel = strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         train.tol = 1e-15;
@@ -141,7 +141,7 @@ TEST(largest_growth_of_a_pair)
     struct csv *csv = csv_open("tests/reference/pair.csv");
     for (; csv_next(csv); rows++) {
         struct domq_limit limit;
-        struct asked train = csv_train(csv);
+        struct setup train = csv_train(csv);
         train.tol = 1e-15;
         assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
         assert_near("pair r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);

@@ -125,7 +125,7 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
     }
     const struct dom_train *a = train;
     const struct domq_train wide = {.fuel = a->fuel,
-                                    DOM_TRAIN_PARAMETERS(ASKED_COPY_NUMBER) DOM_DYNAMICS(ASKED_COPY_EFFECT)};
+                                    DOM_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
     const struct domq_compute wide_compute = {
         .tol = compute->tol, .precision = compute->precision, .method = compute->method};
     assert_status(domq_train_check(&wide, &wide_compute), expected);

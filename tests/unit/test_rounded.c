@@ -5,9 +5,9 @@
  */
 #include "support.h"
 
-static struct asked train_of(double s, double rho, double mu)
+static struct setup train_of(double s, double rho, double mu)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = s;
     train.q = 3;
     train.rho = rho;
@@ -15,7 +15,7 @@ static struct asked train_of(double s, double rho, double mu)
     return train;
 }
 
-static double rmax_of(const struct asked *train)
+static double rmax_of(const struct setup *train)
 {
     struct domq_limit limit = {.r_max = DOM_NAN};
     assert_status(ask_limit_rmax(train, &limit, NULL), DOM_OK);
@@ -28,7 +28,7 @@ TEST(largest_growths)
                                       {0.2, 0.005, 1.599355}, {0.2, 0.01, 1.649661}, {0.2, 0.02, 1.772503},
                                       {0.3, 0.005, 1.871112}, {0.3, 0.01, 1.935795}, {0.3, 0.02, 2.092912}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct asked train = train_of(table[i][0], table[i][1], 0);
+        struct setup train = train_of(table[i][0], table[i][1], 0);
         assert_near("r_max", rmax_of(&train), table[i][2], 1e-6);
     }
 }
@@ -36,7 +36,7 @@ TEST(largest_growths)
 TEST(edges_become_sharp)
 {
     for (int k = 0; k < 6; k++) {
-        struct asked sharp = train_of(0.15 + 0.13 * (k % 3), 0, k < 3 ? 0 : 0.2), slight = sharp;
+        struct setup sharp = train_of(0.15 + 0.13 * (k % 3), 0, k < 3 ? 0 : 0.2), slight = sharp;
         slight.rho = 1e-12;
         assert_near("r_max", rmax_of(&slight), rmax_of(&sharp), 1e-9);
         struct domq_best a, b;
@@ -54,7 +54,7 @@ TEST(contacts)
     uint64_t seed = 11;
     double worst[2] = {0, 0};
     for (int n = 0; n < 3000; n++) {
-        struct asked train = train_of(0.02 + 0.9 * random_unit(&seed), 0, 0);
+        struct setup train = train_of(0.02 + 0.9 * random_unit(&seed), 0, 0);
         struct domq_angles angles;
         struct domq_contact contact;
         train.d = random_log(&seed, 1e-3, 0.9);
@@ -100,7 +100,7 @@ TEST(difficult_limits)
         {0.016696147426729938, 0.017682612184551597, 3, 0, 3.0222794650576016e-09},
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct asked train = train_of(table[i].s, table[i].rho, table[i].mu);
+        struct setup train = train_of(table[i].s, table[i].rho, table[i].mu);
         train.d = table[i].d;
         train.q = table[i].q;
         const double in_double = rmax_of(&train);
@@ -111,12 +111,12 @@ TEST(difficult_limits)
 }
 
 /* Returns a random train, as close as 1e-6 to its reach. Friction and edges have any size or are off. */
-static struct asked any_train(uint64_t *seed)
+static struct setup any_train(uint64_t *seed)
 {
     static const double q[] = {1e-6, 1, 2, 3, 4};
     const double rho = random_unit(seed) < 0.2 ? 0 : random_log(seed, 1e-9, 0.02);
     const double mu = random_unit(seed) < 0.2 ? 0 : random_log(seed, rho > 0 ? 1e-2 : 1e-9, 0.6);
-    struct asked train = train_of(0, rho, mu);
+    struct setup train = train_of(0, rho, mu);
     train.d = fmax(random_log(seed, 0.02, 0.5), 2 * rho);
     train.q = q[(int)(5 * random_unit(seed))];
     if (random_unit(seed) < 0.4)
@@ -140,7 +140,7 @@ TEST(trains_anywhere)
     uint64_t seed = 29;
     int goes = 0, stops = 0;
     for (int n = 0; n < 1500; n++) {
-        struct asked train = any_train(&seed);
+        struct setup train = any_train(&seed);
         struct domq_barrier barrier, finer;
         train.precision = n % 4 ? DOM_DOUBLE : DOM_FLOAT;
         train.tol = domq_arithmetic(train.precision)->tol_default;
@@ -173,7 +173,7 @@ TEST(best_separations)
         {0.16, 3, 0, 9e-9, 0},      {0.1, 4, 0, 0.01, -0.02},
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        struct asked train = train_of(0.5, table[i].rho, table[i].mu);
+        struct setup train = train_of(0.5, table[i].rho, table[i].mu);
         struct domq_best best;
         train.d = table[i].d;
         train.q = table[i].q;
@@ -250,7 +250,7 @@ static void lean(struct block *b, int n, double theta)
     }
 }
 
-static void train_make(struct block *b, int n, const struct asked *train, double rho)
+static void train_make(struct block *b, int n, const struct setup *train, double rho)
 {
     double foot = 0, height = 1;
     for (int i = 0; i < n; i++) {
@@ -301,7 +301,7 @@ TEST(newtons_law)
                                       {0.4, 1.4, 0.03, 0.1, 0.25},
                                       {0.2, 1.5, 0.06, 0.3, 0.1}};
     for (size_t k = 0; k < sizeof scene / sizeof *scene; k++) {
-        struct asked train = train_of(scene[k][0], scene[k][2], scene[k][3]);
+        struct setup train = train_of(scene[k][0], scene[k][2], scene[k][3]);
         struct domq_state at;
         struct block low[MOST], high[MOST], now[MOST];
         struct vector still[MOST], pushed[MOST];
@@ -378,17 +378,17 @@ TEST(rows_are_trains)
 {
     enum { COUNT = 24 };
     for (int k = 0; k < 4; k++) {
-        struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.15);
+        struct setup train = train_of(0.4, 0.02, k < 2 ? 0 : 0.15);
         struct domq_domino domino[COUNT];
         struct domq_scale scale = domq_scale_default();
         struct domq_fall last;
         struct domq_launch launch;
         struct domq_verdict verdict;
         domq_real duration;
-        const struct domq_train train_tau = asked_train(&train);
+        const struct domq_train train_tau = setup_train(&train);
         train.r = 1.15;
         ask_row_of_train(&train, &scale, 1, domino, COUNT);
-        struct asked_row row = asked_row_default(domino, COUNT, 30);
+        struct row_setup row = row_setup_default(domino, COUNT, 30);
         row.mu = train.mu;
         row.rho = train.rho;
         for (size_t i = 0; k % 2 && i < COUNT; i++) {
@@ -409,7 +409,7 @@ TEST(rows_are_trains)
 
 TEST(radii_that_do_not_fit)
 {
-    struct asked train = train_of(0.4, 0.5, 0);
+    struct setup train = train_of(0.4, 0.5, 0);
     struct domq_limit limit;
     train.rho = train.d / 2 + 1e-9;
     assert_status(ask_train_check(&train), DOM_NO_ROUND);
@@ -435,7 +435,7 @@ TEST(radii_that_do_not_fit)
     train.alpha = lean[1] * (1 + 1e-9);
     assert_status(ask_train_check(&train), DOM_NO_STAND);
     struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0}};
-    struct asked_row row = asked_row_default(two, 2, 4);
+    struct row_setup row = row_setup_default(two, 2, 4);
     struct domq_verdict verdict;
     row.rho = 0.01;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROUND);

@@ -154,7 +154,7 @@ TEST(uniform_rows_become_the_train)
                                      {0.54, 1.85, 3, 0}};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         static struct run run;
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         struct domq_scale scale = domq_scale_default();
         struct domq_launch launch;
         struct domq_barrier barrier;
@@ -286,7 +286,7 @@ static void sizes(enum dom_precision precision, double s, double r, double h, do
                   bool answered)
 {
     struct domq_domino *domino = calloc(count, sizeof *domino);
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_verdict v, wide;
     bool fine = true;
@@ -295,7 +295,7 @@ static void sizes(enum dom_precision precision, double s, double r, double h, do
     train.r = r;
     scale.h = h;
     ask_row_of_train(&train, &scale, mass, domino, count);
-    struct asked_row row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
+    struct row_setup row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
     row.push = 3 * sqrt(3 * g * (hypot(1, 7.0 / 48) - 1) / (1 + pow(7.0 / 48, 2)) / h);
     enum dom_status status = ask_row_run(&row, true, is_finite, &fine, &v);
     row.precision = DOM_QUAD;
@@ -314,13 +314,13 @@ TEST(long_and_tall)
 {
     enum { LONG = 10000 };
     static struct domq_domino domino[LONG];
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_verdict v;
     train.s = 0.3;
     train.r = 1;
     ask_row_of_train(&train, &scale, 0.01, domino, LONG);
-    struct asked_row row = asked_row_default(domino, LONG, 3);
+    struct row_setup row = row_setup_default(domino, LONG, 3);
     assert_status(ask_row_run(&row, false, NULL, NULL, &v), DOM_OK);
     assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
     sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
@@ -452,7 +452,7 @@ TEST(floor_of_the_train)
 {
     static struct run run;
     for (int i = 0; i < 3; i++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         struct domq_floor floor;
         struct dom_work work = {0};
         train.s = 0.4;

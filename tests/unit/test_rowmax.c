@@ -6,7 +6,7 @@
 
 /* The train whose rows are made, and how often a row was made. */
 struct family {
-    struct asked train;
+    struct setup train;
     struct domq_scale scale;
     int made;
 };
@@ -14,7 +14,7 @@ struct family {
 static void family_make(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct family *f = context;
-    struct asked train = f->train;
+    struct setup train = f->train;
     train.r = r;
     f->made++;
     ask_row_of_train(&train, &f->scale, 0.01, domino, count);
@@ -22,19 +22,19 @@ static void family_make(domq_real r, struct domq_domino *domino, size_t count, v
 
 static struct family family_of(double s, double d, double q)
 {
-    struct family f = {.train = asked_default(), .scale = domq_scale_default()};
+    struct family f = {.train = setup_default(), .scale = domq_scale_default()};
     f.train.s = s;
     f.train.d = d;
     f.train.q = q;
     return f;
 }
 
-static struct asked_row row_of(size_t count, domq_real push)
+static struct row_setup row_of(size_t count, domq_real push)
 {
-    return asked_row_default(NULL, count, push);
+    return row_setup_default(NULL, count, push);
 }
 
-static struct domq_row_growth growth_of(struct family *f, const struct asked_row *row)
+static struct domq_row_growth growth_of(struct family *f, const struct row_setup *row)
 {
     struct domq_row_growth growth;
     assert_status(ask_row_rmax(row, 1 / f->train.s, family_make, f, &growth), DOM_OK);
@@ -42,7 +42,7 @@ static struct domq_row_growth growth_of(struct family *f, const struct asked_row
 }
 
 /* Returns how the family's row ends at the growth r. */
-static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, double r)
+static enum dom_row_end ends_at(struct family *f, const struct row_setup *row, double r)
 {
     static struct run run;
     run.row = *row;
@@ -57,7 +57,7 @@ TEST(two_are_the_pair)
     for (int i = 1; i < 10; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, i % 2 ? 3 : 4);
         struct domq_limit pair;
-        struct asked_row row = row_of(2, DOMQ_NAN);
+        struct row_setup row = row_of(2, DOMQ_NAN);
         assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
         if (pair.ends == DOM_END_NONE)
             continue;
@@ -81,7 +81,7 @@ TEST(falls_from_above_one)
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         struct family f = family_of(scenes[i][0], scenes[i][1], scenes[i][2]);
         struct domq_limit pair;
-        struct asked_row row = row_of(2, DOMQ_NAN);
+        struct row_setup row = row_of(2, DOMQ_NAN);
         row.alpha = f.train.alpha = (domq_real)scenes[i][3];
         assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
         struct domq_row_growth growth = growth_of(&f, &row);
@@ -100,7 +100,7 @@ TEST(long_rows_are_the_train)
     for (int i = 4; i < 8; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
         struct domq_limit limit;
-        struct asked_row row = row_of(60, 60);
+        struct row_setup row = row_of(60, 60);
         assert_status(ask_limit_rmax(&f.train, &limit, NULL), DOM_OK);
         struct domq_row_growth growth = growth_of(&f, &row);
         assert_near("r_max", growth.r_max, limit.r_max, 1e-6);
@@ -117,7 +117,7 @@ TEST(falls_up_to_it)
     for (int i = 0; i < 60; i++) {
         struct family f = family_of(random_log(&seed, 0.1, 0.9), random_log(&seed, 0.05, 0.3),
                                     2.5 + 2 * random_unit(&seed));
-        struct asked_row row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOMQ_NAN);
+        struct row_setup row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOMQ_NAN);
         row.mu = i % 4 ? 0 : 0.2;
         row.floor = i % 2; /* changes nothing */
         struct domq_row_growth growth = growth_of(&f, &row);
@@ -154,7 +154,7 @@ TEST(falls_up_to_it)
 TEST(at_the_ends)
 {
     struct family f = family_of(0.4, 7.0 / 48, 4);
-    struct asked_row row = row_of(1, 6);
+    struct row_setup row = row_of(1, 6);
     struct domq_row_growth growth = growth_of(&f, &row);
     assert_true(growth.r_max == 1 / f.train.s && growth.ends == DOM_ROW_FALLS);
     f = family_of(0.05, 7.0 / 48, 4);
@@ -179,7 +179,7 @@ static void flat_make(domq_real r, struct domq_domino *domino, size_t count, voi
 TEST(a_wrong_row_is_refused)
 {
     struct family f = family_of(0.4, 7.0 / 48, 3);
-    const struct asked_row row = row_of(4, 6);
+    const struct row_setup row = row_of(4, 6);
     struct domq_row_growth growth = {.r_max = -1};
     assert_status(ask_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_THICKNESS);
     assert_true(growth.r_max == -1);

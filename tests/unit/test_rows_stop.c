@@ -17,7 +17,7 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
     for (size_t k = 0; k < count; k++)
         run->domino[k] = (struct domq_domino){
             size[k][0], size[k][1], size[k][2], unit * size[k][0] * size[k][0] * size[k][1], 0, 0};
-    run->row = asked_row_default(NULL, count, push);
+    run->row = row_setup_default(NULL, count, push);
     run->row.mu = mu;
 }
 
@@ -137,12 +137,12 @@ TEST(rounded_reach_is_reached)
     struct domq_scale scale = domq_scale_default();
     int falls = 0, stops = 0;
     for (int i = 0; i < 3 * 100; i++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         train.s = (domq_real)(100 + i) / 500;
         train.r = 1 / train.s;
         train.q = 1 + i % 7;
         ask_row_of_train(&train, &scale, 1, run.domino, 6);
-        run.row = asked_row_default(NULL, 6, i % 2 ? 60 : DOMQ_NAN);
+        run.row = row_setup_default(NULL, 6, i % 2 ? 60 : DOMQ_NAN);
         run.row.precision = (enum dom_precision)(i % 3);
         run.row.tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_whole(&run), DOM_OK);

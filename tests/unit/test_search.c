@@ -3,9 +3,9 @@
  * separations. */
 #include "support.h"
 
-static struct asked train_of(double s, double d, double q, double mu, enum dom_precision precision)
+static struct setup train_of(double s, double d, double q, double mu, enum dom_precision precision)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = s;
     train.d = d;
     train.q = q;
@@ -32,7 +32,7 @@ TEST(the_first_root_counts)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct domq_limit limit[2];
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
-            struct asked train =
+            struct setup train =
                 train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? DOM_DOUBLE : DOM_QUAD);
             assert_status(ask_limit_rmax(&train, &limit[p], NULL), DOM_OK);
             assert_int_equal(limit[p].ends, DOM_END_BARRIER);
@@ -53,7 +53,7 @@ TEST(narrow_bands_of_pairs)
         {0.72, 0.565, 2, 1.10790400424}, {0.66, 0.507, 2.5, 1.09210699}, {0.12, 0.278, 0.5, 6.55740614}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int p = 0; p < 3; p++) {
-            struct asked train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
             struct domq_limit limit;
             assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
             assert_int_equal(limit.ends, DOM_END_BARRIER);
@@ -68,7 +68,7 @@ TEST(the_best_separation_to_its_digits)
         double d, q, s;
     } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct asked train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
         struct domq_best best, error;
         assert_status(ask_limit_best(&train, &best, &error), DOM_OK);
         assert_near("best s", best.s, cases[i].s, 4e-12);
@@ -89,7 +89,7 @@ TEST(the_best_separation_in_quad_begins_near)
     } cases[] = {{20, 0, 538644284488, 7.46838654970e-14, 2000000},
                  {0, 1, 514185281824, 5.18853554156e-13, 200000}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct asked train = train_of(1, 0, 4, 0, DOM_QUAD);
+        struct setup train = train_of(1, 0, 4, 0, DOM_QUAD);
         struct dom_work work = {0};
         struct domq_best best;
         train.d = domq_train_default().d;
@@ -108,7 +108,7 @@ TEST(the_best_separation_in_quad_begins_near)
 TEST(thick_dominoes_grow_at_wide_gaps)
 {
     for (double d = 0.665; d < 0.7486; d += 0.02) {
-        struct asked train = train_of(1, d, 3, 0, DOM_DOUBLE);
+        struct setup train = train_of(1, d, 3, 0, DOM_DOUBLE);
         struct domq_best best;
         struct domq_limit limit;
         assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
@@ -123,7 +123,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
 /* Checks that the higher of two maxima is found, which are close to the same sample s = 0.9^k. */
 TEST(the_higher_of_two_tops)
 {
-    struct asked train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
+    struct setup train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
     struct domq_best best;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
@@ -133,7 +133,7 @@ TEST(the_higher_of_two_tops)
 /* Checks that a search that would take more than the allowed work soon ends with an error. */
 TEST(too_much_work_is_refused)
 {
-    struct asked train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
+    struct setup train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
     struct dom_work work = {0};
     struct domq_best best;
     train.work = &work;
@@ -145,7 +145,7 @@ TEST(too_much_work_is_refused)
  * few at r_max. */
 TEST(thin_dominoes_are_quick)
 {
-    struct asked train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
+    struct setup train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
     struct dom_work work = {0};
     struct domq_limit limit;
     train.work = &work;

@@ -4,9 +4,9 @@
 
 static const double degree = 3.14159265358979323846 / 180;
 
-static struct asked train_of(double s, double degrees, double mu)
+static struct setup train_of(double s, double degrees, double mu)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     train.s = s;
     train.q = 3;
     train.alpha = degrees * degree;
@@ -23,7 +23,7 @@ TEST(largest_growths)
                                       {0.4, 0, 2.06377177},  {0.4, 1, 2.22126200},  {0.4, 2, 2.40239954}};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct domq_limit limit;
-        struct asked train = train_of(table[i][0], table[i][1], 0);
+        struct setup train = train_of(table[i][0], table[i][1], 0);
         assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_near("r_max", (double)limit.r_max, table[i][2], 3e-9);
     }
@@ -32,7 +32,7 @@ TEST(largest_growths)
 /* Checks that a domino tips over earlier by alpha, and that a slope on which no domino stands is an error. */
 TEST(slopes_that_do_not_hold)
 {
-    struct asked train = train_of(0.4, 0, 0);
+    struct setup train = train_of(0.4, 0, 0);
     struct domq_angles angles;
     double edge = atan(7.0 / 48);
     for (int side = -1; side <= 1; side += 2) {

@@ -10,11 +10,11 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
-/* Call functions of the shell for a struct asked. */
-static enum dom_status asked_stage(const struct asked *asked, domq_real theta, struct stage *stage)
+/* Call functions of the shell for a struct setup. */
+static enum dom_status setup_stage(const struct setup *setup, domq_real theta, struct stage *stage)
 {
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
+    const struct domq_train train = setup_train(setup);
+    const struct domq_compute compute = setup_compute(setup, false);
     return stage_train(stage, &train, &compute, theta, 0);
 }
 
@@ -23,7 +23,7 @@ enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 
 
 /* A picture, its train, and the angles of this train. */
 struct view {
-    struct asked train;
+    struct setup train;
     struct domq_angles angles;
     double theta;
     struct stage stage;
@@ -42,7 +42,7 @@ static bool view_next(struct view *v, int k)
     if (which >= SOME + RANDOM)
         return false;
     if (which < SOME) {
-        v->train = asked_default();
+        v->train = setup_default();
         v->train.s = some_trains[which][0];
         v->train.r = some_trains[which][1];
         v->train.d = some_trains[which][2];
@@ -51,7 +51,7 @@ static bool view_next(struct view *v, int k)
         v->train = random_train(&seed);
     assert_status(ask_angles_find(&v->train, &v->angles, NULL), DOM_OK);
     v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
-    assert_status(asked_stage(&v->train, v->theta, &v->stage), DOM_OK);
+    assert_status(setup_stage(&v->train, v->theta, &v->stage), DOM_OK);
     return true;
 }
 

@@ -5,7 +5,7 @@
  */
 #include "support.h"
 
-static struct asked in_quad(struct asked train)
+static struct setup in_quad(struct setup train)
 {
     train.precision = DOM_QUAD;
     train.tol = 1e-30;
@@ -13,13 +13,13 @@ static struct asked in_quad(struct asked train)
 }
 
 /* Returns the largest growth that the reach allows in every precision. */
-static double within_reach(const struct asked *train)
+static double within_reach(const struct setup *train)
 {
     return (1 - 1e-14) / (double)train->s;
 }
 
 /* Makes a train that stops in its cycle. */
-static bool stopping(uint64_t *seed, struct asked *train, domq_real *stop)
+static bool stopping(uint64_t *seed, struct setup *train, domq_real *stop)
 {
     *train = random_train(seed);
     train->tol = 1e-12;
@@ -43,7 +43,7 @@ TEST(times_before_a_stop)
     int checked = 0;
     double loosest = 0;
     for (int i = 0; i < 600; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_state here, error, there;
         domq_real stop;
         if (!stopping(&seed, &train, &stop))
@@ -54,7 +54,7 @@ TEST(times_before_a_stop)
             continue;
         if (status != DOM_OK)
             fail_train(dom_status_text(status), &train, 0, 0);
-        struct asked fine = in_quad(train);
+        struct setup fine = in_quad(train);
         /* Because of rounding, the stop in double may be after the true one. In that case the expected time
          * is that of the true stop. */
         domq_real end;
@@ -77,7 +77,7 @@ TEST(times_before_a_stop)
 /* Checks that the time is theta / omega(0) just after the launch of a train that stops. */
 TEST(first_moment)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_launch launch;
     struct domq_state s;
     train.r = 1.7;
@@ -101,7 +101,7 @@ TEST(stops_have_times)
     uint64_t seed = 82;
     int stops = 0, at_reach = 0, friction_work = 0;
     for (int i = 0; i < 750; i++) {
-        struct asked train;
+        struct setup train;
         struct domq_event events[DOM_EVENTS_MAX];
         int n;
         domq_real stop;
@@ -131,7 +131,7 @@ TEST(stops_have_times)
 }
 
 /* Finds by bisection the growth at which the maximum of H moves away from theta = 0. */
-static double vanishing(struct asked train)
+static double vanishing(struct setup train)
 {
     double lo = 1, hi = 1 / (double)train.s;
     for (int i = 0; i < 100; i++) {
@@ -149,13 +149,13 @@ TEST(tops_that_vanish)
     uint64_t seed = 83;
     int checked = 0, small = 0;
     for (int i = 0; i < 300; i++) {
-        struct asked train = random_train(&seed);
+        struct setup train = random_train(&seed);
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.05, 1);
         double root = vanishing(train);
         train.r = fmin(fmax(root * (1 + (random_unit(&seed) - 0.5) * random_log(&seed, 1e-16, 1e-6)), 1),
                        within_reach(&train));
-        struct asked fine = in_quad(train);
+        struct setup fine = in_quad(train);
         struct domq_barrier b, error, expected;
         enum dom_status status = ask_barrier_find(&train, &b, &error);
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
@@ -177,7 +177,7 @@ TEST(tops_that_vanish)
 }
 
 /* Checks that all functions about a cycle give the expected verdict: DOM_OK, DOM_STOPS, or another status. */
-static void one_verdict(const struct asked *train, enum dom_status expected)
+static void one_verdict(const struct setup *train, enum dom_status expected)
 {
     struct domq_angles angles;
     struct domq_event events[DOM_EVENTS_MAX];
@@ -217,7 +217,7 @@ TEST(verdicts_near_the_limit)
     uint64_t seed = 84;
     int goes = 0, stops = 0;
     for (int i = 0; i < 120; i++) {
-        struct asked train = random_train(&seed), fine;
+        struct setup train = random_train(&seed), fine;
         struct domq_limit limit;
         struct domq_barrier b;
         train.tol = 1e-12;
@@ -249,7 +249,7 @@ TEST(verdicts_near_the_limit)
 TEST(small_margins_keep_their_digits)
 {
     for (int i = 0; i < 12; i++) {
-        struct asked train = asked_default();
+        struct setup train = setup_default();
         struct domq_limit limit;
         struct domq_barrier rough, fine;
         train.s = 0.1 + 0.1 * (i % 4);
@@ -265,7 +265,7 @@ TEST(small_margins_keep_their_digits)
 }
 
 struct seen {
-    const struct asked *train;
+    const struct setup *train;
     int rows, events;
     double before;
 };
@@ -292,7 +292,7 @@ TEST(tables_and_answers)
     uint64_t seed = 85;
     int tables = 0;
     for (int i = 0; i < 150; i++) {
-        struct asked train = random_train(&seed);
+        struct setup train = random_train(&seed);
         struct domq_event events[DOM_EVENTS_MAX];
         int n;
         train.tol = 1e-12;
@@ -327,7 +327,7 @@ TEST(least_forces)
     uint64_t seed = 86;
     int checked = 0;
     for (int i = 0; i < 120; i++) {
-        struct asked train = random_train(&seed);
+        struct setup train = random_train(&seed);
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_least_force found;
         int n;

@@ -37,7 +37,7 @@ TEST(no_room)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         assert_status(domq_box_find(bad[i][0], bad[i][1], bad[i][2], bad[i][3], &box), DOM_NO_ROOM);
     assert_true(box.inertia == -1);
-    struct asked train = asked_default();
+    struct setup train = setup_default();
     struct domq_limit limit;
     train.walls = train.d / 2 * (1 + 1e-9);
     assert_status(ask_train_check(&train), DOM_NO_ROOM);
@@ -47,7 +47,7 @@ TEST(no_room)
     /* An error of a row names the domino. */
     struct domq_domino domino[] = {
         {0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
-    struct asked_row row = asked_row_default(domino, 3, 4);
+    struct row_setup row = row_setup_default(domino, 3, 4);
     struct domq_verdict verdict = {.domino = 0};
     row.walls = 0.0032;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROOM);
@@ -65,7 +65,7 @@ TEST(no_room)
 TEST(trains_move_as_without)
 {
     for (int k = 0; k < 24; k++) {
-        struct asked solid = asked_default(), box;
+        struct setup solid = setup_default(), box;
         solid.r = 1.2;
         solid.precision = (enum dom_precision)(k % 3);
         solid.tol = k % 3 == 0 ? 1e-5 : 1e-12;
@@ -115,7 +115,7 @@ TEST(equal_boxes_take_longer)
     struct domq_box found;
     for (size_t k = 0; k < COUNT; k++)
         domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0};
-    struct asked_row row = asked_row_default(domino, COUNT, DOM_NAN);
+    struct row_setup row = row_setup_default(domino, COUNT, DOM_NAN);
     assert_status(ask_row_run(&row, true, NULL, NULL, &solid), DOM_OK);
     row.walls = 0.001;
     assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);

@@ -65,9 +65,9 @@ static bool boxes_fall(const struct scene *scene, double r, void *context)
 
 /* ---- The model ---- */
 
-struct asked scene_train(const struct scene *scene)
+struct setup scene_train(const struct scene *scene)
 {
-    struct asked train = asked_default();
+    struct setup train = setup_default();
 
     train.s = scene->s;
     train.d = stature;
@@ -95,8 +95,8 @@ static bool dominoes_fall(const struct scene *scene, double r, void *next)
     struct domq_verdict verdict;
 
     at.r = r;
-    struct asked train = scene_train(&at);
-    struct asked_row row = {.domino = domino,
+    struct setup train = scene_train(&at);
+    struct row_setup row = {.domino = domino,
                             .count = scene->count,
                             .g = 1,
                             .push = scene->push,

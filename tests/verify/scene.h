@@ -55,6 +55,6 @@ enum { SCENE_CYCLES = 4 };
 void scene_duration(const struct scene *scene, struct found *found);
 double scene_duration_of_row(const struct scene *scene);
 
-struct asked scene_train(const struct scene *scene);
+struct setup scene_train(const struct scene *scene);
 
 #endif

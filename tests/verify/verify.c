@@ -89,7 +89,7 @@ static long solve(int job, void *context)
 
     a->scene = scene_of(job);
     fprintf(stderr, "verify: scene %d of %d\n", job + 1, JOBS);
-    struct asked train = scene_train(scene);
+    struct setup train = scene_train(scene);
     a->paper = (double)NAN;
     if (job >= GROWTHS) {
         scene_duration(scene, &a->found);
