@@ -92,7 +92,7 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    /* for a point of a sweep, the sweep has planned one layout for the rows of all points */
+    /* a sweep has already planned one layout for the rows of all its points */
     if (a->layout.is_planned || !a->out || a->sink)
         return;
     a->layout.is_planned = true;

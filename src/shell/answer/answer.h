@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers. A command names the columns of its answer, and then passes rows of cells. A format writes each row
- * at once, so a long curve appears while it is computed. Sentences are written only for people. */
+ * as soon as it is passed, so a long curve appears while it is computed. Sentences are written only for
+ * people. */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -30,7 +31,8 @@ struct layout {
     bool letters;     /* the terminal can show Greek letters */
     bool bold;        /* the terminal has colours */
     int width;        /* the width of the terminal in columns, or 0 without a terminal */
-    unsigned bounded; /* bit i: column i has error bounds, for which csv and json have a separate column */
+    /* bit i is set if column i has error bounds, for which csv and json have a separate column */
+    unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
     /* In a table for people: the number of digits, the widths of the columns, and the position where a last
@@ -60,12 +62,12 @@ struct answer {
     const char *note;                   /* a remark for programs that read the answer, or NULL */
     const struct column *columns;       /* the columns of each row, followed by a NULL key */
     struct column copy[ANSWER_COLUMNS]; /* memory for `columns` if they differ from those of the command */
-    unsigned left_out;                  /* bit i: cell i of each row is not shown (see answer_leave_out) */
-    bool rows;                          /* the answer is a table of rows, rather than a single row */
+    unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
+    bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
     bool blank_above; /* a blank line separates this answer from the previous one */
     bool is_open;     /* output has begun: the blank line has been written, if there is one */
-    bool has_rows;    /* the first row has been written, with the lines before it */
+    bool has_rows;    /* the lines above the first row, and the first row, have been written */
     struct layout layout;
 
     /* Results that the session keeps: */
@@ -85,7 +87,7 @@ struct answer {
 
 /* An error, as reported to programs that read answers. */
 struct failure {
-    const char *command; /* NULL if no command was recognised */
+    const char *command; /* the name of the command, or NULL if no command was recognised */
     const char *text, *source;
     long line;
     int column; /* counted from 1, or 0 for an error in the line as a whole */
@@ -154,9 +156,9 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Keeps the cells of a row for 'ans' without writing them, for a command that answers in sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* answer_plan fixes the layout before the first row, as if the first row were `sample`. If `sample` is NULL,
- * no column has error bounds. After that, answer_part returns copies of the answer that write their rows to
- * other streams. Only the copy with `first` writes the lines before the first row. */
+/* answer_plan fixes the layout before the first row is written, as if that row were `sample`. If `sample` is
+ * NULL, no column has error bounds. After that, answer_part returns copies of the answer that write their
+ * rows to other streams. If `first` is true, the copy also writes the lines above the first row. */
 void answer_plan(struct answer *answer, const struct cell *sample);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 

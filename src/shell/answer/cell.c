@@ -156,8 +156,8 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
     /* About half of the computed numbers need `all` digits, and most of the others need one digit less. If
-     * printf has removed trailing zeros from the text with one digit less, every remaining digit is
-     * needed. */
+     * the text with one digit less had trailing zeros, they have been removed, and no other digit can be left
+     * out. */
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];

@@ -19,7 +19,7 @@ struct answer_style {
     unsigned header;  /* a csv table begins with the column names */
     domq_real digits; /* the maximum number of digits in a table */
     enum dom_precision precision;
-    double tol;      /* the tolerance with which numbers are computed */
+    double tol;      /* the tolerance to which numbers are computed */
     int all_digits;  /* the number of digits needed for an exact round trip at this precision */
     unsigned errors; /* show error bounds */
 };
@@ -40,10 +40,10 @@ struct cell {
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 
-/* A number without a known error bound. */
+/* Makes a cell of a number whose error bound is not known. */
 struct cell cell_unbounded(domq_real value);
 
-/* A number of which only three digits are known. */
+/* Makes a cell of a number of which only three digits are known. */
 struct cell cell_brief(double value);
 
 struct cell cell_count(domq_real value);

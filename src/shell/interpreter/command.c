@@ -209,7 +209,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
                        struct problem *problem)
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
-    /* s and d are fractions of the height. A length is divided by the height of the first domino. */
+    /* s and d are fractions of the height, so a value that is a length is divided by the height of the first
+     * domino. */
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};

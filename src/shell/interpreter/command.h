@@ -24,7 +24,7 @@ enum argument_kind {
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, which is stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable, if no ARGUMENT_VALUE follows */
+    ARGUMENT_PARAMETER, /* the name of a parameter or, if no ARGUMENT_VALUE follows, of a variable */
     ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* any word, or a text in double quotes */
@@ -98,11 +98,12 @@ struct command {
     /* The key of the last column, if its number takes much longer to compute than the other numbers, and
      * otherwise NULL. Sweeps and expressions leave this column out. */
     const char *alone;
-    const char *unswept; /* the reason why 'sweep' refuses a command that computes something; or NULL */
-    bool train;          /* the answer is about the endless train */
-    /* What the command writes. For a picture, csv and json contain its data. A chart is a picture that can
-     * also be written into a .tex file. A document is a text that can also be written into a .md or .tex
-     * file. A page is a long text for the pager. */
+    /* the reason why 'sweep' refuses the command, although it computes something; or NULL */
+    const char *unswept;
+    bool train; /* the answer is about the endless train */
+    /* What the command writes. If it writes a picture, csv and json contain the data of the picture. A chart
+     * is a picture that can also be written into a .tex file. A document is a text that can also be written
+     * into a .md or .tex file. A page is a long text for the pager. */
     enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
     /* For a command that answers yes or no: the statement that is true if the answer is yes. See
      * answer_holds. */

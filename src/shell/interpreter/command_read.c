@@ -38,7 +38,7 @@ struct head {
     char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
     const struct variable *variable;
-    bool is_alone; /* the whole command is this name */
+    bool is_alone; /* the command consists of this name alone */
 };
 
 static struct head head_read(const struct reader *r)

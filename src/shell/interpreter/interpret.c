@@ -37,8 +37,8 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs the function of the command that produces the answer: `act`, `run`, or `picture` if the answer is
- * drawn into a file. */
+/* Runs the `act` or `run` function of a command or, if the answer is drawn into a file, the `picture`
+ * function. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -388,7 +388,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     free(text);
     session->source = outer;
     session->command = command;
-    /* An interrupt is a problem of 'source', and not of a line in the file. */
+    /* An interrupt is reported for the command 'source', and not for a line of the file. */
     if (reason == ECANCELED && session->command) {
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);

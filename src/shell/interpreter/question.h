@@ -57,8 +57,8 @@ struct call {
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 
-/* Allocates zeroed memory for the result of argument.bind in given->memory, and stores it in given->bound.
- * Returns NULL with a problem if memory runs out. */
+/* Allocates zeroed memory from the arena given->memory for the result of argument.bind, and makes
+ * given->bound point to this memory. Returns NULL with a problem if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 

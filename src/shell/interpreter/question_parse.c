@@ -61,7 +61,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* If the word is meant for a later value, this value has been left out, and gets its usual value. */
+    /* If the word is meant for a later value, argument i has been left out, and gets its usual value. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
@@ -200,8 +200,8 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true if the reader is at the end of the command, at a '>' or at one of its `stops`. Otherwise
- * reports a problem. */
+/* Returns true if the reader is at the end of the command, at a '>', or at one of the characters in r->stops.
+ * Otherwise reports a problem and returns false. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);

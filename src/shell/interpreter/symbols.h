@@ -25,13 +25,13 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* What a node of kind TREE_SYMBOL stands for, and what its member `refers` points to. The member `value` of a
- * SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is the unit of the value. */
+/* What a node of kind TREE_SYMBOL stands for, and what the member `refers` of the node points to. The member
+ * `value` of a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is the unit of the value. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* a struct command, whose value is column `index` of the answer */
+    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of the answer of this command */
     /* The struct command that gave the last answer; the value is column `index` of this answer. If `refers`
      * is NULL, the value is the last one that 'print' has shown. */
     SYMBOL_ANS,

@@ -24,8 +24,8 @@ struct file {
     /* must be the first member, so that a pointer to it is also a pointer to struct file */
     struct output output;
     struct target target;
-    /* true if `out` is the temporary file; false if it is the device or FIFO itself, to which text is
-     * written at once */
+    /* true if `out` is the temporary file; false if `out` is the device or FIFO itself, which receives the
+     * text without delay */
     bool is_held;
     const volatile sig_atomic_t *interrupt;
 };
@@ -41,7 +41,8 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream to which the text is written first. Returns NULL and sets errno on failure. */
+/* Opens the stream that receives the text: the temporary file or, for a device, a FIFO or standard output,
+ * the target itself. Returns NULL and sets errno on failure. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -60,8 +61,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the text begins with a line of column names that repeats the last such line in the file, returns the
- * length of this line, because the line need not be appended again. Otherwise returns 0. */
+/* If the text begins with a line of column names that repeats the last such line in the target, returns the
+ * length of this line, which is then not appended again. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -119,7 +120,7 @@ static int replacement_open(const struct target *t, char name[REPLACEMENT])
     int folder = (int)(strrchr(t->path, '/') - t->path);
     snprintf(name, REPLACEMENT, "%.*s/.domino.XXXXXX", folder, t->path);
     int file = mkostemp(name, O_CLOEXEC);
-    /* The group comes first, because changing it clears bits of the mode. */
+    /* The group is set before the mode, because setting the group can clear bits of the mode. */
     if (file >= 0 && (!t->exists || fchown(file, (uid_t)-1, t->status.st_gid) == 0) &&
         fchmod(file, t->exists ? t->status.st_mode & 0777 : 0666 & ~mask) == 0)
         return file;

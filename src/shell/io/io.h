@@ -73,8 +73,8 @@ const char *io_temporary_folder(void);
  * NULL, the file is in io_temporary_folder(). Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
-/* Copies a stream from its beginning to its end. Afterwards the error flags of the streams show whether that
- * failed. */
+/* Copies a stream from its beginning to its end. If the copy fails, the error flag of one of the streams is
+ * set. */
 void io_copy(FILE *from, FILE *to);
 
 /* Makes a stream that writes into memory. After fclose, *text holds *size bytes without a terminating NUL

@@ -36,7 +36,8 @@ struct output {
      * Returns NULL, or the reason why the text could not be written. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* The members below describe the text. They are used at the level where the text ends up, OUTPUT_END. */
+    /* The members below describe the text. They are used only at the level that finally receives the text
+     * (see OUTPUT_END). */
     char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
     bool answered;          /* an answer was written, so the next one needs a blank line above it */
     int error;              /* errno of the first answer that could not be written, or 0 */
@@ -51,8 +52,8 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* OUTPUT_END has the kinds of levels at which text ends up, and OUTPUT_BASE those that are below all files
- * and pagers. */
+/* OUTPUT_END: the kinds of level that finally receive text. OUTPUT_BASE: the kinds of level at the bottom of
+ * the stack, below all files and pagers. */
 enum { OUTPUT_END = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE };
 
 /* Returns the address of the pointer to the highest level whose kind is in `kinds`, or NULL if there is no
@@ -81,7 +82,8 @@ bool pager_push(struct output **top, double screens, bool may_run, const volatil
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
-/* Writes all buffered text of the log and the tee. Returns NULL, or the reason why one of them was ended. */
+/* Writes all buffered text of the log and the tee. If a file cannot be written, closes it and returns the
+ * reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
 /* Passes commands to the log, if there is one. Unless `at_once` is true, the log holds the commands until the

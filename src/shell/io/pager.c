@@ -110,7 +110,8 @@ static bool program_open(struct pager *p)
     if (!p->may_run || (!command && !(term && *term && strcmp(term, "dumb") != 0)) ||
         tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe(ends) != 0)
         return false;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC); /* the pager program gets this end as its standard input */
+    /* the pager program keeps only the copy of this end that becomes its standard input */
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     bool is_started = program_start(command, ends[0], &p->child);
     close(ends[0]);

@@ -107,7 +107,7 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt)
         if (system_timer(on_timer))
             standard = system_stream(NULL, "w", functions);
         else
-            setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* each line is written at once */
+            setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* each line is flushed immediately */
     }
     standard = standard ? standard : stdout;
     return standard;

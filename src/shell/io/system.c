@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#define _GNU_SOURCE /* what Linux adds to POSIX */
+#define _GNU_SOURCE /* functions that Linux adds to POSIX */
 #include "io/system.h"
 #include "system_features.h"
 #include <errno.h>

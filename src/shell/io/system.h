@@ -36,7 +36,8 @@ void system_end_with_parent(void);
 /* Returns the number of processors that this process may use. */
 unsigned system_processors(void);
 
-/* Installs a handler of a timer that system_timer_start starts.  Returns false if there is no such timer. */
+/* Installs the handler of the timer that system_timer_start starts. Returns false if the system has no such
+ * timer. */
 bool system_timer(void (*handler)(int));
 void system_timer_start(long nanoseconds);
 

@@ -52,7 +52,7 @@ bool target_is_standard(const struct target *t)
 const char *target_begin(struct target *t, const char *path, bool may_be_standard,
                          const struct target *except)
 {
-    /* the reader of a script must be able to see which file the script writes */
+    /* a person who reads a script must be able to see which file the script writes */
     if (escape_needed(path))
         return "the name contains control characters, or is not UTF-8; choose another name";
     *t = (struct target){.path = real_path(path), .next = targets};

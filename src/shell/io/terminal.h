@@ -37,8 +37,9 @@ int terminal_columns(const char *text);
 double terminal_clock(void);
 
 /* If standard error is a terminal, progress_begin shows a line there, such as "3 s; ^C stops it", which is
- * updated every second. progress_end clears the line. After progress_show with a fraction of the work, the
- * line shows "12 %, 3 s left" instead. A fraction of 1 restores the first form. */
+ * updated every second. progress_end clears the line. After progress_show has been called with the fraction
+ * of the work that is done, the line shows "12 %, 3 s left" instead. A fraction of 1 restores the first
+ * form. */
 void progress_begin(void);
 void progress_end(void);
 void progress_show(double fraction);

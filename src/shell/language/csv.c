@@ -87,8 +87,8 @@ static bool at_end(const struct csv_file *file)
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell. Then skips either the separator after the cell, and sets *more to true, or the rest of the
- * line, and sets *more to false. On failure, sets *problem and returns false. */
+/* Reads a cell. If another cell follows, skips the separator and sets *more to true. Otherwise skips the rest
+ * of the line and sets *more to false. On failure, sets *problem and returns false. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);

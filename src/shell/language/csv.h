@@ -43,7 +43,7 @@ struct csv_record {
 struct csv_file {
     struct csv_problem {
         struct csv_place at;
-        char text[640]; /* empty if there is no problem */
+        char text[640]; /* the message, or "" if there is no problem */
     } problem;
     char *text;
     char *next;            /* the first character of the text that has not been read */

@@ -33,7 +33,7 @@ struct csv_column {
     const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
     const char *units;      /* for messages: a list of the units that a file may use */
     const char *usual;      /* for messages: the unit to suggest */
-    const char *advice;     /* for messages: what to write, such as "write a length such as 48 mm" */
+    const char *advice;     /* advice for messages, for example "write a length such as 48 mm" */
     double lowest, highest; /* the ends of the range, which are included */
     const char *range;      /* for messages: the range, such as "0 or more, up to 1e9 m" */
 };
@@ -77,8 +77,8 @@ struct csv_table {
      * column. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
-    bool other[CSV_CELLS_MOST];        /* column i of the file is not a column of the kind */
-    /* a list of the columns of the file that are ignored, without columns for notes */
+    bool other[CSV_CELLS_MOST]; /* true for each column of the file that is not one of the kind's columns */
+    /* a list of the columns of the file that are ignored, except columns of notes */
     char unused[200];
 };
 
@@ -92,7 +92,7 @@ void csv_close(struct csv_table *csv);
 /* Reads the next row. Returns false at the end of the table, or with a problem. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of column k of the kind in the current row. If the row has no such cell, returns an empty
+/* Returns the cell of the kind's column k in the current row. If the row has no such cell, returns an empty
  * cell at the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
@@ -103,8 +103,8 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 /* Returns true if a value is in the range of column k. Otherwise reports a problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes the columns of the file that are not columns of the kind, each after a comma. If `names` is true,
- * writes their names and units, and otherwise their cells in the current row. */
+/* Writes the columns of the file that are not among the kind's columns, each after a comma. If `names` is
+ * true, writes their names and units, and otherwise their cells in the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

@@ -74,7 +74,8 @@ const char *function_name(const struct function *f)
 
 const char *expression_names(const void *context, int k)
 {
-    static const char *const more[] = {"if", "pi", NULL}; /* the parser itself knows these names */
+    /* the names that the parser handles itself, and that are not in the table of functions */
+    static const char *const more[] = {"if", "pi", NULL};
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
     return k < count ? functions[k].name : more[k - count];

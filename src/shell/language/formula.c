@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How tightly operators bind, in increasing order. An operand that binds less tightly than its operator
- * requires gets parentheses. */
+/* How tightly operators bind, in increasing order. An operand is put in parentheses if it binds less tightly
+ * than its operator requires. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 
 static enum binding binding(const struct tree *t);

@@ -13,8 +13,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a block has at most this many times the points of the worker's previous block, because later points may
-     * take longer */
+    /* a block has at most this many times as many points as the previous block of the worker, because later
+     * points may take longer */
     GROWTH = 4,
     WINDOW = 16, /* the maximum number of blocks that a worker computes before the output catches up */
     BLOCK_MOST = 4096,
@@ -26,15 +26,15 @@ struct block {
     char *text;
     size_t size;
     bool is_done;
-    bool is_last;        /* a point has ended the work */
+    bool is_last;        /* the function `point` returned false in this block, so no later block is written */
     const void *context; /* the context of the worker that computed the block */
 };
 
 struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
-    pthread_cond_t room;           /* signalled when blocks have been written, or when the work has ended */
-    size_t next;                   /* the first point that no worker has taken so far */
+    pthread_cond_t room; /* signalled when blocks have been written, and when the computation stops */
+    size_t next;         /* the first point that no worker has taken so far */
     size_t taken, written, window; /* the numbers of blocks taken and written, and the size of the ring
                                       `waiting`, in which block k is element k % window */
     struct block *waiting;
@@ -62,7 +62,7 @@ static size_t block_points(const struct workers *job, const struct worker *me, s
     return points < share ? points : share;
 }
 
-/* Computes the points of a block.  Returns false if a point ends the work. */
+/* Computes the points of a block. Returns false if the function `point` returned false. */
 static bool block_compute(struct worker *me, size_t from, FILE *out)
 {
     const struct workers *job = me->pool->job;
@@ -78,7 +78,8 @@ static bool block_compute(struct worker *me, size_t from, FILE *out)
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
-/* Ends the work. If the work has already ended, keeps the earlier reason. */
+/* Stops the computation, and stores the reason. If the computation has already been stopped, keeps the
+ * earlier reason. */
 static void pool_end(struct pool *p, struct workers_end end)
 {
     p->end = p->is_over ? p->end : end;
@@ -86,7 +87,7 @@ static void pool_end(struct pool *p, struct workers_end end)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Writes the blocks that are computed and next in order. */
+/* Writes all computed blocks that are next in the order of the points. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;
@@ -111,7 +112,8 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker its next block: points and a block number. Returns false if there are no more points. */
+/* Assigns the next block to a worker: stores its first point in *from, the number of its points in
+ * me->points, and its number in *block. Returns false if there are no more points. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)

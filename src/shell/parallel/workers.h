@@ -3,7 +3,7 @@
  * The thread pool, which computes the points of a curve or a sweep, and tasks of the library, in parallel.
  * Each worker takes one block of consecutive points after another. The rows of the blocks are written as soon
  * as possible, but in the order of the points, so that the output has the same bytes for any number of
- * workers. There is only one lock, which a worker takes once for each block, about once in a millisecond.
+ * workers. There is only one lock, which a worker takes once for each block, about once per millisecond.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
@@ -14,11 +14,11 @@
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
     /* Computes a point, and writes its rows to `out`. This function may change only `context`, of which each
-     * worker has a separate copy. If it returns false, the work ends after the rows of all earlier points
-     * have been written. */
+     * worker has a separate copy. If it returns false, the rows up to this point are still written, and then
+     * the computation stops. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* Each worker gets a copy of this context. If a point ends the work, this context becomes the copy of
-     * the worker that computed the point. */
+    /* Each worker gets a copy of this context. If the function `point` returns false, the copy that it was
+     * called with is copied back to this context. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */

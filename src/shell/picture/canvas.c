@@ -175,7 +175,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    /* Without enough colours, or without half blocks, a character shows the shade. */
+    /* If the terminal has too few colours, or no half blocks, the shade is shown by a character. */
     if (!c->look.braille || c->look.colours < COLOURS_256)
         canvas_text(c, column, row,
                     shade < 0         ? " "

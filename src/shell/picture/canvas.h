@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Pictures made of characters: lines of braille dots or of other characters, text, and shades, in colour if
- * the terminal has colours. A cell shows only what was drawn into it last, but all dots that were drawn
- * into a cell are shown together.
+ * the terminal has colours. A cell shows only what was drawn into it last, except that dots are added to the
+ * dots that are already in the cell.
  */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H

@@ -26,7 +26,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    /* If there is no room for another curve, the last curve is replaced. No caller needs more curves. */
+    /* If there is no room for another curve, the last curve is replaced. No caller adds that many curves. */
     c->curves -= c->curves == CHART_CURVES;
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
@@ -149,8 +149,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* A smaller range is treated as a single value, because the labels of the ticks could not show the
-         * range. */
+        /* A narrower range is treated as a single value, because the labels of the ticks could not show
+         * it. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
@@ -288,7 +288,7 @@ static void tick_add(struct ticks *t, double tick)
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
 {
-    /* The ticks of a decade on an axis that has room for few, some or many of them. */
+    /* The ticks within a decade, for an axis that has room for few, some or many ticks. */
     static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;

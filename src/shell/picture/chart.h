@@ -26,7 +26,7 @@ struct chart_curve {
     char title[96]; /* the title in the legend, or "" for a curve that is not in the legend */
     enum chart_kind kind;
     enum ink ink;
-    int dash; /* the dash pattern of canvas.h; 0 for an unbroken line */
+    int dash; /* the dash pattern (see DASHES in canvas.h), or 0 for an unbroken line */
     struct chart_point *point;
     size_t count, room;
 };
@@ -98,7 +98,7 @@ void chart_free(struct chart *chart);
 struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum ink ink, int dash,
                                 const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-/* Add a point to a curve, without and with a range. */
+/* chart_point adds a point without a range to a curve, and chart_range adds a point with a range. */
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
 void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
 

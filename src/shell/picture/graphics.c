@@ -19,7 +19,7 @@
  * too long. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
-    enum { WAIT = 1000 /* in ms; enough even for a slow connection */ };
+    enum { WAIT = 1000 /* the time limit in ms, long enough even for a slow connection */ };
     size_t n = 0;
     struct pollfd ready = {.fd = terminal, .events = POLLIN};
     while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {

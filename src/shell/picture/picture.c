@@ -143,7 +143,7 @@ static int drawing_error(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /* gnuplot reads a script with a file name in blocks, but "-" byte by byte. */
+    /* gnuplot reads "-" byte by byte, but a file with a name in blocks. */
     char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))

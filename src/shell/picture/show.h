@@ -17,7 +17,7 @@ enum ending_kind {
     ENDING_NONE,  /* no extension: the session's settings decide */
     ENDING_OTHER, /* an unknown extension, which is an error */
     ENDING_TEXT,  /* .txt, which has the same effect as no extension */
-    ENDING_DATA,  /* the extension of a format of answers, such as .csv */
+    ENDING_DATA,  /* the extension of an answer format, such as .csv */
     ENDING_SHEET, /* the extension of a picture, of a document, or of both, such as .pdf */
 };
 

@@ -227,8 +227,8 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        /* The remaining dominoes are drawn at the limit of the tilts, from which they cannot be distinguished
-         * in a picture. */
+        /* The tilts of the remaining dominoes are so close to their limit that a picture cannot show the
+         * difference, so these dominoes are drawn at the limit. */
         train_follow(&f, (double)angles.theta_f);
         f.leans = f.leans && !angles.detaches;
     }

@@ -110,9 +110,9 @@ const struct drawn *stage_front(const struct stage *stage, size_t k);
 
 /*
  * Makes a stage with the train at one tilt, 0 <= theta <= theta_c: the next domino in front, the head, and
- * the followers up to `behind` heights of the head behind it. If `behind` is 0, as many followers are drawn
- * as fit into a picture. The stage has room for 30 more dominoes. The caller frees the stage, even after an
- * error.
+ * the followers as far as `behind` times the head's height behind the head. If `behind` is 0, as many
+ * followers are drawn as fit into a picture. The stage has room for 30 more dominoes. The caller frees the
+ * stage, even after an error.
  */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct domq_compute *compute, domq_real theta, double behind);

@@ -174,7 +174,7 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     struct grid g = {.ground = rows - BELOW};
     if (!canvas_make(&g.canvas, look, width, rows))
         return false;
-    /* A column is left free on either side, so that the outlines at the ends are whole. */
+    /* A column is left free on either side, so that the outlines at the ends are drawn completely. */
     double across = (stage->right - stage->left) / (width - LEFT - 2),
            up = 1.02 * stage->top / (2 * g.ground);
     g.unit = across > up ? across : up;

@@ -75,7 +75,7 @@ static void emit_values(const struct completion *c)
             continue;
         const struct column *column = &command->columns[command_principal(command)];
         /* The parser checks a candidate by computing its value. This is fast for answers about the endless
-         * train, but may take long for a row. */
+         * train, but may take a long time for a row. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }

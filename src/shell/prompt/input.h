@@ -16,7 +16,7 @@ void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
 /* Readline's completion function. Since Readline's callbacks have no context argument, prompt_session must be
- * set before. */
+ * set first. */
 extern struct session *prompt_session;
 char **complete_word(const char *text, int start, int end);
 

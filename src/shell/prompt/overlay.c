@@ -25,8 +25,8 @@ static bool is_coloured, is_hinted;
  * typed it. It is "" if there is no such hint. */
 static char rest[HINT];
 
-/* Returns true if Readline is in its ordinary editing mode, so that the screen shows just the typed line, on
- * a terminal with colours. */
+/* Returns true if the terminal has colours, and Readline is in its ordinary editing mode, in which the screen
+ * shows just the typed line. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -51,8 +51,8 @@ static bool is_mapped(const struct session *session, int width, int height)
         if (*c < ' ' || *c > '~')
             return false;
     int begin = session->source.prompt_width;
-    /* The last condition excludes a cursor at the right edge, which may be in either of two rows of the
-     * screen. */
+    /* The last condition excludes a cursor after the last column: terminals differ in whether it is then at
+     * the end of this row or at the beginning of the next. */
     return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
            rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
            !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
@@ -148,7 +148,8 @@ static void hint_show(struct session *session)
         usage_rest(session, rl_line_buffer, usage);
         hint = usage;
     }
-    /* The hint leaves the last column free, since a cursor there may be in either of two rows. */
+    /* The hint leaves the last column free, because terminals differ in whether a character there moves the
+     * cursor to the next row. */
     int room = terminal_width(session->output->out) - session->source.prompt_width -
                terminal_columns(rl_line_buffer) - 1;
     size_t bytes = 0;

@@ -169,7 +169,7 @@ static void prompt_set(struct session *session)
 
 static void readline_begin(void)
 {
-    rl_readline_name = "Domino"; /* the name for $if in an inputrc */
+    rl_readline_name = "Domino"; /* the name that $if tests in an inputrc */
     rl_catch_signals = 0;
     rl_catch_sigwinch = 0;
     rl_attempted_completion_function = complete_word;

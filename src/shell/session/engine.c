@@ -236,8 +236,8 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* The engine calls this function after each step. The steps are so short that the visitor gets the state
- * after the step for all times within the step. */
+/* The engine calls this function after each step. At all times within the step, the visitor gets the state
+ * after the step, since steps are very short. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;

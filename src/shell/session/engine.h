@@ -25,7 +25,7 @@ struct scene_engine {
     struct engine_report *report;
 };
 
-/* Returns true if the rigid-body engine runs the row of the scene instead of the model. */
+/* Returns true if the rigid-body engine, rather than the model, runs the row of the scene. */
 bool scene_has_engine(const struct scene *scene);
 
 /* Returns the reason why the engine runs the row, such as "feet is on" or "method is engine". */

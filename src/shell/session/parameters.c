@@ -266,7 +266,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* this is ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* equal to ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -90,9 +90,9 @@ bool parameter_set(struct state *state, const struct parameter *parameter, const
                    struct problem *problem);
 
 /*
- * Returns parameter k, counted from 0, or NULL after the last parameter. The order is one in which 'set' and
- * 'effect' can restore the state: an effect that needs another effect is turned off before it and turned on
- * after it, and tol is set after the precision.
+ * Returns parameter k, counted from 0, or NULL after the last parameter. 'set' and 'effect' can restore the
+ * state in this order: an effect that needs another effect is turned off before the other effect and turned
+ * on after it, and tol is set after the precision.
  */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 

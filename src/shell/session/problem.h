@@ -28,7 +28,8 @@ static inline void problem_begin(struct problem *problem, const char *command)
     problem->kind = PROBLEM_NONE;
     problem->column = problem->place = 0;
     problem->command = command;
-    /* Only one byte is cleared, because clearing the whole array would take longer than a short command. */
+    /* Only one byte is cleared, because clearing the whole array would take longer than running a short
+     * command. */
     problem->text[0] = '\0';
 }
 

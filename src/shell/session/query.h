@@ -23,7 +23,7 @@ struct means {
     bool sourced;       /* the command comes from a file that 'source' runs */
     const char *script; /* the path of the running script, whose directory is searched for files; NULL at the
                            prompt */
-    /* Shows a note to the user at once. May be NULL. */
+    /* Shows a note to the user immediately. May be NULL. */
     void (*note)(void *context, const char *text);
     void *context; /* for `note` */
 };

@@ -12,7 +12,7 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 
-/* Initialises the arguments, which are the same for all kinds of random error. */
+/* Initialises the members that are the same for all kinds of random error, among them the arguments. */
 #define SIZED(unit_, meaning_, highest_, usual_)                                                             \
     .source = SOURCE, .plan = PLAN,                                                                          \
     .argument = {{.name = "SIZE",                                                                            \

@@ -16,8 +16,8 @@ const char *error_unit(int kind);
 /* Returns the effect that describes a kind of random error. For gaps and heights, this is 'placement'. */
 int error_effect(int kind);
 
-/* Writes the random errors that a scene's effects describe to `error`. If an effect is off, its errors have
- * the size 0. Returns true if at least one of these effects is on. */
+/* Writes to `error` the random errors that the effects of a scene describe. If an effect is off, its errors
+ * have the size 0. Returns true if at least one of these effects is on. */
 bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_COUNT]);
 
 /* Returns true if the random errors can be combined with the other effects of the scene. Otherwise reports

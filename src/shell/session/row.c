@@ -188,9 +188,8 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes the new value of one measurement of domino k, counted from 0, and stores it in *kept, as it is
- * stored in listed_row.change. Sets *problem and returns false if the domino cannot have this value.
- */
+/* Computes the new value of one measurement of domino k, counted from 0, and stores it in *kept, in the same
+ * form as in listed_row.change. Sets *problem and returns false if the domino cannot have this value. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, const domq_real *width, size_t k, domq_real *kept,
                           struct problem *problem)

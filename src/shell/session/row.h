@@ -22,8 +22,8 @@ struct scene_row {
  */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Makes the row for a list of its dominoes. Unlike scene_row_make, this function does not check whether the
- * row can be run. */
+/* Makes the row for a caller that does not run it. Unlike scene_row_make, this function does not check
+ * whether the row can be run. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the measurements that 'change'

@@ -39,11 +39,11 @@ struct measured_domino {
 /* The dominoes of a row that was read from a file, and the changes that 'change' has made to single dominoes.
  * A row that does not come from a file can have changes, too. */
 struct listed_row {
-    struct domq_domino *domino; /* NULL if the row does not come from a file */
+    struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
     bool has_masses;   /* the masses are in kg; if false, only the ratios of the masses are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
-    domq_real *width;  /* the widths in m; NULL if the row does not come from a file */
+    domq_real *width;  /* the widths in m, or NULL if the row does not come from a file */
     char *path;
     /* The unused columns of the file as csv: first a line with their names, then a line for each domino. Each
      * cell begins with a comma, and each line ends with a NUL byte. */
@@ -105,8 +105,8 @@ static inline bool row_unsaved(const struct scene *scene)
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
-/* Copies a row. Memory that was read from a file is shared, and its reference count is increased. Returns
- * false if memory runs out. */
+/* Copies a row. The arrays that were read from a file are shared, and their reference count is increased.
+ * Returns false if memory runs out. */
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 

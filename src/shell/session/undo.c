@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The maximum number of steps, and the maximum number of dominoes that all steps hold together, where each
- * change of a domino counts as another domino. */
+/* The maximum number of steps, and the maximum number of dominoes in all steps together. Each change of a
+ * domino counts as another domino. */
 enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*
