@@ -103,9 +103,9 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * alpha: the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5. The
  * status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
- * walls: the thickness of the walls relative to the height, 1e-9 ... 1, for dominoes that are boxes of six
- * walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase tau
- * (dom_scale_tau) and the friction that the floor must supply. They change no other result.
+ * walls: the thickness of the walls relative to the height, 1e-9 ... 1, for dominoes that are boxes made of
+ * six walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase
+ * tau (dom_scale_tau) and the friction that the floor must supply. They change no other result.
  *
  * rho: the radius of the edges relative to the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2. No error bounds are known for rounded edges, so all bounds are NaN.
@@ -440,7 +440,7 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
  * are > 0. Both numbers are infinite if there is no contact. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
-    dom_real theta; /* the tilt of the head at which this force occurs */
+    dom_real theta; /* the tilt of the head at which the smallest force occurs */
     size_t domino;  /* the domino that is pushed, 0 = head */
     dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
@@ -493,8 +493,8 @@ struct dom_limit {
  * falling, the status is DOM_OK and `ends` is DOM_END_NONE. This function and the next two return
  * DOM_TOO_LONG if the computation would take more than a second or two in double precision. Without friction
  * the search uses bounds on the margin that cover every growth up to r_max; it can miss a dip of the margin
- * narrower than 1e-6 in ln r (1e-4 just before r_max, and wider dips if 1,500 intervals are not enough). With
- * friction, growths are only sampled.
+ * narrower than 1e-6 in ln r. The width is 1e-4 just before r_max, and larger if 1,500 intervals are not
+ * enough. With friction, growths are only sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -577,8 +577,8 @@ extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
 /* Returns the description of an effect, or NULL if there is no such effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on in a train and changes more than tau (see `cancels` in
- * struct dom_effect), or NULL if there is none. */
+/* Returns the first effect of DOM_DYNAMICS that is on in a train and changes anything besides tau (see
+ * `cancels` in struct dom_effect), or NULL if there is none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
 /* The law of motion of a train without effects: energy is conserved between collisions. */
@@ -590,7 +590,7 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 
-/* A box of six walls. */
+/* A hollow box with six walls of the same thickness. */
 struct dom_box {
     dom_real filled; /* the fraction of the volume of the box that the walls fill */
     /* Moment of inertia about a lower edge, relative to that of a solid block of the same mass. */
@@ -626,9 +626,9 @@ struct dom_count {
 /*
  * Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino is
  * `first` tall and each domino is r times as tall as the one before. Both heights are in the same unit. The
- * height first * r^n counts as equal to the height if the two differ only by rounding, that is, by at most
- * half a unit of the precision for each of 4 + n numbers. The status is DOM_BAD_HEIGHT unless both heights
- * are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision and compute->errors are used.
+ * height first * r^n counts as equal to `height` if the two differ only by rounding, that is, by at most 2 +
+ * n/2 units in the last place. The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless
+ * r >= 1. Only compute->precision and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

@@ -45,7 +45,7 @@ enum dom_design_limit {
     DOM_DESIGN_SAFETY,
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
-    DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
+    DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
     /* some trains or rows could not be computed; `needs` is a separation s for which this happened */
     DOM_DESIGN_FAILED
 };
@@ -284,14 +284,14 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* m, the current gap */
-    /* m, rounded to seven digits: the gap closest to the current one with which all dominoes fall. */
+    /* m, rounded to seven digits: of all gaps at which the row falls, the one nearest to the current gap. */
     dom_real to;
     /* m, the other end of the interval: all dominoes fall with any gap between `to` and `until`. */
     dom_real until;
 };
 
 /*
- * Finds the changes of a single gap with which all dominoes of a row fall, the smallest change first. Writes
+ * Finds the changes of a single gap after which all dominoes of a row fall, the smallest change first. Writes
  * their number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which
  * the row ends, and the 30 gaps before it. Each gap is tried from 0 to the height of the domino before the
  * gap. If a gap is wider than that height, and all dominoes fall with a gap of that height, `to` is that
@@ -311,10 +311,10 @@ struct dom_window {
     dom_real now;  /* the current value */
     dom_real low;  /* the smallest value of the window, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
-    bool others;   /* true if the row also falls with some value outside the window */
-    /* How the row ends with values just below and just above the window. DOM_ROW_FALLS if the window reaches
-     * the end of the range that is tried. If the row does not fall with the current value, DOM_ROW_FALLS has
-     * no meaning. */
+    bool others;   /* true if the row also falls at some value outside the window */
+    /* How the row ends at values just below and just above the window. DOM_ROW_FALLS if the window reaches
+     * the end of the range that is tried. If the row does not fall at the current value, both are always
+     * DOM_ROW_FALLS, which then says nothing. */
     enum dom_row_end below, above;
 };
 
@@ -341,7 +341,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 struct dom_window *windows);
 
 /*
- * Finds the weakest push in rad/s with which all dominoes of a row fall, rounded up to four digits. Starts
+ * Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded up to four digits. Starts
  * from the push that turns the first domino over its edge, or from row->push if that is larger, doubles it
  * until all dominoes fall, and then bisects. Writes NaN if no push tried up to `strongest` is enough, and
  * row->push if all dominoes fall already. The statuses are those of dom_row_run, and DOM_BAD_PUSH if
@@ -396,11 +396,11 @@ struct dom_design {
     /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
     size_t steps;
     dom_real feet;    /* m, the distance from the back of the first domino to the front of the last */
-    dom_real length;  /* m, the length after the last domino has fallen: feet + height */
+    dom_real length;  /* m, the length after the last domino has fallen: `feet` + `height` */
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
-    size_t weakest;   /* the number of the domino with this smallest ratio, from 2 */
+    size_t weakest;   /* the number (2 or more) of the domino whose ratio is smallest */
     enum dom_design_limit limit;
     dom_real needs; /* the value described at enum dom_design_limit; NaN with DOM_DESIGN_FITS */
 };
@@ -524,9 +524,9 @@ struct dom_budget {
  * which all errors are multiplied. Errors of gaps and places are tried up to the widest gap of the row,
  * relative errors and errors of frictions up to 1, errors of angles up to the steepest slope on which the row
  * stands, errors of the push up to the push itself, and factors up to 64. The status is DOM_STOPS if too few
- * rows fall even with sigma = 0. If DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and
- * `low` are the largest sigma with which enough of these rows are known to fall, and `high` is the smallest
- * with which too few fall, or infinity if none is known.
+ * rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and `low`
+ * are the largest sigma at which enough of these rows are known to fall, and `high` is the smallest at which
+ * too few fall, or infinity if none is known.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,

@@ -20,8 +20,8 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Creates and frees a space, since the library prints its name when a process creates its first space.
- * Meanwhile, the variable `stdout` refers to /dev/null, which discards the name. The file descriptor is left
+ * Chipmunk prints its name when a process creates its first space. So this function creates and frees a space
+ * while the variable `stdout` refers to /dev/null, which discards the name. The file descriptor is left
  * alone, because a signal handler or another thread may write to it.
  */
 static void make_first(void)

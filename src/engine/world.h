@@ -19,7 +19,7 @@ struct motion {
 struct body {
     cpBody *body;
     cpShape *shape;
-    cpConstraint *hinge, *limit; /* NULL if the box stands on a floor */
+    cpConstraint *hinge, *limit; /* hinge and its limit; both NULL if the box stands on a floor */
     cpVect corner;               /* position of the lower front corner at the start */
     double moment;
     /* the velocities before the first iteration of a step, and after the latest iteration */

@@ -108,8 +108,8 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if error bounds are known, as well as the bounds on the margin between two samples that the
- * search for a limit needs. Otherwise error bounds are NaN, and searches rely on samples alone. */
+/* Returns true if error bounds are known, and if the search for a limit can bound the margin between two
+ * samples. Otherwise error bounds are NaN, and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

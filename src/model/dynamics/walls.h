@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A hollow box with six walls of the same thickness. Let d be the thickness of the domino, w its width and t
- * the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fractions
+ * A hollow box whose six walls have the same thickness. Let d be the thickness of the domino, w its width and
+ * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fractions
  *
  *     a = 2 t,   b = 2 t / d,   c = 2 t / w
  *
@@ -27,7 +27,7 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
 {
     real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);
     real filled = a + (1 - a) * (b + (1 - b) * c), v = (1 - a) * (1 - b) * (1 - c);
-    /* the term 1 - u of the formula at the top */
+    /* the term 1 - u of the formula at the top of this file */
     real smaller = (a * (2 - a) + d * d * b * (2 - b)) / (1 + d * d);
     return (struct box){filled, 1 + v * smaller / (4 * filled)};
 }

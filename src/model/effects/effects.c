@@ -70,13 +70,13 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "walls",
             .synonyms = "box hollow boards plywood inertia shell",
-            .adds = "the moment of inertia of boxes of six walls",
+            .adds = "the moment of inertia of boxes made of six walls",
             .help =
                 "Without this effect the moment of inertia is that of a solid block, even if 'q' is hollow. "
                 "In a train, the thickness of the walls is the same fraction of the height for every domino. "
                 "Only times change, because the moment of inertia enters only tau: with thin walls, times "
-                "are 2.8 % longer. In a row, all dominoes are boxes of the same boards, whose thickness is "
-                "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
+                "are 2.8 % longer. In a row, all dominoes are boxes made of the same boards, whose thickness "
+                "is THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
                 "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
                 "than ABOVE are boxes, and all others are solid. The endless train then has no walls. In a "
                 "row without a file, masses then follow from the volumes of the blocks and boxes, and 'q' "

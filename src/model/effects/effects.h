@@ -12,7 +12,7 @@ static inline bool dynamics_on(dom_real value)
     return value != 0;
 }
 
-/* Returns the number of the first effect that is on and changes more than tau (see `cancels` in struct
+/* Returns the number of the first effect that is on and changes anything besides tau (see `cancels` in struct
  * dom_effect), or DOM_DYNAMICS_COUNT if there is none. */
 int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
 

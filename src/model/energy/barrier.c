@@ -212,8 +212,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of an H that has only one. `hi` is tan(theta / 2) of an upper bound on the tilt of the top.
- */
+/* If H has only one top (local maximum), finds it. `hi` is tan(theta / 2) of an upper bound on the tilt of
+ * the top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};

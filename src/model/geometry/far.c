@@ -57,7 +57,7 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order of the series with which the given number of passes down this train costs the least time,
+/* Returns the order of the series for which the given number of passes down this train takes the least time,
  * or 0 if no series saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {

@@ -94,8 +94,8 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    /* The test so far estimates the tail by the first term of its series. Test again with the whole series,
-     * because the tail may cancel the sum. */
+    /* The test above takes the first term of the series as an estimate of the tail. Test again with the whole
+     * series, because the tail may cancel the sum. */
     real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;

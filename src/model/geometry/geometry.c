@@ -66,7 +66,8 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
 }
 
-/* The computed quantity is 1 - cos theta_leave. Its error is divided by its derivative, sin theta_leave. */
+/* theta_leave is known through v = 1 - cos theta_leave. So its error is the error of v, divided by dv/dtheta
+ * = sin theta_leave. */
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0

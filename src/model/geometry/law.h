@@ -38,7 +38,7 @@ struct moving {
     real second_derivative; /* theta_i'' */
     real size;              /* the height of the domino relative to that of the head */
     struct arms arms;       /* arms of the contact with the follower, if a follower leans on this domino */
-    real force, impulse;    /* force and impulse of that contact, set by forces.c */
+    real force, impulse;    /* force and impulse of the contact with the follower, set by forces.c */
 };
 
 /* What a pass down the chain computes besides J, H1 and dH. */
@@ -136,9 +136,9 @@ struct contact_law {
 static const struct contact_law sharp_edges, rounded_edges;
 
 /*
- * These two functions make the geometry of a train. geometry_read makes everything that does not depend on
- * the separation and the growth. geometry_set then checks and sets the separation and the growth, and may be
- * called again with other values. dynamics_make calls both functions, and sets the law of motion.
+ * These two functions set up the geometry of a train. geometry_read computes everything that does not depend
+ * on the separation and the growth. geometry_set then checks and sets the separation and the growth, and may
+ * be called again with other values. dynamics_make calls both functions, and sets the law of motion.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);

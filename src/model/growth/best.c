@@ -5,8 +5,8 @@
  * (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of these
  * trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
  * BEST_FINEST times s are resolved; in a narrower interval only the midpoint is computed. With friction no
- * bound is available, and only samples are used. In quad precision the search begins at the best separation
- * that double precision has found, and repeats nothing of the above.
+ * bound is available, and only samples are used. In quad precision all these steps are left out, and the
+ * search begins at the best separation that double precision has found.
  */
 #include "growth/limit.h"
 
@@ -359,8 +359,8 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
  * Finds the error bounds on s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
  * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
  * error of this slope. That error, divided by the derivative of the slope, is the error bound on s. At a kink
- * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error of r_max includes its change over
- * the error of s.
+ * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max also covers the
+ * change of r_max if s is off by its error bound.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
@@ -385,10 +385,10 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* With twice the step, the error of the rule is 256 times as large. The absolute weights of the rule
-         * add up to 1750 / (840 h). */
+        /* With twice the step, the error of the rule is 256 times as large. The absolute values of the
+         * weights of the rule add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An error in r also changes the slope. */
+        /* An error in r causes an error in the slope, too. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         s_error +=

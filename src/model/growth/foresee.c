@@ -118,7 +118,7 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real next = root_next(s, c), step = fabs(next - r);
         /* As in the secant method, the error after a step is roughly the product of the last two errors,
          * divided by a length that can be estimated from the previous steps. The first step is not one of the
-         * secant method, so that it says nothing about this length, and r / 16 is used after it. */
+         * secant method, so it says nothing about this length, and r / 16 is used instead. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r);
         bool close = s->known > 2 ? 16 * step * step <= tol * r * before : 16 * step * before <= tol * r * r;
         bool narrow = s->hi - s->lo <= tol * r;
@@ -146,8 +146,8 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * largest relative error that the approximate root may have. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Finds the root near an approximate root. Follows the maximum of H from a growth aside, which also shows the
- * slope of the margin. */
+/* Finds the root near an approximate root. Follows the maximum of H to the root from a growth slightly below
+ * it. The margin at that growth also gives the slope of the margin. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),

@@ -43,16 +43,17 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * Sets *found to false if there is no root that close. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
-/* Estimates a root for an endless train without friction, and finds it. It need not be the first one after
- * *from. *falls receives -d margin / dr at the root. If no root is found, *root is infinity. */
+/* Predicts where a root lies for an endless train without friction, and then finds the root. It need not be
+ * the first root after *from. *falls receives -d margin / dr at the root. If no root is found, *root is
+ * infinity. */
 KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
                                      real *falls);
 
 /*
- * Estimates a root for an endless train without friction, finds the root, and tries to prove that it is the
- * first one after *from. If the margin has no root up to the reach, tries to prove that instead, and sets
- * *root to the reach. *found is false if there is no proof. In any case the margin is positive up to *from,
- * which may have been moved up.
+ * Predicts where a root lies for an endless train without friction, finds the root, and tries to prove that
+ * it is the first root after *from. If the margin has no root up to the reach, tries to prove that instead,
+ * and sets *root to the reach. *found is false if there is no proof. In any case the margin is positive up to
+ * *from, which may have been moved up.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 

@@ -17,7 +17,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         m->most = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is negative for every barrier */
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is negative, whatever the barrier is */
         m->barrier = 0;
         return DOM_OK;
     }
@@ -178,8 +178,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     }
     c->how = MARGIN_SURE;
     /*
-     * The margin is the difference of two nearly equal numbers, and must itself be correct to the relative
-     * tolerance, so that the verdict does not depend on the tolerance. Therefore refine the tolerance as in
+     * The margin is the difference of two nearly equal numbers. It must itself be correct to the relative
+     * tolerance; otherwise the verdict would change with the tolerance. Therefore refine the tolerance as in
      * barrier_verdict. If the arithmetic does not allow a finer tolerance, the last result stands.
      */
     real reached = tol_wanted, fine;

@@ -73,7 +73,7 @@ struct strip_sums {
     real drops, rests;             /* the bound strip->drops, and the sum of w^i g d theta_i / d ln r */
     real far_rests;                /* the tail of `rests`, multiplied by 1 - w */
     real least_advance;            /* lower bound on d theta_i(theta) / d ln r at the largest tilt */
-    real first_drops, first_rests; /* the terms of domino 1, not included in drops and rests */
+    real first_drops, first_rests; /* the terms of domino 1, which `drops` and `rests` do not include */
     real ages;                     /* lower bound on the sum of i w^i (h_i(0) - h_{i+1}(0)) */
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };

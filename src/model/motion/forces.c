@@ -19,8 +19,8 @@ static real geometric(real first, real ratio)
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* rest: the torque on domino j that the contact with its leader must balance. push: the change of angular
-     * momentum in the collision that the impulse of this contact must supply. */
+    /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the change of
+     * angular momentum in the collision that the impulse of this contact must supply. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
@@ -148,7 +148,8 @@ KERNEL real forces_needed(real x, real z)
 /* ---- The forces during a motion ---- */
 
 /* Finds the motion at a tilt. If T is the inertia ratio, the collision multiplies the angular velocities of
- * the chain that hits by T / (1 + T). The loss is 1 / T of the angular velocities that remain. */
+ * the chain that hits by T / (1 + T). The angular velocity that a domino loses is 1 / T times the one that
+ * remains. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {

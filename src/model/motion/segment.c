@@ -17,9 +17,9 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* The search ends at a domino whose motion is below the rounding errors. Once a domino that detaches
-         * has been found, the search goes on past such dominoes, because the dominoes after the one that
-         * detaches do not move at that tilt. */
+        /* The search ends at a domino whose motion is below the rounding errors. But once a domino that
+         * detaches has been found, the search continues up to that domino: at the tilt where it detaches, the
+         * dominoes after it do not move. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {

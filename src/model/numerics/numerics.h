@@ -112,7 +112,7 @@ struct num_linear {
     /* An array of LINEAR_PANELS panels, too large for the stack. NULL until the first solution
      * allocates it. */
     struct num_panel *panel;
-    real ln_G_error, v_error; /* estimated from the last terms of the series */
+    real ln_G_error, v_error; /* error bounds on ln G and v, estimated from the last terms of their series */
 };
 
 /*

@@ -11,8 +11,8 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A domino of the height `before` gets a new height. Returns the value nearest to `height` with which a solid
- * domino stays solid, and a box stays a box. */
+/* The height of a domino changes from `before` to `height`. Returns the value nearest to `height` at which a
+ * solid domino stays solid and a box stays a box. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

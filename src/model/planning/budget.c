@@ -25,8 +25,8 @@ struct budget {
     int answers;
 };
 
-/* Finds the fraction of the rows that fall with a given sigma. The random numbers are the same for every
- * sigma, so that two studies differ only in the size of their errors. */
+/* Finds the fraction of the rows that fall at a given sigma. The random numbers are the same for every sigma,
+ * so two studies differ only in the size of their errors. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -57,8 +57,8 @@ static void known(struct budget *b, double lo, double hi)
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds the sigma with which the requested share of the rows falls, by bisection with a relative tolerance of
- * 1e-3. With sigma = lo at least this share falls, with sigma = hi a smaller one. */
+/* Finds the sigma at which the requested share of the rows falls, by bisection to a relative tolerance of
+ * 1e-3. At sigma = lo at least this share of the rows must fall, and at sigma = hi a smaller share. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
@@ -75,8 +75,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma with which the requested share of the rows falls, by doubling and then by
- * bisection. Sets *sigma to infinity if enough rows fall even with the largest sigma that is tried. */
+/* Finds the largest sigma at which the requested share of the rows falls, by doubling and then by bisection.
+ * Sets *sigma to infinity if enough rows fall even with the largest sigma that is tried. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

@@ -9,9 +9,9 @@ struct chance {
     const struct shape *shape;
     struct dom_compute compute;
     struct dom_placement placement; /* describes the random rows */
-    /* The width of the smoothing for each margin. A row counts as falling with a probability, which is the
-     * product of Phi(margin / width) over all its margins (Phi is the normal distribution). The smaller the
-     * widths, the closer the sum of these probabilities is to the number of rows that fall. */
+    /* The width of the smoothing for each margin. Each row is counted with a weight between 0 and 1: the
+     * product of Phi(margin / width) over all its margins, where Phi is the normal distribution. The smaller
+     * the widths, the closer the sum of the weights is to the number of rows that fall. */
     const double *width;
 };
 

@@ -84,9 +84,9 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Searches for the separation nearest to k/GRID with which the row passes the test, from k in both directions
- * in multiples of `step`, and never above `most`. Returns this separation in units of 1/GRID, or 0 if none is
- * found. */
+/* Searches for the separation nearest to k/GRID at which the row passes the test. Goes from k in both
+ * directions, in steps of `step`, but never above `most`. Returns the separation in units of 1/GRID, or 0 if
+ * none is found. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -99,7 +99,7 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* With the separation `good`, the row must have the required safety. Returns the smallest separation down to
+/* At the separation `good` the row must have the required safety. Returns the smallest separation down to
  * which the row keeps this safety. Separations are in units of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
@@ -116,14 +116,14 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Step size of the search for a separation, in units of 1/GRID. It is larger with an engine, which takes as
- * long for one row as the model takes for hundreds. */
+/* Step size of the search for a separation, in units of 1/GRID. It is larger with an engine, which needs as
+ * much time for one row as the model needs for hundreds. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
 /* Returns the next number of steps (dominoes minus 1) to try. With an engine, the increments grow, since
- * every row takes long. */
+ * every row takes a long time. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
@@ -173,7 +173,7 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push with which the row has the required safety, with a relative tolerance of 1e-4.
+/* Returns the weakest push that gives the row the required safety, to a relative tolerance of 1e-4.
  * Returns NaN if no push is found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {

@@ -49,8 +49,8 @@ static double tail_off(double p, void *context)
  * used, because the tail is almost constant where it is close to 0 or to 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 bisections give all digits of a root near 1. The smallest possible root, if one of 2^64 rows has
-     * fallen, needs up to 64 more. */
+    /* 50 bisections give all digits of a root near 1. The smallest possible root, which occurs if one of 2^64
+     * rows has fallen, needs up to 64 more bisections. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* If not all dominoes of a row fall, finds a change that makes all of them fall: a different gap or a
- * stronger push. Also finds the growths with which all dominoes of a row fall. */
+ * stronger push. Also finds the growths at which all dominoes of a row fall. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
@@ -9,17 +9,17 @@
  * the domino at which the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches from the current gap towards the gap `end` for the first gap with which all dominoes fall. Returns
- * false if there is none. */
+/* Searches from the current gap towards the gap `end` for the first gap at which all dominoes fall. Returns
+ * false if there is no such gap. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* If the gap is too wide for the previous domino to reach across, finds the range of gaps with which all
+/* If the gap is too wide for the previous domino to reach across, finds the range of gaps at which all
  * dominoes fall, beginning with the widest gap that the previous domino can reach across. Returns false if
- * the gap is not too wide, or if not all dominoes fall with that widest gap. */
+ * the gap is not too wide, or if some domino does not fall at that widest gap. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -50,8 +50,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the last gaps up to the one after the domino at which the row ends, since later gaps do not matter.
- * If the row ended because this gap is too wide, only this gap is tried. */
+/* Tries the gap after the domino at which the row ends, and some gaps before it. Later gaps do not matter. If
+ * the row ended because the gap after that domino is too wide, only this gap is tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -138,7 +138,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 /* ---- The growth ---- */
 
 /* Each step of the search multiplies the growth by GROWTH_STEP. If an engine runs the row, the search for the
- * first growth with which the row falls takes larger steps, by GROWTH_STEP_OF_ENGINE. */
+ * first growth at which the row falls uses the larger factor GROWTH_STEP_OF_ENGINE. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -152,8 +152,8 @@ static bool falls_grown(dom_real r, void *context)
 
 /* Raises *r in steps until the row no longer falls or, if `falls` is false, until the row falls. Sets *before
  * to the growth one step earlier. Returns false if *r reaches `highest` without such a change. Bisection from
- * the start could miss the first change: a row that does not fall with some growth may fall again with a
- * larger one. */
+ * the start could miss the first change: a row that does not fall at one growth may fall again at a larger
+ * one. */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -166,9 +166,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds the range of growths in which the row falls: the smallest such growth, and the largest up to which it
- * keeps falling. A row that stops with r = 1 may fall with a larger growth, because its gaps grow as well,
- * and the first domino then tips over before it hits the second. */
+/* Finds the smallest growth at which the row falls, and the largest growth up to which it still falls. A row
+ * that stops at r = 1 may fall at a larger growth, because its gaps grow as well, and the first domino then
+ * tips over before it hits the second. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

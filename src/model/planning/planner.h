@@ -27,7 +27,7 @@ struct planner {
     struct dom_domino *domino; /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
-    dom_real failed; /* last separation with which a train or row could not be computed, or 0 */
+    dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
     bool whole; /* if false, a run may end at the first domino whose ratio is below the required safety */
     /* number of the domino with the smallest ratio of kinetic energy to barrier in the last run */
     size_t weakest;
@@ -49,7 +49,7 @@ struct planner planner_make(const struct dom_train *train, const struct dom_wish
 
 dom_real separation(int k);
 
-/* Returns the growth with which the heights go from the first to the last one in `steps` steps. */
+/* Returns the growth at which the heights increase from the first height to the last in `steps` steps. */
 dom_real growth(const struct planner *p, size_t steps);
 
 /* Returns the ratio of the kinetic energy of the endless train to its barrier, or 0 if the train has no

@@ -137,7 +137,7 @@ void trial_end(struct trial *t)
  *
  * Bisection alternates with the secant method, which is used if the spare energy is known on both sides of
  * the edge, where it has different signs. The secant's point is moved by half of the final distance towards
- * the farther one of `good` and `bad`, so that this one comes close to the edge, too.
+ * the farther one of `good` and `bad`, since otherwise only the nearer one would come close to the edge.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -167,14 +167,14 @@ dom_real digit_of(dom_real value, int places)
 
 /* ---- One value of the row ---- */
 
-/* Values are rounded to this relative precision, so that they are short enough to type. */
+/* Values are rounded to this relative precision, which makes them short enough to type. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
 /* The relative precision of values if an engine runs the row. The results of an engine are accurate to only
  * one percent. */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* The number of values that are tried in each direction. With an engine there are fewer, since it takes
- * thousands of times as long for each. */
+/* The number of values that are tried in each direction. With an engine, fewer values are tried, since each
+ * takes thousands of times as long. */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)
@@ -274,9 +274,9 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge for a row that is run by an engine. Each trial takes long and is accurate to
- * only one percent. Therefore only values with few digits are tried, and the search ends half a percent from
- * the edge. */
+/* Does the same as value_edge for a row that is run by an engine. Each trial takes a long time and is
+ * accurate to only one percent. Therefore only values with few digits are tried, and the search ends half a
+ * percent from the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),

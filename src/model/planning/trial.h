@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trial is a run of a row with one changed value. Series of trials find the edge between the values with
- * which all dominoes fall and the values with which they do not. */
+/* A trial is a run of a row with one changed value. A series of trials finds the edge between the values at
+ * which all dominoes fall and the values at which some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -77,15 +77,15 @@ dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 /* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* All dominoes fall with the value `good`, but not with `bad`. Returns the last value on the way from `good`
- * to `bad` with which they still fall, rounded to a few digits, away from `bad`. */
+/* All dominoes must fall at the value `good`, but not at `bad`. Returns the last value on the way from `good`
+ * to `bad` at which all dominoes still fall, rounded to a few digits, away from `bad`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Continues a search from `now` to `end` with step i, and returns the last value with which all dominoes
- * still fall. All dominoes must fall with `good`, the value of the step before. */
+/* Continues a search from `now` to `end` with step i, and returns the last value at which all dominoes still
+ * fall. All dominoes must fall at `good`, the value of the step before. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end` for a range of values with which all dominoes fall. Sets *to
+/* Searches from the current value towards `end` for a range of values at which all dominoes fall. Sets *to
  * to the beginning of the range and *until to its end. Returns false if there is no such range. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 

@@ -17,7 +17,7 @@
 /* The range of values that are tried. */
 struct range {
     dom_real lowest, highest;
-    /* how the row ends with a value above `highest`, or DOM_ROW_FALLS if this is unknown */
+    /* how the row ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
     enum dom_row_end above;
 };
 
@@ -81,9 +81,9 @@ static struct range range_of(const struct trial *t)
     return (struct range){0, d[-1].height, DOM_ROW_MISSES};
 }
 
-/* Changes the value step by step towards `end`. Returns the last value before the row first does not fall,
- * and sets *beyond to how the row ends just beyond this value. The steps continue to `end`; *others is set to
- * true if the row falls again at a later one. */
+/* Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
+ * *beyond to how the row ends just beyond this value. The steps then continue to `end`, and *others is set to
+ * true if the row falls again at a later step. */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
     dom_real now = trial_now(t), edge = end, good = now;
@@ -171,7 +171,7 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* The current value is above the range, but all dominoes fall with the highest value of the range. Finds the
+/* The current value is above the range, but all dominoes fall at the highest value of the range. Finds the
  * window that ends at this highest value. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {

@@ -86,8 +86,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
     /* The bounds on D hold only for tilts of the cycle, so move `at` down if it may be above theta_c. The
-     * lower bound on theta_c is a tilt of the cycle with every growth. `low` is a tilt of the cycle whenever
-     * the box contains any. */
+     * lower bound on theta_c is a tilt of the cycle at every growth. If the box contains any tilt of the
+     * cycle, `low` is such a tilt. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));

@@ -34,18 +34,17 @@ void proof_end(struct proof *proof);
  * milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Tries to prove that the train keeps falling with every growth from r_low to r_high, that is, K > D for
- * every tilt of the cycle. */
+/* Tries to prove that the train keeps falling at every growth from r_low to r_high, that is, K > D for every
+ * tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
-/* Tries to prove that the train keeps falling with all growths from *done to r_high, in strips (intervals of
+/* Tries to prove that the train keeps falling at all growths from *done to r_high, in strips (intervals of
  * growths) that are not narrower than `finest`, from the lowest strip upwards. *done is set to the largest
  * growth up to which the proof succeeded. If a strip fails, *stop is set to its upper end. */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Tries to prove that the train stops with every growth from r_low to r_high, because its kinetic energy is
- * less than the energy that it needs to reach one tilt. `top` is 2 sin(theta/2) of this tilt. Returns false
- * if the proof fails. */
+/* Tries to prove that the train stops at every growth from r_low to r_high, because it has too little kinetic
+ * energy to reach a certain tilt. `top` is 2 sin(theta/2) of this tilt. Returns false if the proof fails. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Tries to prove that D < level for all tilts and for all growths from r_low to r_high. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth with which a train stops. Starting at r = 1, the program proves for one strip
+ * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves for one strip
  * (an interval of growths) after the other that the train keeps falling. If a proof succeeds, the next strip
  * is twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper
  * end of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers, one just
@@ -10,8 +10,8 @@
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth with which the margin is 0, between a growth with which the train keeps falling
- * (`low`) and one with which it stops (`high`). */
+/* Estimates the growth at which the margin is 0, between `low`, a growth at which the train keeps falling,
+ * and `high`, a growth at which it stops. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -49,9 +49,9 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit with which the train certainly stops. A decimal number lies between
- * the two neighbours of the double that is nearest to it, so the proof covers the interval between these two
- * neighbours. */
+/* Finds a growth above n / unit, as a decimal number, at which the train certainly stops. A decimal number
+ * lies between the two neighbours of the double that is nearest to it, so the proof covers the interval
+ * between these two neighbours. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -64,8 +64,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train keeps falling with every growth up to a decimal number, which is n / unit or, if this
- * fails, a smaller number as close to it as possible. */
+/* Proves that the train keeps falling at every growth up to the decimal number n / unit. If this fails, tries
+ * smaller decimal numbers, the closest first. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -84,10 +84,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Estimates the root between *done and `high`, and tries to prove that the train keeps falling with all
- * growths up to just below the root, and stops just above it. Returns false if this fails; limit->outcome is
- * the reason. If the reason is OUTCOME_REFUTED, the train stops with a smaller growth, which is stored in
- * *stop.
+ * Estimates the root between *done and `high`, and tries to prove that the train keeps falling at all growths
+ * up to just below the root, and stops just above it. Returns false if this fails; limit->outcome is the
+ * reason. If the reason is OUTCOME_REFUTED, the train stops at a smaller growth, which is stored in *stop.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
@@ -153,7 +152,7 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Called for a pair that stops with r = 1. Looks for the smallest growth with which the pair keeps falling,
+ * Called for a pair that stops at r = 1. Looks for the smallest growth at which the pair keeps falling,
  * and returns a growth for which this is proved: if possible, a decimal number just above the lowest root
  * that is found from samples. Returns NaN if no proof succeeds.
  */

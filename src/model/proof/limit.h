@@ -5,11 +5,11 @@
 #include "proof/cover.h"
 
 enum limit_kind {
-    LIMIT_BRACKET, /* the train keeps falling with every growth from `from` to `low`, and stops with `high` */
-    LIMIT_REACH,   /* the train keeps falling with every growth from `from` up to 1/s */
-    /* the train stops with r = 1, and no larger growth was found with which it keeps falling */
+    LIMIT_BRACKET, /* the train keeps falling at every growth from `from` to `low`, and stops at `high` */
+    LIMIT_REACH,   /* the train keeps falling at every growth from `from` up to 1/s */
+    /* the train stops at r = 1, and no larger growth was found at which it keeps falling */
     LIMIT_NONE,
-    /* the train keeps falling with every growth from `from` to `low`; nothing is proved about larger growths
+    /* the train keeps falling at every growth from `from` to `low`; nothing is proved about larger growths
      */
     LIMIT_PARTLY
 };
@@ -23,8 +23,8 @@ struct limit_proof {
     enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Encloses the smallest growth with which the train stops. The relative width of the enclosure is about
- * `tol`, if the proof succeeds. */
+/* Encloses the smallest growth at which the train stops. If the proof succeeds, the relative width of the
+ * enclosure is about `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with a change of a few neighbouring dominoes. The run without a
- * change (the unchanged row) makes most of the work for the others unnecessary.
+ * A row that is run many times, each time with a change of a few neighbouring dominoes. The run of the
+ * unchanged row makes most of the work of the other runs unnecessary.
  *
  * The dominoes before the change fall as in the unchanged row, so a trial begins at the first head that can
  * be affected. A trial may also end early, because the effect of a change decreases from head to head. Where
@@ -102,8 +102,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of head k may deviate so that head k still keeps falling, whatever happens to later
- * heads. */
+/* Finds how far omegasq of head k may deviate before head k itself stops falling. The effect on later heads
+ * is not considered here. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))

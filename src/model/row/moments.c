@@ -37,7 +37,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* the follower detaches at exactly this tilt, and because of a rounding error it counts as already
+        /* the follower detaches at exactly this tilt, but because of a rounding error it counts as already
          * detached */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
