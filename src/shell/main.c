@@ -81,7 +81,8 @@ static void on_signal(int number)
 }
 
 /* Installs the signal handler. After a first signal that ends the script, a second signal ends the program at
- * once. A signal that the caller of the program ignores stays ignored, except SIGINT after --interruptible.
+ * once. A signal that was ignored when the program started stays ignored, except SIGINT after
+ * --interruptible.
  */
 static void signals_begin(struct session *session)
 {
@@ -256,7 +257,8 @@ int main(int argc, char **argv)
         run_sources(argc, argv, &session);
     } else if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
-        session.errors = 0; /* the user has already seen the errors, which do not affect the exit status */
+        session.errors =
+            0; /* errors at a prompt do not affect the exit status, because the user has already seen them */
     } else if (!is_over(&session))
         run_file(&session, "-");
     session_close(&session);

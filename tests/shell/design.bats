@@ -105,7 +105,7 @@ END
 @test "design: a wrong wish gives an error in one line" {
     wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
-    wrong 'design 8 m safety 1' "safety 1 is not above 1.*'safety 2'"
+    wrong 'design 8 m safety 1' "the safety must be more than 1, not 1:.*'safety 2'"
     wrong 'design 8 m safety 2 m' 'the safety is a number without a unit; 2 means'
     wrong 'design 8 m safty 2' "did you mean 'safety'"
     wrong 'design 8 m hall' "the value of 'hall' is missing"
@@ -134,8 +134,8 @@ END
     grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
     grep -q 'other boards, or a finer grid, may help' <<<"$output"
-    wrong "$scene; design 1 m falls 2" "'falls' is a probability up to 99.99 %"
-    wrong "$scene; design 1 m falls 2 m" "'falls' is a probability up to 99.99 %"
+    wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"
+    wrong "$scene; design 1 m falls 2 m" "'falls' is a probability of at most 99.99 %"
 }
 
 @test "design: whole mm and boards, and the rounded row is the one that has the safety" {

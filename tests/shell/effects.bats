@@ -297,7 +297,7 @@ END
             END { exit bad || rows != count }'
     done
     # The method that each effect needs, and the method of the scene, which 'scene' names as well.
-    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene, which is ([a-z]*) now\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
+    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene; this is now ([a-z]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
     same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
     same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"
     same engine 'engine,rigid-body engine' "$(methods 'effect row 2; effect push 9; effect feet 0.5')"

@@ -43,7 +43,7 @@ check=$root/tests/derivations/check.py
 }
 
 @test "explain says where equations end, and has the equations of effects" {
-    "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction no energy is conserved and the motion is integrated: 'help friction'"
+    "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction, energy is not conserved, so the equation of motion in 'help friction' is integrated"
     "$DOMINO" -e 'effect edges 0.01; explain theta1 0.2' | grep -q "with rounded edges the contact is found by iteration"
     "$DOMINO" -e 'effect slope 1 deg; explain fuel' | grep -q 'cos(start_i + alpha)'
     "$DOMINO" -e 'effect slope 1 deg; explain thetac' | grep -q 'theta_u = asin(d/sqrt(1 + d^2)) - alpha    (4; b1)'
@@ -137,7 +137,7 @@ its maximum: the growth|4|null|1.831348|1.810436
 the drop-off|3|null|0.53929|0.53929
 the drop-off|4|null|0.61901|0.61901
 growth of a pair|3|0.4|2.04654|2.04654
-dominoes to 112 m, r = 1.5|4|null|20|20
+dominoes that topple 112 m, r = 1.5|4|null|20|20
 END
     same differences 'weights r^(-q i) left out in (25; c7)' "$(row 'largest growth' 3 0.2 | values why)"
     same 'no difference' '0' "$(row 'largest growth: the reach' 3 0.8 | values difference)"

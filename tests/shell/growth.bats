@@ -70,12 +70,12 @@ END
 
 @test "rmax names both limits if a row starts only at a smaller growth than the one at which a train keeps falling" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
-    for words in '1\.64423 times as large' 'just tips over falls with growth up to 1\.59459' \
+    for words in '1\.64423 times as large' 'just tips over falls with a growth of up to 1\.59459' \
         'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do
         grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
     done
-    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'just tips over does not fall with any growth'
-    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls with growth up to 1\.63'
+    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'just tips over does not fall, whatever its growth'
+    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls with a growth of up to 1\.63'
     # If the reach limits both growths, they are equal.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
     ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is for a train'

@@ -211,9 +211,9 @@ END
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
-    wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, and a picture needs one number for each point"
+    wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, but a picture needs one number for each point"
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, but this grid has 3'
-    wrong 'plot sweep fuel exact, paper : rmax' 'has words here, and a curve needs numbers'
+    wrong 'plot sweep fuel exact, paper : rmax' 'has words here, but a curve needs numbers'
     wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
     wrong 'plot sweep r 3 4 3 : duration > a.svg' 'none of the 3 points has a number'
     for what in fall speed gaps placement; do

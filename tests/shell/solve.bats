@@ -83,7 +83,7 @@ END
     grep -qE '^rmax is never 1\.1 for s = 0\.3 \.\. 0\.5: the smallest value is 1\.5' <<<"$output"
     same csv 'value,answer,branch,reason' "$("$DOMINO" -e 'set output csv; solve d : rmax = 5' | head -n 1)"
     wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
-    wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, and VALUE is a length'
+    wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, but VALUE is a length'
     wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM must be less than TO'
     wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; the form is'
     wrong 'solve d : rmax' "'= VALUE' is missing after 'rmax'"

@@ -132,7 +132,7 @@ END
 7|set s 0.3 rad|^set: s is a plain number, not an angle
 7|set r h|^set: r is a plain number, not a length
 7|set h 3 s|^set: h is a length, not a time
-0|set h 5|^set: a height of 5 without a unit would be 5 m, and it is 4\.8 cm now; write 'set h 5 m'
+0|set h 5|^set: a height of 5 without a unit would be 5 m, but the height is 4\.8 cm now; write 'set h 5 m'
 0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
 10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$

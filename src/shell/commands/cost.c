@@ -221,10 +221,10 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * If the measured quantity is r_max, adds a row for each tolerance with which its value can be proved. The
+ * If the measured quantity is r_max, adds a row for each tolerance at which its value can be proved. The
  * error in such a row is (high - low) / (2 low), where low and high are the proved bounds. Each proof is
- * timed only once, because it takes long. Returns the time in seconds of the proof with a tolerance of 1e-12,
- * or NaN if there is no such proof.
+ * timed only once, because it takes a long time. Returns the time, in seconds, of the proof at a tolerance of
+ * 1e-12, or NaN if there is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {

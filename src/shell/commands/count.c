@@ -16,7 +16,7 @@ const struct column count_columns[] = {
     {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
     {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},
     {"push", "rad/s", "the weakest push with which such a row would fall", 0},
-    {"r_start", "", "the largest growth with which such a row starts and keeps falling", 0},
+    {"r_start", "", "the largest growth at which such a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -108,8 +108,8 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Prints the result for each kind of domino that has a name, and for the kind of the session, even if it has
- * no name. `session_tower` is the result for the kind of the session. */
+/* Prints the result for each kind of domino that has a name, and for the session's kind, even if that kind
+ * has no name. `session_tower` is the result for the session's kind. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)

@@ -131,7 +131,7 @@ static void effects_say(const struct query *query, struct answer *a)
     answer_say(a,
                "The methods are, from the quickest to the slowest: balance, the energy balance; motion, the "
                "equation of motion; and engine, the rigid-body engine, which runs rows only. The program "
-               "uses the quickest method that includes all effects of the scene, which is %s now.\n",
+               "uses the quickest method that includes all effects of the scene; this is now %s.\n",
                scene_has_engine(query->scene)               ? "engine"
                : domq_law(&query->scene->train)->dissipates ? "motion"
                                                             : "balance");
@@ -139,9 +139,10 @@ static void effects_say(const struct query *query, struct answer *a)
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
-    answer_say(a, "\nAny error of a random row costs as much as placement: error_place, error_thickness, "
-                  "error_mass, error_lean, error_radius, error_friction, error_slope, error_floor and "
-                  "error_push.");
+    answer_say(a,
+               "\nAny error of a random row takes as much time as placement: error_place, error_thickness, "
+               "error_mass, error_lean, error_radius, error_friction, error_slope, error_floor and "
+               "error_push.");
 }
 
 static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
@@ -219,7 +220,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_rounded && !is_engine)
         part_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
     else if (!is_row)
-        part_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
+        part_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, without trigonometry", n,
+                 "always");
     if (!is_row)
         part_row(a, "energy",
                  "H (19; c1) and J (20; c2), cut off where a bound on the remaining terms allows it", n,

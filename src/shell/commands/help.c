@@ -20,7 +20,7 @@ static const struct first_line {
 } first_lines[] = {
     {"count 112 m", "the quiz: how many dominoes topple a tower of 112 m"},
     {"rmax", "how much larger each domino can be than the one before it"},
-    {"set s 0.3", "dominoes closer together: gaps of 0.3 of the height"},
+    {"set s 0.3", "dominoes closer together: gaps of 0.3 times the height"},
     {"rmax", "the answer for these gaps; 'show' lists the parameters"},
     {"draw", "a picture of the train; 'draw > train.svg' writes a file"},
     {"effect row 12", "a row of 12 dominoes; 'effect row FILE' reads your own"},

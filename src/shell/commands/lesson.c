@@ -33,7 +33,8 @@ static FILE *tutorial_open(void)
     return in;
 }
 
-/* Shows a line of the script. Escapes it, because anyone may have written the file. */
+/* Shows a line of the script, with its control characters escaped, because the file may come from a stranger.
+ */
 static void line_show(const struct session *reader, const char *before, const char *line)
 {
     char *shown = escape_copy(line);

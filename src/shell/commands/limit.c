@@ -16,13 +16,15 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
 static const char *no_growth(struct domq_limit limit)
 {
     return limit.ends != DOM_END_NONE ? NULL
-           : limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) "
-                                        "release no energy, since a fallen one is as high as an upright one"
-           : limit.why == DOM_LOCKS   ? "no growth possible: friction locks even equal dominoes (r = 1)"
-           : limit.why == DOM_OUT_OF_REACH ? "no growth possible: edges this round let even equal dominoes "
-                                             "(r = 1) fall past each other at this s; use a smaller s"
-                                           : "no growth possible: at this s and d even equal dominoes (r = "
-                                             "1) have too little energy to keep falling";
+           : limit.why == DOM_NO_FUEL
+               ? "no growth possible: at this s and d even equal dominoes (r = 1) "
+                 "release no energy, since a fallen domino is as high as an upright one"
+           : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
+           : limit.why == DOM_OUT_OF_REACH
+               ? "no growth possible: with edges as round as these, even equal dominoes (r = 1) fall past "
+                 "each other at this s; use a smaller s"
+               : "no growth possible: at this s and d even equal dominoes (r = "
+                 "1) have too little energy to keep falling";
 }
 
 /* Finds the largest growth with each of the two formulas for the fuel. The paper's formula does not cover
@@ -41,11 +43,11 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 
 static const struct column rmax_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"r_max", "", "largest growth with which the train keeps falling", 0},
+    {"r_max", "", "largest growth at which the train keeps falling", 0},
     {"ends_by", "", "what limits the growth: barrier (energy), reach (misses the next) or none", 7},
     {"r_max_exact", "", "r_max when the fuel is computed from the balance of energy", 0},
     {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
-    {"r_start", "", "the largest growth with which a row starts and keeps falling", 0},
+    {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -99,14 +101,15 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
                      (double)train->r, (double)start.push);
     }
     if (!isnan(r_start))
-        answer_say(a,
-                   "This is for a train that is already moving. A row that starts %s falls with growth up to "
-                   "%.6g.%s",
-                   start_words(query).text, (double)r_start, push);
+        answer_say(
+            a,
+            "This is for a train that is already moving. A row that starts %s falls with a growth of up to "
+            "%.6g.%s",
+            start_words(query).text, (double)r_start, push);
     else
         answer_say(a,
-                   "This is for a train that is already moving. A row that starts %s does not fall with any "
-                   "growth.%s",
+                   "This is for a train that is already moving. A row that starts %s does not fall, whatever "
+                   "its growth.%s",
                    start_words(query).text, push);
     return true;
 }
@@ -118,7 +121,8 @@ static const char *start_missing(const struct query *query, const struct answer 
     if (growths->has_engine)
         return "r_start has no value: in the rigid-body engine the search takes too long; 'rowmax' finds it "
                "for a row";
-    snprintf(reason, START_TEXT, "r_start has no value: a row that starts %s does not fall with any growth",
+    snprintf(reason, START_TEXT,
+             "r_start has no value: a row that starts %s does not fall, whatever its growth",
              start_words(query).text);
     return answer_for_people(a) ? NULL : reason;
 }
@@ -151,7 +155,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 
 static const struct column pair_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"r_max", "", "largest growth with which the first domino topples the second", 0},
+    {"r_max", "", "largest growth at which the first domino topples the second", 0},
     {"ends_by", "", "what limits the growth: barrier (energy), reach (misses the next) or none", 7},
     {NULL, NULL, NULL, 0},
 };
@@ -204,7 +208,7 @@ static const struct column curve_columns[] = {
     {"exact", "", "r_max when the fuel is computed from the balance of energy", 0},
     {"paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "largest growth with which dominoes reach the next: 1/s, or less with rounded edges", 0},
+    {"reach", "", "largest growth at which dominoes reach the next: 1/s, or less with rounded edges", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -304,7 +308,7 @@ const struct command limit_commands[] = {
     {.name = "best",
      .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
-     .summary = "the gap with which the growth can be largest",
+     .summary = "the gap that allows the largest growth",
      .example = "best",
      .see = "rmax curve",
      .principal = "s",
@@ -331,7 +335,7 @@ const struct command limit_commands[] = {
          "next one. The row starts with a first domino that just tips over, or with the push of 'effect "
          "push', and 'feasible' tells whether the row falls. If not, 'stops_at' is the domino at which the "
          "row ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
-         "endless train that is already moving keeps falling, and 'r_start' is the largest growth with which "
+         "endless train that is already moving keeps falling, and 'r_start' is the largest growth at which "
          "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
          "row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",

@@ -52,11 +52,12 @@ static bool height_likely(const struct query *query, struct problem *problem)
     if (given->parameter != parameter_find("h") || given->count < 2 || !quantity_bare(given->quantity[1]) ||
         (ratio < SLIP_OF_UNIT && ratio > 1 / (domq_real)SLIP_OF_UNIT))
         return true;
-    return problem_error(problem,
-                         "a height of %s without a unit would be %s, and it is %s now; write 'set h %s m', "
-                         "or the unit that you mean",
-                         quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text,
-                         measured(now, "m", 4).text, quad_text(given->number[1], 10));
+    return problem_error(
+        problem,
+        "a height of %s without a unit would be %s, but the height is %s now; write 'set h %s m', "
+        "or the unit that you mean",
+        quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text, measured(now, "m", 4).text,
+        quad_text(given->number[1], 10));
 }
 
 /* Returns the number of gaps that have been changed one by one and no longer follow from s. */

@@ -138,7 +138,7 @@ bool show_variables(const struct query *query, struct answer *a)
     a->rows = true;
     if (query->state->variables.count > 0)
         return list(query, a, LIST_VARIABLES);
-    answer_say(a, "No variable is defined; for example 'let x = 0.9*rmax'.");
+    answer_say(a, "No variable is defined; 'let x = 0.9*rmax' defines one.");
     return true;
 }
 
@@ -154,7 +154,7 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
     else
         answer_say(a, "All parameters have their defaults, and no effect is on.");
     if (changes > 0)
-        answer_say(a, "'change' has changed %zu measure%s of the row; 'row' lists the row.", changes,
+        answer_say(a, "'change' has changed %zu value%s of the row; 'row' lists the row.", changes,
                    changes == 1 ? "" : "s");
     return true;
 }

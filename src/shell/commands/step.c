@@ -206,7 +206,8 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
     if (w->verdict == DOM_STOPS)
         return problem_no_answer(problem,
                                  "the train has stopped; 'why' explains it, and 'goto launch' begins again");
-    return problem_no_answer(problem, "steps end after %d cycles; enter 'goto launch' or 'back'", CYCLES_MAX);
+    return problem_no_answer(problem, "the steps end after %d cycles; enter 'goto launch' or 'back'",
+                             CYCLES_MAX);
 }
 
 /* Moves by the number of steps in the arguments, which is 1 by default. If the walk ends before the last

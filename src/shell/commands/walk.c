@@ -135,8 +135,8 @@ static void say_launch(const struct place *p)
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_friction ? "A(0)" : "J(0)";
     answer_say(p->answer,
-               "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. "
-               "After that all dominoes move as one train, and the head turns with %s: %s omega(0) = (%s - "
+               "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, %s tall. "
+               "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
                "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
                omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
                omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
@@ -150,9 +150,10 @@ static void say_launch(const struct place *p)
         answer_say(p->answer, "i(theta) is the inertia of a domino with rounded edges, about its line of "
                               "contact with the floor, divided by its inertia with sharp edges.");
     if (impulses.bounded)
-        answer_say(p->answer,
-                   "The impulses from contact to contact down the train: %s%s %s s; all of them push (> 0).",
-                   impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
+        answer_say(
+            p->answer,
+            "The impulses at the contacts, from the head down the train: %s%s %s s; all of them push (> 0).",
+            impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
         answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
                               "0, and its impulse has no upper bound in this model (14; b10).");
@@ -181,16 +182,17 @@ static void say_top(const struct place *p)
     if (p->has_friction)
         answer_say(p->answer,
                    "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
-                   "friction has taken %.6g, and a kinetic energy of %s is left. From here on the train "
+                   "friction has taken %.6g, and a kinetic energy of %s is left. From here on, the train "
                    "gains more energy than friction takes (26; c8).",
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
                    (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
     else
-        answer_say(p->answer,
-                   "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
-                   "by %s, and a kinetic energy of %s is left, the margin. From here on the potential energy "
-                   "decreases (26; c8).",
-                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+        answer_say(
+            p->answer,
+            "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
+            "by %s, and the margin, a kinetic energy of %s, is left. From here on, the potential energy "
+            "decreases (26; c8).",
+            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
 /* Returns h(theta) in units of m g h / 2: the potential energy of a domino relative to the floor at its foot.
@@ -213,8 +215,8 @@ static void say_fall(const struct place *p)
     answer_say(
         p->answer,
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
-        "contact force is 0. The detached domino comes to rest at theta_f = %s with all that follow it, and "
-        "no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
+        "contact force is 0. The detached domino comes to rest at theta_f = %s with all dominoes behind it, "
+        "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
         "keeps %.6g.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
         p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
@@ -239,13 +241,14 @@ static void say_hit(const struct place *p)
 {
     const struct domq_state *s = p->state;
     struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
-    answer_say(p->answer,
-               "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; "
-               "the cycle has released %s, the fuel P (25; c7), and taken %s.",
-               measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
-               p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-               omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
-               measured(s->time * p->units.tau, "s", 6).text);
+    answer_say(
+        p->answer,
+        "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at %s; "
+        "the cycle has released %s, the fuel P (25; c7), and has lasted %s.",
+        measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+        p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+        omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+        measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_friction)
         answer_say(p->answer, "Friction between dominoes has taken %s of this energy.",
                    energy_at(p, s->friction_work).text);
@@ -258,7 +261,7 @@ static void say_hit(const struct place *p)
 static void say_between(const struct place *p)
 {
     answer_say(p->answer,
-               "Between two events, at theta = %s: the train %s, and the head turns with %s (21; c3).",
+               "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
                angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
                omega_at(p, quad(sqrt)(p->state->omegasq)).text);
 }
@@ -312,7 +315,7 @@ bool cycle_events(const struct query *query, const struct domq_compute *compute,
     if (status == DOM_NO_FUEL)
         return train_comes_to(query, problem, 0);
     if (status == DOM_NO_MARGIN)
-        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
+        return problem_error(problem, "the margin is 0 within rounding errors, so the cycle would last for "
                                       "ever; use a slightly smaller r");
     return status == DOM_OK || *stops || problem_status(problem, query->scene, status);
 }

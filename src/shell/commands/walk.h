@@ -9,11 +9,11 @@
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
-    /* The unit of energy, m g h / 2 of the head, in J. If no mass is known, it is divided by m g h / 2 of the
+    /* The unit of energy, m g h / 2 of the head: in J or, if no mass is known, divided by m g h / 2 of the
      * first head. */
     domq_real energy;
     const char *energy_unit;
-    /* The weight m g of the head, in N. If no mass is known, it is divided by m g of the first head. */
+    /* The weight m g of the head: in N or, if no mass is known, divided by m g of the first head. */
     domq_real weight;
     const char *weight_unit;
 };

@@ -61,13 +61,13 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
         if (limit->ends == DOM_END_NONE)
             answer_say(a, "Place the dominoes %s: %s as the one before.\n", way, widest);
         else if (best.r_max < t->r)
-            answer_say(a,
-                       "Make the dominoes grow less: %s as the one before, and with these gaps %.4g times.\n",
-                       widest, most);
+            answer_say(
+                a, "Make the dominoes grow less: %s as the one before; with the present gaps, %.4g times.\n",
+                widest, most);
         else
             answer_say(a,
-                       "Place the dominoes %s, or make them grow less: %s as the one before, and with these "
-                       "gaps %.4g times.\n",
+                       "Place the dominoes %s: %s as the one before. Or make them grow less: with the "
+                       "present gaps, each can be %.4g times as large.\n",
                        way, widest, most);
     }
 }
@@ -119,7 +119,7 @@ static void contact_say(const struct query *query, struct answer *a, const struc
         answer_say(a,
                    "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
                    "have to be pulled "
-                   "with %s of its weight, at a tilt of %.4g %s. From that tilt on the answer is not valid.",
+                   "with %s of its weight, at a tilt of %.4g %s. From that tilt on, the answer is not valid.",
                    c->domino, weight.text, tilt, unit);
 }
 

@@ -101,7 +101,7 @@ static bool row_times(struct row_film *f)
     if (moving + held > FRAMES_MOST)
         return problem_no_answer(
             film->problem,
-            "that would be %.0f frames, and at most %d are drawn; enter 'speed %s', or a smaller rate",
+            "the film would have %.0f frames, but at most %d are drawn; enter 'speed %s', or a smaller rate",
             moving, FRAMES_MOST,
             measured(speed * (domq_real)(1.05 * (moving + held) / FRAMES_MOST), "", 3).text);
     film->frames = (size_t)(moving + 1 + (film->answer ? 0 : held));

@@ -33,7 +33,7 @@ struct train_film {
     double r, pitch, duration, step;
     double tau; /* tau of the first head, in s */
     bool stops;
-    struct stage whole; /* an empty stage with the size of the frames' stages */
+    struct stage whole; /* an empty stage that is as large as the stage of each frame */
     char ruler[96];
 };
 

@@ -134,7 +134,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* the picture shows the row, so it needs no note that the answer is about the train */
+    a->note = NULL; /* the note would say that the answer is about the train, but the picture shows the row */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
@@ -202,7 +202,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     if (what->train)
-        a->note = NULL; /* the user asked for the train, so no note has to say that the picture shows it */
+        a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;

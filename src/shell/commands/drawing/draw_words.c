@@ -140,9 +140,9 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
                problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
                              expression_kind(quantity));
     if (value == DRAW_SPEED && !(plain && number >= (domq_real)0.001 && number <= 1000))
-        return problem_error(problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 "
-                                              "half as fast"
-                                            : "the speed is a plain number");
+        return problem_error(
+            problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, and 0.5 is half as fast"
+                           : "the speed is a plain number");
     plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
     return value != DRAW_RATE || (plain && number >= 1 && number <= 50) ||
            problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"

@@ -12,15 +12,15 @@ const struct column plan_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"back", "m", "distance from the back of domino 1 to the back of this domino", 0},
     {"front", "m", "distance from the back of domino 1 to the front of this domino", 0},
-    {"back_low", "m", "the smallest value of 'back' with which all dominoes fall, if only this domino moves",
+    {"back_low", "m", "the smallest value of 'back' at which all dominoes fall, if only this domino moves",
      0},
     {"back_high", "m", "the largest such value", 0},
     {"gap", "m", "free distance to the domino before it", 0},
     {"height", "m", "height of the domino", 0},
-    {"height_low", "m", "the smallest height with which all dominoes fall", 0},
+    {"height_low", "m", "the smallest height at which all dominoes fall", 0},
     {"height_high", "m", "the largest such height", 0},
     {"thickness", "m", "thickness of the domino", 0},
-    {"thickness_low", "m", "the smallest thickness with which all dominoes fall", 0},
+    {"thickness_low", "m", "the smallest thickness at which all dominoes fall", 0},
     {"thickness_high", "m", "the largest such thickness", 0},
     {"width", "m",
      "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
@@ -220,7 +220,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
                problem_status(problem, query->scene, DOM_NO_MEMORY);
         for (int i = 0; i < p.guide.tables; i++)
             guide_text(&p.guide.table[i], a->out);
-        answer_say(a, "\n!: what matters most. 'plan > hall.pdf' draws this guide for printing.");
+        answer_say(a, "\n! marks what matters most. 'plan > hall.pdf' draws this guide for printing.");
     }
     plan_free(&p);
     return good;

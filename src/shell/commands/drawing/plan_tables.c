@@ -143,8 +143,9 @@ bool plan_board_table(struct plan *p)
     qsort(piece, pieces, sizeof *piece, piece_order);
     struct guide_table *table = table_add(
         p, "For the workshop: boards to cut, by thickness",
-        p->is_thin ? "In mm. The dominoes are hollow, and their walls as thin as paper; 'effect walls 12 mm' "
-                     "makes boxes of boards."
+        p->is_thin
+            ? "In mm. The dominoes are hollow, and their walls are as thin as paper; 'effect walls 12 mm' "
+              "makes boxes of boards."
         : p->row.run.scene.row.boxes_above > 0
             ? "In mm. A solid block is one piece; each box has a front and a back, two sides between them, "
               "and a bottom and a top."

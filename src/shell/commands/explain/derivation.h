@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derivations show where a number comes from. Each quantity has its equation as a text for the expression
- * parser, and a second text that computes the same number with the library. The program shows the number of
- * the library. A test evaluates the equations, and compares the two numbers. */
+ * parser, and a second text that computes the same number with the library. The program shows the library's
+ * number, and a test compares it with the number that the equation gives. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -59,7 +59,7 @@ extern const struct derived derived_list[];
 /* A question of the command explain, and the quantities that answer it. */
 struct explained {
     const char *name;
-    const char *value; /* which value follows the question, "theta", "s" or "H"; NULL if none does */
+    const char *value; /* name of the value after the question: "theta", "s" or "H", or NULL for none */
     const char *roots; /* the names of these quantities, with blanks between them */
 };
 extern const struct explained explained_list[];

@@ -101,7 +101,7 @@ static bool chain_add(const struct domq_link *link, void *context)
 }
 
 /* Fills d->at with the tilts and slopes of the dominoes when the head has this tilt, and d->launch with those
- * at launch. Both chains get the same length: they end with dominoes at theta_f, whose terms are 0. */
+ * at launch. Adds dominoes at theta_f, whose terms are 0, until both chains have the same length. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -176,12 +176,11 @@ static const char *words_of(struct derivation *d, const struct derived *q)
 {
     const unsigned ends = q->ends & d->has;
     char words[256];
-    int n =
-        snprintf(words, sizeof words, "%s%s", q->words,
-                 ends & HAS_FRICTION ? "; with friction no energy is conserved and the motion is integrated: "
-                                       "'help friction' has its equation"
-                                     : "; with rounded edges the contact is found by iteration: 'help "
-                                       "edges' has its equation");
+    int n = snprintf(words, sizeof words, "%s%s", q->words,
+                     ends & HAS_FRICTION ? "; with friction, energy is not conserved, so the equation of "
+                                           "motion in 'help friction' is integrated"
+                                         : "; with rounded edges the contact is found by iteration: 'help "
+                                           "edges' has its equation");
     return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
 }
 

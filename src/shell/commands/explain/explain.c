@@ -14,8 +14,8 @@
 
 static const struct column explain_columns[] = {
     {"quantity", "", "the quantity", 9},
-    {"equation", "", "its equation, as expressions are typed; 'sum' stands for the sum over all dominoes i",
-     40},
+    {"equation", "",
+     "its equation, written as expressions are typed; 'sum' stands for the sum over all dominoes i", 40},
     {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
     {"value", "", "the number that the program computes", 0},
     {"unit", "", "its unit: h is the height of the head, mgh/2 its energy, tau its unit of time", 6},

@@ -86,7 +86,7 @@ static void growth_rows(struct table *t)
     paper_row(t, "Fig. growth", "the drop-off r = 1/s begins at s", DOMQ_NAN, paper, exact, weights);
 }
 
-/* Writes rows for the figure of two dominoes, which does not depend on the fuel. */
+/* Writes rows for the paper's figure about two dominoes, in which the fuel plays no part. */
 static void pair_rows(struct table *t)
 {
     for (int k = 2; k <= 9; k++) {
@@ -118,8 +118,8 @@ static void cycle_rows(struct table *t)
               "the factor J(theta_c) was lost in print");
 }
 
-/* Writes rows for the quiz: how many dominoes topple the Domtoren with the growth that the paper quotes, and
- * how many with the largest growth. */
+/* Writes rows for the quiz: how many dominoes it takes to topple the Domtoren at the growth that the paper
+ * quotes, and at the largest growth. */
 static void quiz_rows(struct table *t)
 {
     const struct domq_scale scale = domq_scale_default();
@@ -127,7 +127,8 @@ static void quiz_rows(struct table *t)
     struct domq_count most[2] = {{.dominoes = DOMQ_NAN}, {.dominoes = DOMQ_NAN}};
     if (t->status == DOM_OK)
         t->status = domq_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
-    paper_row(t, "Introduction", "dominoes to 112 m, r = 1.5", DOMQ_NAN, count.dominoes, count.dominoes, "");
+    paper_row(t, "Introduction", "dominoes that topple 112 m, r = 1.5", DOMQ_NAN, count.dominoes,
+              count.dominoes, "");
     for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
         struct domq_best best;
         t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
@@ -135,7 +136,7 @@ static void quiz_rows(struct table *t)
         if (t->status == DOM_OK)
             t->status = domq_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
     }
-    paper_row(t, "Introduction", "dominoes to 112 m, largest growth", DOMQ_NAN, most[0].dominoes,
+    paper_row(t, "Introduction", "dominoes that topple 112 m, largest growth", DOMQ_NAN, most[0].dominoes,
               most[1].dominoes, weights);
 }
 
@@ -159,8 +160,8 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
         a,
         "Where they differ: the second equality of (25; c7), the closed form of the fuel, leaves out the "
         "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
-        "in print. A rigid-body engine agrees with the exact values. The two fuels agree at the reach, "
-        "where the fuel does not matter.");
+        "in print. A rigid-body engine agrees with the exact values. Where the reach limits the growth, both "
+        "fuels give the same growth.");
     answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
                   "steps for the dominoes of the session.");
     return true;

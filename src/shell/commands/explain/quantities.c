@@ -91,7 +91,7 @@ const struct derived derived_list[] = {
       "launch.omega0sq", "", "24; c6",
       "tau^2 omega(0)^2, where omega(0) is the angular velocity after the collision"),
     Q("tau", "τ", "\\tau", HAS_WALLS, 0, SUM_NONE, NULL, "duration.tau", "s", "",
-      "unit of time of a domino; it is longer for a box of six walls: 'help walls'"),
+      "unit of time of a domino; it is longer for a box made of six walls: 'help walls'"),
     Q("tau", "τ", "\\tau", 0, 0, SUM_NONE, "sqrt((h^2 + (d*h)^2)/(3*g*h))", "duration.tau", "s", "1; a1",
       "unit of time of a domino"),
     Q("omega_0", "ω(0)", "\\omega(0)", 0, 0, SUM_NONE, "sqrt(w_0)/tau", "launch.omega0", "rad/s", "",
@@ -132,7 +132,7 @@ const struct derived derived_list[] = {
     Q("speed", "v", "v", 0, 0, SUM_NONE, "(s + d)*r*h/seconds", "duration.speed", "m/s", "",
       "front speed of a cycle"),
     Q("r_max", "r_max", "r_{\\max}", HAS_REACH, 0, SUM_NONE, "1/s", "rmax.r_max", "", "2; a2",
-      "the largest growth: with more, the head misses the next domino"),
+      "the largest growth: with a larger one, the head misses the next domino"),
     Q("r_max", "r_max", "r_{\\max}", 0, 0, SUM_NONE, NULL, "rmax.r_max", "", "26; c8",
       "the largest growth, found by a search that raises r from 1 until no energy is left to spare. The "
       "lines "
@@ -149,8 +149,8 @@ const struct derived derived_list[] = {
     Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",
       "kinetic energy of all moving dominoes just after domino k was hit"),
     Q("E_k", "E_k", "E_k", 0, 0, SUM_NONE, NULL, "#before", "mgh/2", "21; c3",
-      "kinetic energy of the moving dominoes just before domino k is hit, from a run of dominoes 1 to k - 1, "
-      "which 'fall' lists"),
+      "kinetic energy of the moving dominoes just before domino k is hit; it follows from the motion of "
+      "dominoes 1 to k - 1, which 'fall' lists"),
     Q("D_k", "D_k", "D_k", 0, 0, SUM_NONE, NULL, "#lost", "mgh/2", "22; c4",
       "kinetic energy lost in the hit: the dominoes stay together, so the collision is fully inelastic"),
     Q("B_k", "B_k", "B_k", 0, 0, SUM_NONE, NULL, "#barrier", "mgh/2", "26; c8",

@@ -13,7 +13,7 @@ const struct column recipe_columns[] = {
      "fuel",
      0},
     {"program", "", "the number from this program", 0},
-    {"why", "", "why the two numbers differ, or where the program does something else", 40},
+    {"why", "", "why the two numbers differ, or where the program works differently", 40},
     {NULL, NULL, NULL, 0},
 };
 
@@ -112,8 +112,8 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
             : NULL,
         true);
     recipe_row(a, 2, "J(0) (20; c2)", paper->J0, ours->J0, NULL, false);
-    recipe_row(a, 2, "J(0) as (50; d8) prints it", 1 + quad(pow)(t->r, -(t->q + 1)), ours->J0,
-               "the printed relation lost its last factor, J(theta_c)", false);
+    recipe_row(a, 2, "J(0) as printed in (50; d8)", 1 + quad(pow)(t->r, -(t->q + 1)), ours->J0,
+               "the printed relation lacks its last factor, J(theta_c)", false);
     recipe_row(a, 2, "P (25; c7)", paper->P, ours->P, weights, false);
     recipe_row(a, 2, "tau^2 omega(0)^2 (24; c6)", paper->w0, ours->w0,
                "this speed is proportional to the fuel", false);
@@ -121,7 +121,7 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
     recipe_row(a, 3, "H(theta_m) - H(0) (26; c8)", paper->barrier, ours->barrier,
                "the paper takes the first maximum of H, and the program the largest one", false);
     recipe_row(a, 3, "tau^2 omega(theta_m)^2 (21; c3)", paper->wm, ours->wm,
-               "this speed differs because the fuel differs; below 0 the train stops", false);
+               "the two differ because the fuels differ; if this is below 0, the train stops", false);
     recipe_row(a, 4, "r_max at this s", paper->r_max, ours->r_max, weights, false);
     recipe_row(a, 5, "s of the largest growth", paper->best_s, ours->best_s, weights, false);
     recipe_row(a, 5, "the largest growth", paper->best_r, ours->best_r, NULL, false);

@@ -72,14 +72,14 @@ struct fit {
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
     double spread;    /* the sum of the squares of residual / error, divided by the degrees of freedom */
     size_t freedom;   /* the degrees of freedom: how many more measurements there are than fitted numbers */
-    double *computed; /* what the model gives for each measurement with the best values */
+    double *computed; /* the model's result for each measurement, at the best values of the unknowns */
     struct problem problem; /* why the last computation gave no answer */
 };
 
 /* Computes what the model gives for each measurement, with these values of the unknowns. For hits, each run
- * gets the start time with which the sum of its squared residuals is smallest. For angles, clock[k] is the
- * time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or if
- * the row of the model ends before the last domino that was measured. */
+ * gets the start time that makes the sum of its squared residuals smallest. For angles, clock[k] is the time
+ * at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or if the
+ * row of the model ends before the last domino that was measured. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
 /* For angles, estimates when the motion of each run begins. On failure, sets fit->problem and returns false.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws the picture of a fit, for 'plot fit' and for 'fit ... > FILE': the measured values against those that
- * the model gives with the fitted parameters. */
+/* Draws the picture of a fit, for 'plot fit' and for 'fit ... > FILE'. It shows the measured values against
+ * those of the model with the fitted parameters. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
 #include "language/text.h"

@@ -100,7 +100,7 @@ static bool tilt_keep(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Before a push, a domino has the tilt with which it was set up. */
+/* Until the push, each domino keeps the tilt at which it was set up. */
 static void tilts_before(struct watch *w, const struct scene_row *row)
 {
     for (; w->done < w->count && w->point[w->done].time < w->clock; w->done++)
@@ -198,8 +198,7 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Shifts all computed times of a run by the same amount, so that the sum of the squared residuals is
- * smallest. */
+/* Shifts all computed times of a run by the amount that makes the sum of its squared residuals smallest. */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {
     double sum = 0, weights = 0;

@@ -36,9 +36,9 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* If a value is outside the range of its parameter, reflects it back into the range, so that the sum of
- * squares is defined for all values. A sum that decreases towards a limit of the range then has its minimum
- * at this limit. */
+/* Reflects a value outside the range of its parameter back into the range, so that the sum of squares is
+ * defined for all values. If the sum decreases towards a limit of the range, its minimum is then at this
+ * limit. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -364,8 +364,7 @@ bool fit_solve(struct fit *f, struct problem *problem)
         *problem = f->problem;
     else if (status != GSL_SUCCESS)
         problem_no_answer(
-            problem,
-            "the search does not converge, because many values explain the measurements equally "
-            "well; fit fewer parameters, or set those that are not fitted closer to their true values");
+            problem, "the search does not converge, because many values explain the measurements equally "
+                     "well; fit fewer parameters, or set the other parameters closer to their true values");
     return status == GSL_SUCCESS;
 }

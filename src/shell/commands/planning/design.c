@@ -28,7 +28,7 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction below that of the scene with which equal dominoes have this safety, to three
+/* Returns the largest friction, below that of the scene, at which equal dominoes have this safety, to three
  * digits. Returns 0 if there is no such friction. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
@@ -78,7 +78,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row fits the wish, and which change would make a row possible. */
+/* Writes why no row fulfils the wish, and which change would make such a row possible. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -95,15 +95,15 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         snprintf(
             text, size,
             "infeasible: the start is too weak for safety %s at the next domino; it would need a push of %s "
-            "at the top of domino 1, but a push of more than %s throws this domino; enter a smaller safety",
+            "at the top of domino 1, but a push of more than %s throws this domino off the floor; enter a "
+            "smaller safety",
             safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
-        snprintf(
-            text, size,
-            "infeasible: the start is too weak for safety %s at the next domino, and a push of %.40s rad/s, "
-            "or %.40s at the top of domino 1, would be enough: first enter 'effect row 2; effect push %.40s'",
-            safety.text, push.text, push_speed(wish, d->needs).text, push.text);
+        snprintf(text, size,
+                 "infeasible: the start is too weak for safety %s at the next domino; a push of %.40s rad/s "
+                 "(%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
+                 safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(text, size,
                  "infeasible: the start is too weak for safety %s, and no push that was tried is enough; try "
@@ -163,9 +163,10 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
             "H = %s is not taller than the first domino, h = %s; enter a larger H, or another h with 'set h'",
             measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
-        return problem_no_answer(
-            problem, "safety %s is not above 1, and at 1 a domino only just falls; 'safety 2' is usual",
-            quad_text(w->safety, 10));
+        return problem_no_answer(problem,
+                                 "the safety must be more than 1, not %s: at a safety of 1 a domino only "
+                                 "just falls; 'safety 2' is usual",
+                                 quad_text(w->safety, 10));
     return w->hall > w->height ||
            problem_no_answer(problem,
                              "a hall of %s has no room for the last domino, which is %s long when it has "
@@ -302,7 +303,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
         design_say(query, a, wish, d, plan);
     if (keeps)
         answer_say(a, "\nThe session now has this row, with its s and r: 'fall' runs it, 'row > hall.csv' "
-                      "writes it, 'effect row off' ends it.");
+                      "writes it, 'effect row off' removes it.");
     return true;
 }
 

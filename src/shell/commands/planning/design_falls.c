@@ -9,10 +9,11 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search tries rows of at most DOMINOES_MOST dominoes, and runs random rows for at most MORE designs. */
+/* The search tries at most DOMINOES_MOST dominoes, and runs random rows for at most MORE designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
-/* The table goes on for this many dominoes after the number that is needed, so that a user can choose. */
+/* The table also shows designs with up to this many dominoes more than needed, so that the user can choose.
+ */
 enum { BEYOND = 2 };
 
 /* The results for one number of dominoes. */

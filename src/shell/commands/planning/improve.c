@@ -173,7 +173,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     if (i->study[1].fall < i->study[0].fall)
         answer_say(a, "The old row was outside these limits.");
     changes_list(a, i);
-    answer_say(a, "Including the fallen last domino, the row is %s long; it was %s.%s",
+    answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
                query->next ? " 'row > hall.csv' writes the row, and 'undo' takes the changes back." : "");
 }

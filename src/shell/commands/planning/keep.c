@@ -4,8 +4,8 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* Changes one measure of domino k, counted from 0. `value` is a factor if `times` is true, and otherwise the
- * new value. */
+/* Changes one dimension or the mass of domino k, counted from 0. `value` is a factor if `times` is true, and
+ * otherwise the new value. */
 static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {

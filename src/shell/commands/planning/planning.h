@@ -13,7 +13,7 @@ struct probe {
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
     const struct parameter *parameter; /* NULL to leave all parameters as they are */
-    bool verdict;                      /* the answer is the verdict of the command as 1 or -1 */
+    bool verdict;                      /* the answer is the command's verdict: 1 for true, -1 for false */
     struct problem problem;            /* why the last evaluation gave no answer */
     bool wrong;                        /* the question has an error at every value of the parameter */
     struct quantity unit;              /* the unit of the last answer */
@@ -31,8 +31,8 @@ struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* search for changes of a verdict instead of a value */
-    struct quantity value; /* the value to solve for */
+    bool verdict;          /* search for the places where a verdict changes, not for a value */
+    struct quantity value; /* the value that the answer should have */
 };
 
 enum { ROOTS_MOST = 64, SCAN_POINTS = 241 };
@@ -80,8 +80,8 @@ bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Changes the gaps in the row of the scene to those of other dominoes and, if `sizes` is true, also the sizes
- * and the ratios of the masses. The row has `count` dominoes. */
+/* Gives the row of the scene the gaps of the dominoes `to` and, if `sizes` is true, also their sizes and mass
+ * ratios. Both have `count` dominoes. */
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 

@@ -16,14 +16,14 @@ const struct command design_commands[] = {
                    .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
      .help =
-         "'design' finds the gaps and the growth with which each domino but the first has at least 'safety' "
+         "'design' finds the gaps and the growth that give each domino but the first at least 'safety' "
          "times the energy that it needs, both in the endless train and in the row. The first domino, its h, "
          "d and q, friction, slope and push are those of the scene. WISHES, in any "
          "order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its last "
          "domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', 'boards "
          "9, 12, 15 mm' (the thicknesses to choose from; with 'effect walls 12 mm 30 cm' they are for the "
-         "solid dominoes), and 'grid 1 mm' for dimensions in whole mm; the row "
-         "still has the safety after rounding. The row with the fewest dominoes also has the least mass. "
+         "solid dominoes), and 'grid 1 mm' for dimensions in whole mm; the row still has the required safety "
+         "after rounding. The row with the fewest dominoes also has the least mass. "
          "'design 8 m falls 99 %' finds the smallest number of dominoes with which the row falls with this "
          "probability under the random errors of the scene, such as 'effect placement 3 mm'. The lower end "
          "of the 95 % interval must reach this probability. A table shows what fewer and more dominoes would "
@@ -64,8 +64,8 @@ const struct command design_commands[] = {
      .summary = "change the row so that it is most likely to fall",
      .help = "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
              "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES, in any "
-             "order, are: 'sizes', with which all dominoes but the first and the last change their sizes, "
-             "too, and keep their proportions; 'hall 20 m', the greatest length of the row with its last "
+             "order, are: 'sizes', to change the sizes of all dominoes but the first and the last, too, in "
+             "fixed proportions; 'hall 20 m', the greatest length of the row with its last "
              "domino fallen (by default the length that it has now); 'boards 9, 12, 15 mm', the thicknesses "
              "to choose from (with 'effect walls 12 mm 30 cm' they are for the solid dominoes); 'mass 50 "
              "kg', the greatest mass of a domino that changes; and 'grid 1 mm' for sizes and "

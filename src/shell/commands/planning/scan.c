@@ -104,8 +104,8 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps across the value, it differs from the value even at the point that the solver
-     * found. */
+    /* If the answer jumps past the wanted value, the solver finds a point at which the answer still differs
+     * from that value. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -146,7 +146,7 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
 {
     if (isnan(a.f) && isnan(b.f))
         return;
-    if (s->solve->verdict) { /* a point without a verdict counts as false */
+    if (s->solve->verdict) { /* a point without a verdict counts as a false verdict */
         if (holds(a.f) != holds(b.f))
             root_add(s, edge_between(s, holds(a.f) ? a.x : b.x, holds(a.f) ? b.x : a.x, holds),
                      holds(a.f) ? "true up to here" : "true from here on");

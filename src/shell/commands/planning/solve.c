@@ -193,7 +193,7 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
     const struct solve *v = s->solve;
     const char *name = v->parameter->name, *unit = v->parameter->value->unit, *question = v->question->name;
     const char *value = quad_text(v->value.value, 10);
-    const bool below = s->most.f < 0; /* the answer is below the value in the whole range */
+    const bool below = s->most.f < 0; /* the answer is below the wanted value in the whole range */
     const struct scan_point *nearest = below ? &s->most : &s->least;
     char range[192];
     unit = strcmp(unit, "h") == 0 ? "" : unit;
@@ -224,7 +224,7 @@ static bool scan_check(const struct scan *s, struct problem *problem)
     if (v->verdict || s->answers == 0)
         return true;
     if (!quantity_bare(v->value) && !quantity_alike(unit, v->value))
-        return problem_error(problem, "%s is %s, and VALUE is %s", v->question->name, expression_kind(unit),
+        return problem_error(problem, "%s is %s, but VALUE is %s", v->question->name, expression_kind(unit),
                              expression_kind(v->value));
     if (s->answers < 2 || s->most.f - s->least.f > (domq_real)1e-12 * size + 10 * tol * size)
         return true;

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 enum {
-    STEPS = 200, /* the range has this many small steps */
+    STEPS = 200, /* number of small steps in the range */
     COARSE = 5   /* a large step, and the distance between two points of the curve, in small steps */
 };
 

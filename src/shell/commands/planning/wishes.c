@@ -203,7 +203,7 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
             problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
     if (parsed->value[FALLS].argument &&
         !(quantity_bare(unit[FALLS]) && w->falls > 0 && w->falls <= FALLS_MOST))
-        return problem_error(problem, "'falls' is a probability up to 99.99 %%, as in 'falls 99 %%'");
+        return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
     if (parsed->value[MASS].argument &&
         !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
         return problem_error(problem, "the largest mass is in kg, as in 'mass 50 kg'");

@@ -193,7 +193,7 @@ bool plot_omega(const struct query *query, struct answer *a, struct chart *chart
     if (chart) {
         chart->y.low = 0;
         snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
-                 "the head, %.4g mm tall; the next is sqrt(r) times slower",
+                 "the head, %.4g mm tall; the next head is sqrt(r) times slower",
                  (double)(1000 * query->scene->scale.h));
     }
     return cycle_plot(&c, false, a, chart, problem);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot fall, speed and gaps: the energies and speeds along the row, and the ranges of gaps with which all
+/* plot fall, speed and gaps: the energies and speeds along the row, and the ranges of gaps at which all
  * dominoes fall. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
@@ -176,7 +176,7 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns the distance from a gap to the nearer end of its window, which is the range of gaps with which all
+/* Returns the distance from a gap to the nearer end of its window, which is the range of gaps at which all
  * dominoes fall. Returns infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {

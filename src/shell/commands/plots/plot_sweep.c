@@ -166,7 +166,7 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                : numbers && axis[1].count <= FAMILY                          ? 0
                                                                              : -1;
     if (!two && !numbers)
-        return problem_error(problem, "'%s' has words here, and a curve needs numbers along its axis",
+        return problem_error(problem, "'%s' has words here, but a curve needs numbers along its axis",
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
         return problem_error(problem,
@@ -206,7 +206,7 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
             problem, "a picture has up to %d answers over one parameter, or one answer over two", FAMILY);
     if (chart && shape.command->rows)
         return problem_error(problem,
-                             "'%s' answers with a table, and a picture needs one number for each point; use "
+                             "'%s' answers with a table, but a picture needs one number for each point; use "
                              "a command such as 'verdict', or 'print EXPRESSION'",
                              shape.command->name);
     return run_sweep(query, a, problem);

@@ -30,8 +30,9 @@ struct plot_rows {
     char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
     char unit[ANSWER_COLUMNS][24];
     struct plot_row {
-        double number[ANSWER_COLUMNS]; /* NaN for a word or a missing number; angles in the session's unit */
-        char word[32];                 /* the first cell as text, in the form that csv uses */
+        /* Angles are in the session's unit. A word, or a number that is missing, is NaN. */
+        double number[ANSWER_COLUMNS];
+        char word[32]; /* the first cell as text, in the form that csv uses */
     } * row;
     size_t count;
 };
@@ -40,8 +41,8 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    /* Key of the column with the unit and, for the x axis, the values. On the y axis, NULL stands for plain
-     * numbers. */
+    /* Key of the column that gives the unit of the axis and, for the x axis, also the values. On the y axis,
+     * NULL means that the numbers have no unit. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
     bool percent;      /* show the numbers as percentages */

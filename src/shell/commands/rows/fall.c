@@ -144,7 +144,7 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Stores the last domino that was hit, and updates the friction that feet need. */
+/* Stores the last domino that was hit, and updates the largest friction that a foot needs. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;

@@ -110,7 +110,7 @@ domq_real fall_share(const struct domq_fall *f)
 void weakest_say(struct answer *a, const struct domq_verdict *v)
 {
     if (v->weakest > 0 && isfinite(v->spare))
-        answer_say(a, "%s %zu has the least to spare: it has %s.",
+        answer_say(a, "%s %zu has the least energy to spare: it has %s.",
                    v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes before it, domino", v->weakest,
                    energy_words(v->spare + 1).text);
 }
@@ -138,8 +138,8 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return query_status(query, problem, status);
     if (engine)
-        return problem_no_answer(problem,
-                                 "the dominoes of this row have no size or no mass in double precision");
+        return problem_no_answer(
+            problem, "in double precision the size or the mass of a domino of this row is rounded to 0");
     return problem_no_answer(
         problem,
         "the dominoes of this row become larger or smaller than %s precision can represent; "

@@ -31,7 +31,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 bool row_run_tipped(const struct row_run *run, size_t k);
 
 /* A callback of domq_row_rmax, whose context is a scene. Fills in the row that the scene would have if its
- * growth were r, including the measures that the user has changed. */
+ * growth were r, including the values that the user has changed. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */

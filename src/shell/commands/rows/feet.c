@@ -63,9 +63,9 @@ static void slip_matters_say(struct answer *a, bool in_motion)
     answer_say(
         a,
         in_motion
-            ? "This answer is for feet that do not slip. If feet slip while dominoes fall, a row can stop "
+            ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a row can stop "
               "sooner than this answer says."
-            : "This answer is for feet that do not slip. A slip at the moment of a hit matters little: in a "
+            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little: in a "
               "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by at most 3 %% "
               "if the dominoes have a friction of 0.2, and by a tenth if they have none.");
 }

@@ -8,7 +8,7 @@
 const struct column mend_columns[] = {
     {"domino", "", "number of the domino after the gap", 6},
     {"gap", "m", "the present gap", 12},
-    {"to", "m", "the nearest gap with which all fall", 12},
+    {"to", "m", "the nearest gap at which all fall", 12},
     {"until", "m", "all fall with every gap between 'to' and 'until'", 12},
     {"change", "m", "to - gap", 12},
     {"relative", "share", "change / gap", 10},

@@ -120,7 +120,7 @@ static bool block_write(void *context, size_t block, FILE *out)
     char stops[STOPS_TEXT], errors[ERRORS_TEXT], *without = malloc(WITHOUT_TEXT);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* rows within a block are not computed in parallel, because whole blocks are */
+    p.parallel = NULL; /* the rows of a block use one thread, because blocks are computed in parallel */
     b->status = study_make(&b->scene->row, &b->scene->compute, &p, &study);
     if (!without)
         b->status = DOM_NO_MEMORY;

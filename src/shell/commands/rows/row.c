@@ -107,11 +107,10 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                                cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
-        answer_say(
-            a,
-            "All dominoes fall if r is at least %.6g; with a smaller growth the row ends earlier, as 'set "
-            "r 1; fall' shows.",
-            (double)growth.r_min);
+        answer_say(a,
+                   "All dominoes fall if r is at least %.6g; with a smaller r the row ends earlier, as 'set "
+                   "r 1; fall' shows.",
+                   (double)growth.r_min);
     return more;
 }
 
@@ -268,7 +267,7 @@ static bool change_bind(const struct question *q, const struct query *query, str
 
 enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
 
-/* Says that a measurement of domino k, counted from 1, has changed. */
+/* Prints what has changed in domino k, counted from 1. */
 static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
                        domq_real from, domq_real to)
 {
@@ -303,8 +302,8 @@ static void changes_say(const struct query *query, struct answer *a, const struc
     a->wrote_text = true;
 }
 
-/* Returns an array of one measurement of all dominoes of a row, which the caller frees. On failure, sets
- * *problem and returns NULL. */
+/* Returns an array with one measurement, such as the height, of each domino of a row, which the caller frees.
+ * On failure, sets *problem and returns NULL. */
 static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
                                 struct problem *problem)
 {
@@ -369,7 +368,7 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help = "For each gap up to the domino at which the row ends, 'mend' finds the nearest value with which "
+     .help = "For each gap up to the domino at which the row ends, 'mend' finds the nearest value at which "
              "all dominoes fall, and lists the smallest change first. If the row needs a push, the answer "
              "says so. The search tries 40 smaller and 40 larger values of each gap and then bisects; it can "
              "miss a range of gaps that is narrower than one step.",
@@ -398,7 +397,7 @@ const struct command row_commands[] = {
      .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
                   {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
-     .summary = "change the height, gap, mass or another measure of dominoes",
+     .summary = "change the height, gap, mass or another property of dominoes",
      .help =
          "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
          "thickness, width, gap (the gap before the domino), mass, radius (of the edges) or lean (how far "
@@ -406,7 +405,8 @@ const struct command row_commands[] = {
          "sign is added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in "
          "'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes "
          "taller, thicker or wider keeps the gaps beside it and its density, so it becomes heavier; its "
-         "other sizes stay. The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' "
+         "other sizes stay the same. The change lasts until another row is entered; 'save FILE' and 'row > "
+         "FILE.csv' "
          "keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",

@@ -89,7 +89,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the standard deviation of the gaps for this probability", 0},
+    {"sigma", "m", "the standard deviation of the gaps at which rows fall with this probability", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -126,15 +126,14 @@ static domq_real two_digits(domq_real sigma)
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* The parameters of a budget. */
+/* The arguments of 'budget'. */
 struct budget_call {
     const struct trials *trials;
     domq_real share;
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns the size of an error with its unit. For a budget of all errors, the size is a factor without a
- * unit. */
+/* Returns the size of an error with its unit or, for a budget of all errors, the factor for all errors. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
@@ -241,8 +240,9 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
         for (int i = 1; i < 4; i++)
             answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
     if (call->kind != DOM_ERROR_gap)
-        answer_describe(a, "sigma", NULL,
-                        "the size of the error, or the factor for all errors, for this probability");
+        answer_describe(
+            a, "sigma", NULL,
+            "the size of the error, or the factor for all errors, at which rows fall with this probability");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -343,7 +343,7 @@ const struct command study_commands[] = {
     {.name = "slip",
      .synonyms = "foot feet slide slippery ground",
      .train = true,
-     .summary = "the friction of the floor with which no foot slips",
+     .summary = "the friction of the floor at which no foot slips",
      .help = "Finds the largest friction that the foot of any moving domino needs during the cycle: while "
              "dominoes fall, and separately at the moment of a hit.",
      .example = "effect floor 0.5; slip",

@@ -14,7 +14,7 @@ const struct column placement_columns[] = {
     {"probability", "share", "fall / rows", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"high", "share", "the upper end of the 95 % interval of the probability", 0},
-    {"unknown", "", "the number of rows that the model cannot decide, which widen the interval", 0},
+    {"unknown", "", "the number of rows that the model cannot decide; they widen the interval", 0},
     {"stops_most", "", "the domino at which most of the failed rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
@@ -135,7 +135,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     if (*text)
         answer_say(a, "The others stop at domino %s.", text);
     causes_say(a, s);
-    if (answer_for_people(a)) /* sentences give the values of these columns */
+    if (answer_for_people(a)) /* sentences show these values, so the columns are left out */
         answer_leave_out(a, "errors costs_most without stops_there");
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,

@@ -18,19 +18,19 @@ const struct column tolerance_columns[] = {
     {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"gap_high", "m", "the largest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"height", "m", "height of the domino", 8},
-    {"height_low", "m", "the smallest height with which all fall", 10},
+    {"height_low", "m", "the smallest height at which all fall", 10},
     {"height_high", "m",
-     "the largest height with which all fall; the search ends at 4 times the present height", 11},
+     "the largest height at which all fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
-    {"thickness_low", "m", "the smallest thickness with which all fall", 10},
+    {"thickness_low", "m", "the smallest thickness at which all fall", 10},
     {"thickness_high", "m",
-     "the largest thickness with which all fall; the search ends at 4 times the present thickness", 11},
+     "the largest thickness at which all fall; the search ends at 4 times the present thickness", 11},
     {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
-    {"lean_low", "m", "the smallest lean with which all fall (negative: backwards)", 8},
-    {"lean_high", "m", "the largest lean with which all fall (negative: backwards)", 9},
-    {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
+    {"lean_low", "m", "the smallest lean at which all fall (negative: backwards)", 8},
+    {"lean_high", "m", "the largest lean at which all fall (negative: backwards)", 9},
+    {"friction_low", "", "the smallest friction between dominoes at which all fall", 8},
     {"friction_high", "",
-     "the largest friction between dominoes with which all fall; the search ends at 2, or at 4 times the "
+     "the largest friction between dominoes at which all fall; the search ends at 2, or at 4 times the "
      "present friction",
      8},
     {"first", "", "whether this domino has the least room of all: in its 'place', its 'height' or 'both'", 6},
@@ -48,7 +48,7 @@ static domq_real room(const struct domq_window *w)
 
 /* Returns the number of the domino whose current value is closest to an end of its window, or 0 if there are
  * no windows. This domino has the least room if the row falls, and needs the smallest change if it does not.
- * Distances from the end are divided by the current value for heights and thicknesses. */
+ * For heights and thicknesses, the distance is divided by the current value. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -319,11 +319,11 @@ enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
 {
-    if (answer_for_people(a)) /* sentences describe the windows of these columns */
+    if (answer_for_people(a)) /* sentences describe these windows, so the columns are left out */
         answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
                             "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)
-        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window must have the same unit */
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window get the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
             answer_largest(a, tolerance_columns[3 * i + 2].key, high);
             answer_largest(a, tolerance_columns[3 * i + 3].key, high);

@@ -151,7 +151,7 @@ bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const 
             return false;
         listed += parsed->axis[i].count;
         if (axis->count > most / grid->points)
-            return problem_error(problem, "the grid has more than %zu points; enter smaller N", most);
+            return problem_error(problem, "the grid has more than %zu points; enter a smaller N", most);
         grid->points *= axis->count;
     }
     return true;

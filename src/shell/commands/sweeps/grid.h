@@ -44,7 +44,7 @@ bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                domq_real *listed, struct grid *grid, struct problem *problem);
 
-/* Returns value k of an axis, counted from 0. */
+/* Returns the value of an axis with index k. */
 domq_real axis_value(const struct axis *axis, size_t k);
 
 /* Returns a value of an axis as a cell. */

@@ -55,8 +55,8 @@ struct sweeper {
 };
 
 /* Makes the columns of the sweep: one for each parameter of the grid, and then those of the answer. Leaves
- * out a column in which the command only repeats a parameter of the grid, and a column that takes much longer
- * to compute than the others. Sets *problem and returns false if there are too many columns. */
+ * out columns that only repeat a parameter of the grid, and columns that take much longer to compute than the
+ * others. Sets *problem and returns false if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Computes the values of the parameters at point k. */

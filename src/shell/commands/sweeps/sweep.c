@@ -124,7 +124,7 @@ struct sweep_shape sweep_shape(const struct arguments *given)
 
 /* ---- The answer ---- */
 
-/* Announces the values of the grid to the answer, because the units of its columns depend on them. */
+/* Tells the answer the values of the grid, from which the answer chooses the units of the grid's columns. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
