@@ -89,7 +89,7 @@ END
             "$(($(grep -ao 'IEND' frames | wc -l) - 20))"
         rm a.$ending
         run -1 env PATH="$PWD/none" "$DOMINO" --keep-going -e "effect row 5; animate a.$ending"
-        [[ $output == *".$ending needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif"* ]]
+        [[ $output == *".$ending needs ffmpeg, which is not installed; run 'apt install ffmpeg', or use a name that ends in .gif"* ]]
     done
     printf '#!/bin/sh\ncat >/dev/null\necho "Unknown encoder" >&2\nexit 1\n' >bin/ffmpeg
     run -1 env PATH="$PWD/bin:$PATH" "$DOMINO" --keep-going -e 'effect row 5; animate a.mp4 speed 10'

@@ -106,7 +106,7 @@ record="effect row \"$root/examples/record.csv\""
     mkdir "$dir/empty"
     for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
         run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
-        [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+        [[ ${lines[0]} == *"pictures need gnuplot, which is not installed; run 'apt install gnuplot-nox'"* ]]
         same "$what: the session goes on" 1 "${lines[1]}"
         rows=$(env PATH="$dir/empty" "$DOMINO" -e "set output csv; ${what%% >*}")
         same "$what: data" "$(csv "${what%% >*}")" "$rows"

@@ -73,7 +73,7 @@ check=$root/tests/derivations/check.py
         fi
     done
     run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e 'explain launch > none.pdf'
-    [[ $stderr == *"needs pdflatex, which is not installed: 'apt install texlive-latex-base'"* ]] && [ ! -e none.pdf ]
+    [[ $stderr == *"needs pdflatex, which is not installed; run 'apt install texlive-latex-base'"* ]] && [ ! -e none.pdf ]
     # If pdflatex fails, as this fake one does, its message is shown and no files are left.
     mkdir -p bin temporary
     printf '#!/bin/sh\necho "! no such font" >&2\nexit 1\n' >bin/pdflatex

@@ -64,7 +64,7 @@ END
     printf 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 0.1\n10, 1.2,\n' >some.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n60, 1.2\n' >wide.csv
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
-    wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; the first line names gap \(mm\), speed \(m/s\), and, if known, error"
+    wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; each line after the first must describe one measured row, and the first line must name gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
     wrong 'fit friction one.csv' 'one.csv has only one gap, .*add a second gap'
     wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would be 9 m; write 'gap \(mm\)'"
@@ -72,7 +72,7 @@ END
     wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
     wrong 'fit friction wide.csv' 'the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'
     printf 'Spacing [mm];front [cm/s]\n9;130,5\n' >front.csv
-    wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line names gap"
+    wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line must name gap"
     wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit slope one.csv' 'one.csv has only one gap, and any value of slope may fit it'

@@ -83,6 +83,6 @@ END
     answer=$(json 'rmax; count 112; set q hollow; rmax 0.1')
     same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"
     close ans 1.59459196 "$(json 'rmax; print ans.r_start' | values value)" 1e-8
-    wrong 'print rmax.r_start' "rmax.r_start is not available in expressions, because it takes long to compute; enter 'rmax', and then 'ans.r_start'"
+    wrong 'print rmax.r_start' "rmax.r_start is not available in expressions, because it takes a long time to compute; enter 'rmax', and then 'ans.r_start'"
     grep -q '"r_start":null,"reason":"r_start has no value: a row that starts with a first domino' <<<"$answer"
 }

@@ -231,7 +231,7 @@ END
     done
     for what in "plot fall > a.svg" 'plot growth > a.png'; do
         run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e "effect row 4; $what"
-        [[ $stderr == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+        [[ $stderr == *"pictures need gnuplot, which is not installed; run 'apt install gnuplot-nox'"* ]]
     done
     "$DOMINO" --safe -e 'plot growth' >/dev/null
     run -1 "$DOMINO" --keep-going --safe -e 'plot growth > a.svg'

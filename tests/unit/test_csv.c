@@ -169,14 +169,14 @@ TEST(units)
 TEST(names)
 {
     static const struct reading cases[] = {
-        {"",
-         "1:1: the file has no things; the first line names size, gap, and each line after it is one thing"},
+        {"", "1:1: the file has no things; each line after the first must describe one thing, and the first "
+             "line must name size, gap"},
         {"# only\n\n", "3:1: the file has no things"},
         {"size (m),gap (m)\n", "2:1: the file has no things"},
         {"size", "1:1: there is only one column"},
         {"siz,gap", "1:1: unknown column 'siz'; did you mean 'size'?"},
         {"size,gap,é,coun", "1:12: unknown column 'coun'; did you mean 'count'?"},
-        {"size,other", "1:1: the column 'gap' is missing; the first line names size, gap"},
+        {"size,other", "1:1: the column 'gap' is missing; the first line must name size, gap"},
         {"size,gap,length",
          "1:10: 'length' means the size, which is also in column 1; rename one of these columns"},
         {"1,2",

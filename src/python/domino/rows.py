@@ -170,7 +170,7 @@ class Row:
         separator = next((c for c in ";\t" if lines and c in lines[0]), ",")
         rows = [row for row in csv.reader(lines, delimiter=separator) if any(map(str.strip, row))]
         if len(rows) < 2:
-            raise ValueError(f"{path}: no row of dominoes; the first line names the columns, each line after it is a domino")
+            raise ValueError(f"{path}: no row of dominoes; the first line must name the columns, and each line after it describes a domino")
         if separator != ",":
             rows[1:] = [[cell.replace(",", ".") for cell in row] for row in rows[1:]]
         names = [cell.strip() for cell in rows[0]]

@@ -50,7 +50,7 @@ static bool conversion_find(struct problem *problem, const char *name, struct co
         return true;
     return problem_error(problem,
                          close ? "'%s' is not a unit; did you mean '%s'?"
-                               : "'%s' is not a unit; for example 'print 112 m to ft'",
+                               : "'%s' is not a unit; enter for example 'print 112 m to ft'",
                          names_shown(name), close);
 }
 
@@ -216,8 +216,9 @@ bool definition_parse(struct reader *r, struct question *q)
     r->at = skip_blanks(value);
     reader_place(r, r->at);
     if (command_ends(r->at))
-        return problem_error(r->problem, "the value of '%s' is missing; for example 'let %s = 0.9*rmax'",
-                             v->name, v->name);
+        return problem_error(r->problem,
+                             "the value of '%s' is missing; enter for example 'let %s = 0.9*rmax'", v->name,
+                             v->name);
     if (v->count > 0)
         return body_parse(r, v);
     struct argument *a = reader_memory(r, sizeof *a);

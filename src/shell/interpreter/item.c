@@ -332,9 +332,10 @@ const struct assignment *assignments_parse(struct reader *r)
         r->at = skip_blanks(r->at + (*r->at == '='));
         reader_place(r, r->at);
         if (reader_ends(r)) {
-            problem_error(r->problem,
-                          "the value of %s after 'with' is missing, as in 'rmax with q hollow d 0.1'",
-                          p->name);
+            problem_error(
+                r->problem,
+                "the value of %s after 'with' is missing; enter for example 'rmax with q hollow d 0.1'",
+                p->name);
             return NULL;
         }
         a->parameter = p;

@@ -99,10 +99,11 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     snprintf(what, sizeof what, "key of %s", c->name);
     const bool is_ans = strcmp(t->name, "ans") == 0;
     if (!is_ans && t->key && c->alone && strcmp(t->key, c->alone) == 0)
-        return fail(r, t,
-                    "%s.%s is not available in expressions, because it takes long to compute; enter '%s', "
-                    "and then 'ans.%s'",
-                    c->name, t->key, c->name, t->key);
+        return fail(
+            r, t,
+            "%s.%s is not available in expressions, because it takes a long time to compute; enter '%s', "
+            "and then 'ans.%s'",
+            c->name, t->key, c->name, t->key);
     int index = t->key ? names_find(is_ans ? answer_keys : command_keys, c, what, t->key, message)
                        : command_principal(c);
     if (index < 0)

@@ -167,9 +167,10 @@ static bool head_read(struct csv_table *csv)
         kind = kind->otherwise;
     kind = csv->kind = kind ? kind : csv->kind;
     if (csv->head.cells == 1)
-        return csv_wrong(&csv->file, csv->head.at,
-                         "there is only one column; the first line names %s, separated by ',', ';' or tabs",
-                         kind->names);
+        return csv_wrong(
+            &csv->file, csv->head.at,
+            "there is only one column; the first line must name %s, separated by ',', ';' or tabs",
+            kind->names);
     if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
         csv->row = csv->head;
         csv->is_read_ahead = true;
@@ -193,8 +194,9 @@ static bool head_read(struct csv_table *csv)
             CSV_OTHERS_MOST);
     for (int k = 0; k < kind->columns && good; k++)
         if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
-            return csv_wrong(&csv->file, csv->head.at, "the column '%s' is missing; the first line names %s",
-                             kind->column[k].name, kind->names);
+            return csv_wrong(&csv->file, csv->head.at,
+                             "the column '%s' is missing; the first line must name %s", kind->column[k].name,
+                             kind->names);
     return good && (csv->is_read_ahead || units_read(csv));
 }
 
@@ -365,9 +367,11 @@ bool csv_next(struct csv_table *csv)
     const struct csv_kind *kind = csv->kind;
     if (!row_read(csv)) {
         if (!*csv->file.problem.text && csv->rows == 0)
-            csv_wrong(&csv->file, csv->file.at,
-                      "the file has no %s; the first line names %s, and each line after it is one %s",
-                      kind->items, kind->names, kind->item);
+            csv_wrong(
+                &csv->file, csv->file.at,
+                "the file has no %s; each line after the first must describe one %s, and the first line must "
+                "name %s",
+                kind->items, kind->item, kind->names);
         return !*csv->file.problem.text && csv_marks_check(&csv->file) && false;
     }
     if (csv->rows == kind->rows_most)

@@ -116,7 +116,7 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
         return expression_wrong(
             e->error, exponent->op_at,
-            "an exponent has no unit, and is a whole number if the value before '^' has a unit");
+            "an exponent must have no unit, and must be a whole number if the value before '^' has a unit");
     int n = whole ? (int)by.value : 0;
     *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
                            n * q->mass};

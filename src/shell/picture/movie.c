@@ -37,10 +37,10 @@ bool movie_named(const char *path, struct problem *problem)
                              "'%s' is not the name of an animation: use the extension .gif, .webm or .mp4",
                              names_shown(path));
     return !kind->ffmpeg || program_exists("ffmpeg") ||
-           problem_error(
-               problem,
-               "%s needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif",
-               kind->ending);
+           problem_error(problem,
+                         "%s needs ffmpeg, which is not installed; run 'apt install ffmpeg', or use a name "
+                         "that ends in .gif",
+                         kind->ending);
 }
 
 bool movie_begin(struct movie *m, const char *path, const struct stage *stage, size_t frames, int delay,

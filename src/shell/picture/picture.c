@@ -115,8 +115,8 @@ bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
 bool gnuplot_ready(struct problem *problem)
 {
     return program_exists("gnuplot") ||
-           problem_error(problem, "pictures need gnuplot, which is not installed: 'apt install "
-                                  "gnuplot-nox'; 'set output csv' gives the data");
+           problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
+                                  "gnuplot-nox', or enter 'set output csv' for the data");
 }
 
 bool picture_begin(struct picture *p, FILE *out, const char *terminal, const volatile sig_atomic_t *interrupt,

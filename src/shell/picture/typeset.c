@@ -13,8 +13,8 @@ enum { PATH_TEXT = 256 };
 bool typeset_ready(struct problem *problem)
 {
     return program_exists("pdflatex") ||
-           problem_error(problem, "a .pdf document needs pdflatex, which is not installed: 'apt install "
-                                  "texlive-latex-base'; a .txt, .md or .tex file can be written without it");
+           problem_error(problem, "a .pdf document needs pdflatex, which is not installed; run 'apt install "
+                                  "texlive-latex-base', or write a .txt, .md or .tex file");
 }
 
 /* Returns the path of one of the document's files, which are in `folder`. */

@@ -118,7 +118,7 @@ bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t
         snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
     return problem_no_answer(problem,
                              "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
-                             "%.4g deg; for example 'effect slope %s'",
+                             "%.4g deg; enter for example 'effect slope %s'",
                              which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
                              scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
                              example);
@@ -154,10 +154,10 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
             domq_dynamics(t)->name, domq_dynamics(t)->name);
     if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
-        return problem_no_answer(
-            problem, "%s of %.3g; 'set precision %s' gives more digits, and 'set tol' accepts fewer",
-            dom_status_text(status), (double)scene->compute.tol,
-            scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+        return problem_no_answer(problem,
+                                 "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
+                                 dom_status_text(status), (double)scene->compute.tol,
+                                 scene->compute.precision == DOM_FLOAT ? "double" : "quad");
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     if (status == DOM_NO_ROOM)

@@ -87,8 +87,8 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
     reader_place(r, r->at);
     const char *begin = r->at;
     if (reader_ends(r))
-        return problem_error(r->problem,
-                             "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
+        return problem_error(
+            r->problem, "the command after ':' is missing; enter for example 'sweep s 0.1 0.9 9 : rmax'");
     r->stops = ",";
     bool is_good = answer_parse(r, &s->question.question);
     s->typed = s->question.question.name;
