@@ -460,7 +460,7 @@ struct dom_error {
 /*
  * The random errors of a row. A domino keeps its density, so its mass changes with its height and its
  * thickness. Dominoes that would overlap are placed so that they touch. No error makes a size smaller than
- * 1/100 of its value. A domino that would fall over by itself gets the largest lean with which it stands. A
+ * 1/100 of its value. A domino that would fall over by itself gets the largest lean at which it stands. A
  * friction or a push that would be negative becomes 0. Errors of radii have an effect only with rounded
  * edges, errors of the floor only with an engine, and errors of the push only with a push.
  */

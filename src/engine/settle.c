@@ -25,7 +25,7 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
  * less than half of its largest angular velocity, or the foremost box has stopped far from its balance.
  *
  * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges, which
- * were run again with finer steps. Whenever all boxes fell and none slowed down to less than 0.41 of its
+ * were run again with finer steps. Whenever all boxes fell and none slowed down to less than 0.41 times its
  * largest angular velocity, all boxes fell with finer steps, too. In 1,400 rows the foremost box stopped
  * after less than a quarter of the way to its balance; only one of these rows fell with finer steps. On
  * hinges a stop is never certain: the run ends soon after the foremost box has turned back, although the box

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
- * theta is the tilt of its head. A domino at z has its follower at f(z), which is a power series as well, so
- * that
+ * theta is the tilt of its head. The follower of a domino at z is at f(z), which is a power series as well.
+ * Therefore
  *
  *     H(z) = h(z) + r^-q H(f(z)),
  *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.

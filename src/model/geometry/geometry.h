@@ -42,7 +42,7 @@ struct far {
  * The far tail of a train, in the sums A, B and C of struct equation_of_motion. Let domino i be the first
  * domino of the tail, at theta_inf - e, and let m = r^-(q+1)i S_i. The tail contributes m theta_i' A(e) to A,
  * m [theta_i'^2 B(e) + theta_i'' A(e)] to B, and r^-qi S_i C(e) to C. Each array holds a value and two
- * derivatives at theta_inf, so that for instance
+ * derivatives at theta_inf. For instance,
  *
  *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
  */
@@ -109,8 +109,8 @@ struct geometry {
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* the number of dominoes from this one to the end of the chain */
-    /* The geometry of the follower in a row. NULL in a train, which is self-similar, so that this geometry
-     * holds for all of its dominoes. */
+    /* The geometry of the follower in a row. NULL in a train: it is self-similar, so this geometry holds for
+     * all of its dominoes. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
     /* The largest gap that a head reaches, relative to its height: 1 unless its edges are rounded. */

@@ -22,7 +22,7 @@ struct request {
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* defined in joint.h, for each precision */
+struct block; /* struct block is defined in joint.h, once for each precision */
 
 /* A row, and how to compute: members of struct dom_row and of struct dom_compute. */
 struct row_request {

@@ -255,7 +255,7 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 
 /*
  * Returns theta_inf, at which a follower leans as much as its leader: the right side of the contact equation
- * is 0. Up to pi/2 this side decreases and is concave, so that Newton's method converges. It starts from the
+ * is 0. Up to pi/2 this side decreases and is concave, so Newton's method converges. It starts from the
  * tilt for sharp edges. *slope receives the slope of the follower at theta_inf.
  */
 static real rounded_inf(const struct geometry *geometry, real *slope)
@@ -280,8 +280,8 @@ static real rounded_inf(const struct geometry *geometry, real *slope)
 /*
  * Finds the tilt of the leader at which a follower detaches: the root of the follower's slope, which
  * decreases and is negative at hi. Newton's method starts from the tilt for sharp edges and is kept inside a
- * bracket. The slope is NaN where there is no contact. Returns the tilt of the follower, which has its
- * maximum there, so that the last step changes it only by a term of second order.
+ * bracket. The slope is NaN where there is no contact. Returns the tilt of the follower. This tilt has its
+ * maximum there, so the last step changes it only by a term of second order.
  */
 static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {

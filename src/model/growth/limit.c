@@ -108,7 +108,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 }
 
 /* The limit for the number of dominoes visited in all passes of a search that solves an equation of motion.
- * In such a search each domino takes four times as long as in others. */
+ * In such a search each domino takes four times as long as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

@@ -5,7 +5,7 @@
  * growths, called a strip, is passed only if K > B is known everywhere in it, or if the margin is known to
  * decrease at each of its roots in the strip. For other trains, and for pairs, probe.c adds samples wherever
  * the curvature of the margin leaves room for a sign change between two samples. For endless trains without
- * friction, it first finds a root near an estimate, so that its samples only look for a smaller root.
+ * friction, it first finds a root near an estimate, so its samples only look for a smaller root.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -23,7 +23,7 @@ struct edge {
  * KNOWN_TO_FALL means that the margin has at most one root between them, and decreases at that root. */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 
-/* Finds the bounds for all growths between lo and hi. */
+/* Finds the bounds of struct strip for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
 /* Finds what is known about the margin between lo and hi. If hi->margin.kinetic is NaN and the margin at hi

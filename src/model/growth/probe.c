@@ -15,8 +15,8 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples while r increases by a factor of e, up to 0.9 of the reach. One more sample is at the
- * reach. */
+/* The number of samples while r increases by a factor of e, up to 0.9 times the reach. One more sample is at
+ * the reach. */
 #define PROBE_PER_E 5
 
 /* Returns sample k of r, between 1 and the reach. If k exceeds the number of the last sample, returns the

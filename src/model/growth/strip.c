@@ -276,7 +276,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     const real half_top = strip_top(lo, hi, at.lo);
     sums.tilt = 2 * atan(half_top);
     const struct between first = at;
-    /* true if no domino of the train at lo gets beyond theta_u, so that this train has no fuel */
+    /* true if no domino of the train at lo gets beyond theta_u; this train then has no fuel */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,

@@ -50,8 +50,8 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* For a segment that locks at hi: finds whether the motion slows down before hi (*braked is true), so that no
- * motion reaches hi. */
+/* For a segment that locks at hi: sets *braked to true if the motion slows down before hi; then no motion
+ * reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */

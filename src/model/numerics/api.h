@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. Some sources are compiled as they are, so that dom_real is
+ * The public API for the sources of the library. Some sources are compiled as they are, with dom_real as
  * double. Others are compiled with DOMQ defined, which replaces every name of domino.h by the name of
  * domino_quad.h (domq_names.h has lines such as "#define dom_train domq_train"). The rest are compiled in
  * both ways.

@@ -29,11 +29,11 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has died out, that is, if its last terms are below the tolerance. Stores the
+ * Returns true if the series has converged, that is, if its last terms are below the tolerance. Stores the
  * largest absolute value of these terms in *left. Terms never fall below the noise of the function values, or
  * below a few units of rounding.
  */
-static bool series_died(const real *series, real tol, real noise, real *left)
+static bool series_converged(const real *series, real tol, real noise, real *left)
 {
     real size = 0;
     *left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
@@ -65,7 +65,7 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
 }
 
 /* Computes one panel, at whose left end the solution is ln_G and v. Returns false if the panel is too wide
- * for its series to die out. If f fails, sets *status to NUM_NOT_FINITE and returns false as well. */
+ * for its series to converge. If f fails, sets *status to NUM_NOT_FINITE and returns false as well. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
@@ -79,7 +79,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     /* The solution contains exp(ln G), so ln G needs an absolute tolerance, not a relative one. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
-    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
+    if (!series_converged(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
         return false;
     series_integral(series, N, half, ln_G, panel->ln_G);
     for (int j = 0; j < N; j++) {
@@ -88,7 +88,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         shrunk = fmax(shrunk, by);
     }
     series_of(node, at.c, N, series);
-    if (!series_died(series, tol, at.c_noise * shrunk, &of_c))
+    if (!series_converged(series, tol, at.c_noise * shrunk, &of_c))
         return false;
     series_integral(series, N, half, v, panel->v);
     s->ln_G_error += half * of_p;

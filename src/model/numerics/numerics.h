@@ -79,8 +79,8 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  *
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
- * Both integrals are Chebyshev series on panels, which are halved until the series of p and c / G have died
- * out. The solution is as precise between the nodes as at the nodes, so that searches for maxima, roots and
+ * Both integrals are Chebyshev series on panels, which are halved until the series of p and c / G have
+ * converged. The solution is as precise between the nodes as at the nodes, so searches for maxima, roots and
  * times need no further steps. GSL's odeiv2 computes only in double precision and for one initial value at a
  * time. On the equations of a benchmark, it needs 13917 evaluations with rk8pd, and this code needs 6880.
  */
@@ -125,7 +125,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
 
 /*
  * A rough solution from x = 0 to hi. It consists of a single panel and takes only ROUGH evaluations, so its
- * series need not have died out. The errors are absolute, and estimated from the last terms.
+ * series may not have converged. The errors are absolute, and estimated from the last terms.
  */
 enum { ROUGH = 8 };
 struct num_rough {

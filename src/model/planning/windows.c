@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds windows. The window of a value of a row (a gap, a position, a height, a thickness, a lean or the
- * friction) is the range in which it may change so that all dominoes still fall. */
+ * friction) is the range of its values at which all dominoes still fall. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 

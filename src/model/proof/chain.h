@@ -3,7 +3,7 @@
  * Describes a train for all growths in an interval, and its dominoes for all tilts in an interval.
  *
  * A tilt theta is represented by v = 1 - cos theta, which is 0 for an upright domino and increases with
- * theta. The sine is sqrt(v (2 - v)), so that no function of libm is needed.
+ * theta. The sine is sqrt(v (2 - v)), so no function of libm is needed.
  *
  * Monotonicity. If a domino has the tilt theta, its follower has the tilt theta_1(theta, r) = theta + asin X,
  * where X = r (L cos theta - d). theta_1 increases with theta up to min(theta_leave, theta_inf). At larger
@@ -66,7 +66,7 @@ struct contact {
     struct span x;     /* sin theta_i */
     struct span step;  /* dF/dtheta */
     struct span shift; /* dF/dr */
-    /* true if theta_i is beyond theta_leave in the whole box, so that the follower stays at theta_f */
+    /* true if theta_i is beyond theta_leave in the whole box; the follower then stays at theta_f */
     bool held;
     bool may_hold; /* true if theta_i may be beyond theta_leave in a part of the box */
 };

@@ -22,7 +22,7 @@ struct upright {
     struct growth growth;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
     int n;             /* sums run over dominoes 0 ... n - 1; bounds on the remainders are added */
-    /* true if all dominoes from n on stay at theta_f during the cycle, so that remainders are 0 */
+    /* true if all dominoes from n on stay at theta_f during the cycle; remainders are then 0 */
     bool exact_end;
     double g_last; /* lower bound on h - 1 for all dominoes from n on */
     /* upper bound on the sum of (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)) over i >= n */

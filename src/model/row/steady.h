@@ -32,9 +32,9 @@ KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct d
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
-/* Runs the last head of a row whose previous heads repeat one motion, so that their geometry was never filled
- * in. The last head is computed as if the row ended at the last domino that has a geometry. Returns false if
- * this shorter row has too few equal dominoes at its end. */
+/* Runs the last head of a row in which the previous heads repeat one motion, and their geometry was therefore
+ * never filled in. The last head is computed as if the row ended at the last domino that has a geometry.
+ * Returns false if this shorter row has too few equal dominoes at its end. */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
 
