@@ -514,7 +514,7 @@ struct dom_best_error {
 
 struct dom_best {
     dom_real s;     /* the separation that allows the largest growth */
-    dom_real r_max; /* the largest growth at this separation */
+    dom_real r_max; /* the largest growth at the separation s */
     struct dom_best_error error;
 };
 

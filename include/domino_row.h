@@ -382,7 +382,7 @@ struct dom_wish {
     dom_real hall;
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
-    const struct dom_engine *engine; /* the row must also fall in this engine; may be NULL */
+    const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train, and masses
      * are those of blocks and of boxes that are half as wide as they are tall. */
     dom_real walls, boxes_above;
@@ -479,7 +479,8 @@ struct dom_study {
     /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). Undecided rows
      * widen the interval. */
     size_t unknown;
-    double low, high; /* 95 % interval of the probability that all dominoes fall (Clopper and Pearson) */
+    /* 95 % confidence interval (Clopper and Pearson) for the probability that all dominoes fall */
+    double low, high;
 };
 
 /*

@@ -41,7 +41,7 @@ struct equation_of_motion {
 
 /* A compensated sum, with bounds on its next terms. */
 struct series {
-    real sum, size; /* sum of the terms, and of their absolute values */
+    real sum, size; /* sum of the terms, and sum of their absolute values */
     real lost;      /* the sum of the rounding errors so far, to be added at the end */
     /* Upper bounds on the next term, and on the ratio of each later term to the term before it. */
     real next, ratio;

@@ -12,7 +12,7 @@
 /* The motion of a chain: tau^2 omega^2 and tau^2 times the angular acceleration of its head. */
 struct kinematics {
     real omegasq, acceleration;
-    size_t n; /* number of dominoes that contribute */
+    size_t n; /* number of dominoes that contribute to the sums */
     /*
      * If `hit` is true, the motion begins with a collision at this moment. `omega` is then tau times the
      * angular velocity of the head just after the collision. The collision reduces tau times the angular

@@ -58,7 +58,7 @@ struct search {
     struct shape shape;
     struct chance chance;
     const struct dom_compute *compute;
-    const struct dom_placement *placement; /* the rows that decide */
+    const struct dom_placement *placement; /* the rows that decide whether a result is kept */
     /* the width of the smoothing for each margin on the current level */
     double *width;
     /* the dominoes of the row that is evaluated, of a varied row, and of the best row so far */
