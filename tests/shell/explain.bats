@@ -162,7 +162,7 @@ effect row "$root/examples/record.csv"; effect push 3|8|J
 END
     run -1 "$DOMINO" -e 'set q hollow; set s 0.1; set r 1.2; effect row 5; explain verdict'
     grep -q 'this row ends at domino 1 for a reason other than its energy: it touches the next' <<<"$output"
-    ! "$DOMINO" -e 'effect row 6; explain verdict' | grep -q 'This is the endless train'
+    ! "$DOMINO" -e 'effect row 6; explain verdict' | grep -q 'about the endless train'
     # Without a row the verdict is that of the train.
     same train "$(json 'explain why')" "$(json 'explain verdict')"
 }

@@ -30,7 +30,7 @@ enum argument_kind {
     ARGUMENT_WORD,      /* any word, or a text in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
-    /* Arguments that are parsed by their member `parse`: */
+    /* Arguments with a parser of their own, the member `parse`: */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
     ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
     ARGUMENT_WORDS,   /* all remaining words and values of the command */
@@ -53,7 +53,7 @@ struct argument {
     int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Functions for the last four kinds above; NULL for other kinds. `parse` stores its result in
+    /* Functions for ARGUMENT_GRID to ARGUMENT_UNIT; NULL for other kinds. `parse` stores its result in
      * question->parsed. `bind` evaluates this result in the state of the query, and stores the values in
      * given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
@@ -95,8 +95,8 @@ struct command {
     /* The name of a parameter whose value the answer repeats in a column, or NULL. A sweep over this
      * parameter omits the column, unless an argument of the command takes the place of the parameter. */
     const char *echo;
-    /* The key of the last column, if its number takes much longer to compute than the other numbers, and
-     * otherwise NULL. Sweeps and expressions leave this column out. */
+    /* The key of the last column if the number in this column takes much longer to compute than the others.
+     * Sweeps and expressions leave this column out. Otherwise NULL. */
     const char *alone;
     /* the reason why 'sweep' refuses the command, although it computes something; or NULL */
     const char *unswept;

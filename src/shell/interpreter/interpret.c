@@ -12,7 +12,8 @@
 
 /* ---- Answers ---- */
 
-#define TRAIN_NOTE "the endless train with these parameters, and not the row: 'fall' runs the row."
+#define TRAIN_NOTE                                                                                           \
+    "about the endless train with these parameters, and not about the row: 'fall' runs the row."
 
 /* Tells the user that the answer is about the endless train, and not about the row of the scene. This note
  * goes below the answer, or to standard error if the answer is a picture in a file. */
@@ -20,9 +21,9 @@ static void train_note(const struct session *session, struct answer *answer)
 {
     const char *note =
         scene_has_engine(&session->state.scene)
-            ? "(This is the endless train in the model, with feet on hinges and without bounce: "
+            ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
               "'fall' and 'rowmax' run the row in the rigid-body engine.)"
-            : "(This is " TRAIN_NOTE ")";
+            : "(This answer is " TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
     if (answer->path && ending_of(answer->path)->kind == ENDING_SHEET)

@@ -47,9 +47,9 @@ void progress_show(double fraction);
 /* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise such calls take
- * effect again. A thread is muted while its work is only a part of the work whose progress is shown.
- * Returns the previous setting. */
+/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise such calls take effect
+ * again. A thread that computes only a part of the work is muted, because its calls would show the progress
+ * of that part. Returns the previous setting. */
 bool progress_mute(bool mute);
 
 #endif

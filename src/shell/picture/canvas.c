@@ -231,8 +231,8 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. `now` is the ink that the terminal is using. Returns the ink that it is using after the
- * cell. */
+/* Writes a cell. `now` is the ink that the terminal is using before the cell. Returns the ink that the
+ * terminal is using after the cell. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

@@ -51,8 +51,7 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, turns off the earlier row, if there is
- * one, and reports this, too. Otherwise, later commands would silently compute answers for the earlier row.
- */
+ * one, and reports this, too: if that row stayed on, later commands would silently compute answers for it. */
 bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
                     struct problem *problem);
 

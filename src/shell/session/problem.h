@@ -8,7 +8,7 @@
 
 enum problem_kind {
     PROBLEM_NONE,
-    PROBLEM_WRONG,     /* the line is wrong for any values of the parameters */
+    PROBLEM_WRONG,     /* the line is wrong, whatever the values of the parameters */
     PROBLEM_NO_ANSWER, /* there is no answer for the current values; a sweep continues with its next point */
 };
 

@@ -66,7 +66,7 @@ const struct domq_effect error_effect_lean = {
     .synonyms = "plumb upright tilted",
     .adds = "dominoes that are off plumb by random angles",
     .help = "Each domino leans forwards or backwards by a separate random angle, and rests on its front "
-            "edge. A domino that would fall over by itself gets the largest lean with which it still stands. "
+            "edge. A domino that would fall over by itself gets the largest lean at which it still stands. "
             "Leans cannot be combined with rounded edges, or with the rigid-body engine.",
     SIZED("rad", "error of each lean", 1.5, 0.005),
 };
