@@ -27,7 +27,7 @@ KERNEL real collision_velocity_ratio(real inertia_ratio)
 struct launch {
     real fuel;           /* P, the energy released in a cycle, by the chosen fuel formula */
     real J0;             /* J(0) */
-    real inertia_ratio;  /* T, as defined above */
+    real inertia_ratio;  /* the inertia ratio T of the collision */
     real velocity_ratio; /* omega(0) / omega_1(theta_c) */
     real omegasq;        /* tau^2 omega(0)^2 */
     real kinetic;        /* J(0) tau^2 omega(0)^2 */

@@ -144,7 +144,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "is H = sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
                     "collision is that of the train, computed with these sums. Where an upper edge would "
                     "pass above the next domino, or a contact would have to pull, the model does not apply, "
-                    "and the answer ends there with a message.",
+                    "and the output ends there with a message.",
             .source =
                 "energy balance and collision of the paper, (19; c1) to (22; c4), with sizes for each domino",
             .plan = "for each head: kinetic energy compared with the maximum of H",

@@ -8,7 +8,7 @@
 /*
  * The barrier over the tilts [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ...,
  * edge[edges - 1] = end. If a domino detaches, the tilt of the head at that moment is the edge between the
- * first and the last one.
+ * first and the last edge.
  */
 struct barrier {
     real theta_m, height;

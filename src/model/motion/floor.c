@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Finds the friction that the motion needs at this tilt, and stores it in *motion. If it exceeds the largest
- * so far, also stores it in *required_friction. */
+/* Finds the friction that the motion needs at this tilt, and stores it in *motion. If this friction exceeds
+ * the largest one so far, also stores it in *required_friction. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {

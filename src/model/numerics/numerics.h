@@ -129,7 +129,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
  */
 enum { ROUGH = 8 };
 struct num_rough {
-    real node[ROUGH]; /* set by num_rough_begin */
+    real node[ROUGH]; /* Chebyshev nodes, set by num_rough_begin */
     real ln_G[ROUGH + 1], v[ROUGH + 1];
     real ln_G_error, v_error;
 };

@@ -199,7 +199,7 @@ static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, co
     return status;
 }
 
-/* A dom_task. */
+/* A dom_task that runs batch number `index` of the random rows. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;

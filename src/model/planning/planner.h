@@ -69,8 +69,8 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
  * required safety. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length of the standing row, from the back of the first domino to the front of the last, with
- * the separation s. Ignores the rounding of dimensions. */
+/* Returns the length of the standing row with the separation s, from the back of the first domino to the
+ * front of the last. Ignores the rounding of dimensions. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
 /* Returns the length of the row after the last domino has fallen forwards. Ignores the rounding of

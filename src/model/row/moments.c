@@ -196,7 +196,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
     const struct passage *s = &w->last;
     if (w->ended || w->next >= w->times)
         return DOM_OK;
-    if (s->st.geometry.n > 0) /* otherwise nothing has moved */
+    if (s->st.geometry.n > 0) /* n is 0 if no domino has moved */
         status = passage_lean(w, s, s->to);
     while (status == DOM_OK && !w->ended && w->next < w->times)
         watch_visit(w, passage_end(s));

@@ -17,7 +17,7 @@ struct passage {
     real to;    /* the tilt of the head where the passage ends */
     bool rests; /* true if the head comes to rest at the tilt `to` */
     struct since since;
-    real lasts;      /* duration in tau */
+    real lasts;      /* duration of the passage in tau */
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if the passage ends at rest */

@@ -34,7 +34,7 @@ struct descent {
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     /* `stops` is true if the head comes to rest, and `locks` if friction locks it while it still moves */
     bool stops, locks;
-    bool forces;                                /* as in struct run */
+    bool forces; /* true if the smallest contact force is wanted, not only its sign */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;
     size_t head;
