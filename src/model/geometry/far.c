@@ -108,7 +108,7 @@ static void far_own(const struct geometry *geometry, int n, real *H, real *J)
     for (int k = 0; k <= n; k++)
         J[k] = 0;
     for (int k = 0; k <= n; k += 2, sign = -sign) {
-        const real cube = sign * (real)((k / 2 + 1) * (k / 2 + 2) / 2); /* coefficient of (1 + z^2)^-3 */
+        const real cube = sign * (real)((k + 2) * (k + 4)) / 8; /* coefficient of (1 + z^2)^-3 */
         for (int j = 0; j < 3 && k + j <= n; j++)
             J[k + j] += cube * i[j];
         if (k < n)

@@ -51,8 +51,9 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_
 
 domq_real *scene_row_widths(const struct scene *scene, size_t count)
 {
-    domq_real *width = malloc(count * sizeof *width);
-    struct domq_domino *domino = malloc(count * sizeof *domino);
+    const size_t room = count + 1; /* because malloc(0) may return NULL */
+    domq_real *width = malloc(room * sizeof *width);
+    struct domq_domino *domino = malloc(room * sizeof *domino);
     const bool good = width && domino;
     if (good)
         scene_row_fill(scene, domino, width, count);

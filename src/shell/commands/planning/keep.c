@@ -35,7 +35,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
         return false;
     domq_real *width = scene_row_widths(scene, count);
     bool good = width || problem_status(problem, scene, DOM_NO_MEMORY);
-    for (size_t k = 0; k < count && good; k++) {
+    for (size_t k = 0; k < count && good && width; k++) {
         const struct domq_domino *a = &now.domino[k], *b = &to[k];
         good =
             (is_near(a->gap, b->gap) || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
