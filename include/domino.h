@@ -4,7 +4,7 @@
  *
  * Introduction
  *
- * A train is an endless row of dominoes, each r times larger than the one before, that lean on each other
+ * A train is an endless row of dominoes, each r times as large as the one before, that lean on each other
  * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library finds whether a train keeps
  * falling, how large r may be, how fast the train runs and which forces act. It answers the same questions
  * about a finite row of dominoes of any sizes. Describe the train, call a function, and check the status:

@@ -21,7 +21,7 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 
 static const char help[] =
     "\n"
-    "Calculates how far a row of dominoes, each r times larger than the one before, can grow.\n"
+    "Calculates how far a row of dominoes, each r times as large as the one before, can grow.\n"
     "Without -e, -f or FILE it reads commands from standard input: at a prompt on a terminal,\n"
     "otherwise one command a line.  -e, -f and FILE stop at the first error, but standard input\n"
     "goes on.\n"

@@ -44,7 +44,8 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 static const struct column rmax_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"r_max", "", "largest growth at which the train keeps falling", 0},
-    {"ends_by", "", "what limits the growth: barrier (energy), reach (misses the next) or none", 7},
+    {"ends_by", "",
+     "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
     {"r_max_exact", "", "r_max when the fuel is computed from the balance of energy", 0},
     {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
@@ -156,7 +157,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 static const struct column pair_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"r_max", "", "largest growth at which the first domino topples the second", 0},
-    {"ends_by", "", "what limits the growth: barrier (energy), reach (misses the next) or none", 7},
+    {"ends_by", "",
+     "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
     {NULL, NULL, NULL, 0},
 };
 

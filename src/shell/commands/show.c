@@ -8,7 +8,7 @@
 
 const struct column show_columns[] = {
     {"name", "", "the name of the parameter, effect or variable", 9},
-    {"value", "", "the value that it has now", 12},
+    {"value", "", "its present value", 12},
     {"unit", "", "the unit of the value; h is the height of the domino", 5},
     {"range", "", "the values that are allowed", 17},
     {"default", "", "the default value", 8},

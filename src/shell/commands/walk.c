@@ -169,7 +169,7 @@ static void say_launch(const struct place *p)
     else
         answer_say(p->answer,
                    "The train has %s of the energy that it needs to keep falling: its potential energy must "
-                   "rise by %s, up to a tilt of %s%s, and it %s by %s (26; c8).",
+                   "rise by %s, up to a tilt of %s%s, and the train %s by %s (26; c8).",
                    measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
                    angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
                    b.margin >= 0 ? "clears the barrier" : "fails to clear it",
@@ -217,7 +217,7 @@ static void say_fall(const struct place *p)
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
         "contact force is 0. The detached domino comes to rest at theta_f = %s with all dominoes behind it, "
         "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
-        "keeps %.6g.",
+        "keeps a potential energy of %.6g.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
         p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
         energy_at(p, 0 - p->state->fallen).text,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command animate, which makes a film of the falling row with a clock, or a film of several cycles of the
- * train, each r times larger than the one before. */
+ * train, each r times as large as the one before. */
 #include "commands/drawing/animate_train.h"
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
@@ -94,8 +94,7 @@ static bool row_times(struct row_film *f)
     const domq_real speed = f->speed = film_speed(f, f->row.end - begins);
     const double step = film->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
-        return problem_no_answer(film->problem,
-                                 "one domino almost stops, so that later times cannot be computed");
+        return problem_no_answer(film->problem, "one domino almost stops, so later times cannot be computed");
     double moving = ceil((f->row.end - begins) / step - 1e-9);
     int held = HELD * 100 / film->delay;
     if (moving + held > FRAMES_MOST)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A film of several cycles of the train, each r times larger than the one before. */
+/* A film of several cycles of the train, each r times as large as the one before. */
 #include "commands/drawing/animate_train.h"
 #include "commands/tables.h"
 #include "commands/walk.h"

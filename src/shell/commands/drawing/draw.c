@@ -286,7 +286,7 @@ const struct command draw_commands[] = {
          "with it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a "
          "tower of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the "
          "endless train, and 'animate train.gif train 4' four of them. Each cycle lasts sqrt(r) times as "
-         "long as the one before, and is r times larger, so that at most 9 can be seen together at r = 1.5. "
+         "long as the one before, and is r times as large, so at most 9 can be seen together at r = 1.5. "
          "The name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the "
          "frames. csv and json have the times and tilts of the frames instead.",
      .example = NULL,

@@ -42,8 +42,7 @@ struct derived {
     unsigned ends; /* if the train fulfils one of these conditions, the equation does not hold, and the
                       derivation ends */
     enum sum sum;
-    const char *equation; /* NULL if there is no equation in closed form, so that the derivation ends with
-                             this quantity */
+    const char *equation; /* NULL if there is no equation in closed form; the derivation then ends here */
     /* Where the number comes from: '$' followed by the name of a parameter or effect, '#' followed by the
      * name of a member of struct domq_fall, or an expression that computes the number with the library. In
      * the expression, '@' stands for the value that the user typed after the question. This member is NULL

@@ -158,7 +158,7 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
         return problem_status(problem, query->scene, t.status);
     answer_say(
         a,
-        "Where they differ: the second equality of (25; c7), the closed form of the fuel, leaves out the "
+        "Why they differ: the second equality of (25; c7), the closed form of the fuel, leaves out the "
         "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
         "in print. A rigid-body engine agrees with the exact values. Where the reach limits the growth, both "
         "fuels give the same growth.");

@@ -21,7 +21,7 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The number of random rows with which the probability is estimated. The engine takes thousands of times as
+/* The number of random rows from which the probability is estimated. The engine takes thousands of times as
  * long for a row as the model does. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 

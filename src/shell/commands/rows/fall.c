@@ -123,7 +123,8 @@ static void engine_say(struct answer *a, const struct row_run *run)
         slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
         answer_say(a,
-                   "Chipmunk %s, a rigid-body engine, ran the row with %g steps in sqrt(h/g). With half as "
+                   "Chipmunk %s, a rigid-body engine, ran the row with %g time steps in a time of sqrt(h/g). "
+                   "With half as "
                    "many steps the verdict is the same, and times agree within %.2g %%.",
                    engine_version(), s->grain.steps, 100 * s->change);
 }

@@ -15,7 +15,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns true if the first domino does not even tip over, so that no gap matters. */
+/* Returns true if the first domino does not even tip over. No change of a gap helps then. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);

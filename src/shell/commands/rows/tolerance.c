@@ -79,7 +79,7 @@ struct search {
     struct windows *windows;
     enum dom_status status[KINDS];
     atomic_size_t done; /* the number of windows found so far */
-    bool is_muted;      /* progress output is muted in the thread that started the search */
+    bool is_muted;      /* true if the thread that started the search mutes progress output */
 };
 
 static void search_progress(size_t done, size_t of, void *context)
