@@ -161,7 +161,7 @@ void floor_print_edges(const struct question *sharp, double sharp_seconds, const
     ask_ours(rounded, 1e-12, DOM_DOUBLE, &many);
     const double of_sharp = 1e9 * sharp_seconds / (double)few.dominoes,
                  of_rounded = 1e9 * rounded_seconds / (double)many.dominoes;
-    printf("\nThe lower bound of r_max with rounded edges, massive, s = %.1f\n", (double)sharp->train.s);
+    printf("\nThe cost of rounded edges in r_max, massive, s = %.1f\n", (double)sharp->train.s);
     line("measured, with sharp edges", 1e6 * sharp_seconds, "us");
     line("measured, with rounded edges", 1e6 * rounded_seconds, "us");
     line("dominoes in all passes, with sharp edges", (double)few.dominoes, "");
