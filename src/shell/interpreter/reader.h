@@ -58,7 +58,7 @@ static inline struct offer *reader_offer(const struct reader *r)
     return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
 }
 
-/* These functions record what may be typed at the cursor, if the reader is at the cursor. */
+/* If the reader is at the cursor, these functions record what may be typed there. */
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);

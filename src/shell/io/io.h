@@ -56,10 +56,10 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the stream for standard output, which is the same at each call. On a terminal each line appears at
- * once. Elsewhere the text is buffered, because a system call for each short answer would take longer than
- * the answer itself. A program that reads the output still need not wait: a timer writes flushed text at most
- * 10 ms later, whatever the session is doing at that time.
+ * Returns the stream for standard output, which is the same at each call. On a terminal each line appears
+ * immediately. Elsewhere the text is buffered, because a system call for each short answer would take longer
+ * than the answer itself. A program that reads the output still need not wait: a timer writes flushed text at
+ * most 10 ms later, whatever the session is doing at that time.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 

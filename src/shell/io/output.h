@@ -46,7 +46,8 @@ struct output {
 /* Pushes a level. The caller sets the members of the level except `below`. */
 void output_push(struct output **top, struct output *output);
 
-/* Ends and frees a level, which is usually the highest one. Returns the result of its pop function. */
+/* Ends and frees a level, which is usually the highest one. Returns the result of the level's pop
+ * function. */
 const char *output_pop(struct output **top, bool keep);
 
 /* Writes all buffered text of the level. */

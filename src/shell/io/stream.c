@@ -158,8 +158,8 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may have to wait. Regular files never wait. Writing to a terminal does
- * not count, because ^C discards output that is stuck in the terminal. */
+/* Returns true if reading or writing may have to wait. Regular files never wait. Writing to a terminal is not
+ * counted as waiting, because ^C discards output that is stuck in the terminal. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

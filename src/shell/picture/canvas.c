@@ -110,7 +110,7 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
-        unsigned bits; /* a bit for each dot of the pattern, beginning with the lowest bit */
+        unsigned bits; /* one bit for each dot of the pattern, with the first dot in the lowest bit */
         int length;
     } dashes[DASHES] = {{1, 1}, {0x0f, 7}, {0x1, 3}, {0x11f, 11}, {0x3, 5}};
     const int k = dash % DASHES;

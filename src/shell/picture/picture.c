@@ -48,8 +48,8 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
     /*
-     * A separate process group protects the program from ^Z. Otherwise the program would stop at once, and
-     * its parent, which stops only after the command, would wait for it forever.
+     * A separate process group protects the program from ^Z. Otherwise the program would stop immediately,
+     * and its parent, which stops only after the command, would wait for it forever.
      */
     setpgid(0, 0);
     /* The program must end when its parent ends, which may already have happened. */

@@ -89,8 +89,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The callback of is_unasked, called with each candidate. Sets *context to the first candidate if it is a
- * command and the only candidate, and otherwise to "". */
+/* The callback of is_unasked, called with each candidate. Sets *context to the candidate if it is the only
+ * one and is a command, and otherwise to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;

@@ -35,8 +35,8 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
 void history_load(struct session *session);
 
 /*
- * Adds a line to the history, and appends the line to the file at once, so that it is not lost however the
- * session ends. A blank line, or a repetition of the line before, is not added. After the first failure,
+ * Adds a line to the history, and appends the line to the file immediately, so that it is not lost however
+ * the session ends. A blank line, or a repetition of the line before, is not added. After the first failure,
  * which is reported, nothing more is written to the file.
  */
 void history_keep(struct session *session, const char *text);

@@ -31,7 +31,7 @@ struct parameter {
     bool words_only;
     /* The parameter is a setting of the calculator. 'reset' does not change it unless its name is given. */
     bool setting;
-    /* the default and the lower bound depend on the precision, which is the case for tol */
+    /* the default and the lower bound depend on the precision; this is the case for tol */
     bool of_precision;
     const char *moves; /* another parameter that may change when this parameter is set; may be NULL */
     size_t offset;     /* the offset of the value in struct state; not used for effects */

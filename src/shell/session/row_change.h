@@ -15,7 +15,7 @@ struct row_range {
 struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
-    domq_real value; /* the new value or the difference in m or kg, or a factor */
+    domq_real value; /* the new value or the difference, both in m or kg, or the factor */
     bool is_angle;   /* the value of a lean is an angle in rad, and not the distance of the top from plumb */
     bool is_bare;    /* the value was typed without a unit */
 };

@@ -45,8 +45,8 @@ struct listed_row {
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
     domq_real *width;  /* the widths in m, or NULL if the row does not come from a file */
     char *path;
-    /* The unused columns of the file as csv: first a line with their names, then a line for each domino. Each
-     * cell begins with a comma, and each line ends with a NUL byte. */
+    /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
+     * domino. Each cell begins with a comma, and each line ends with a NUL byte. */
     char *others;
     /* The changed measurements of each domino. Measurements that have not been changed are NaN. A changed
      * mass is stored as a factor, because the mass also changes with the size of the domino. NULL if nothing

@@ -18,8 +18,8 @@ struct state *undo_begin(const struct state *state);
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
-/* Undoes the last command, or redoes the next command if `back` is false. Returns the text of this command,
- * or NULL if there is nothing to undo or redo. */
+/* Undoes the last command if `back` is true, and otherwise redoes the command that was undone last. Returns
+ * the text of this command, or NULL if there is nothing to undo or redo. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
 void undo_free(struct undo *undo);
