@@ -86,7 +86,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * allowed. */
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
     X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: the gap before a domino divided by its height")        \
-    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how many times as large each domino is as the one before")    \
+    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: the size of each domino relative to the one before")          \
     X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness divided by height")                                   \
     X(q, 4, 1e-6, 100, "", "mass exponent: 4 for solid dominoes, 3 for hollow ones")
 

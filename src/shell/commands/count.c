@@ -7,7 +7,7 @@
 
 const struct column count_columns[] = {
     {"height", "m", "the height H of the domino to topple", 0},
-    {"r", "", "growth: how many times as large each domino is as the one before", 0},
+    {"r", "", "growth: the size of each domino relative to the one before", 0},
     {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
     {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},

@@ -114,7 +114,7 @@ struct impulses {
 static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
-    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino, on which no other domino leans */
+    if (f->i > 0 && isnan(f->impulse)) /* no other domino leans on this one, which is the last */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",

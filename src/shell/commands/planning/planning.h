@@ -12,7 +12,7 @@ struct probe {
     const struct query *query;
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
-    const struct parameter *parameter; /* NULL to leave all parameters as they are */
+    const struct parameter *parameter; /* NULL if no parameter is changed */
     bool verdict;                      /* the answer is the command's verdict: 1 for true, -1 for false */
     struct problem problem;            /* why the last evaluation gave no answer */
     bool wrong;                        /* the question has an error at every value of the parameter */
