@@ -62,7 +62,7 @@ check=$root/tests/derivations/check.py
     same head quantity "$(head -n 1 a.csv | cut -d, -f1)"
     # The sentence about a row, and the note that an answer is about the train, are outside the formulas.
     "$DOMINO" -e 'effect row 5; explain verdict > v.tex; explain fuel > f.tex' 2>note
-    grep -q 'not the row' note
+    grep -q 'not about the row' note
     for text in v f; do same "$text" '\documentclass{article}' "$(head -n 1 $text.tex)"; done
     sed -n '/section/,$p' v.tex | grep -q 'All 5 dominoes fall; k = 2 is the weakest.'
     for text in a v f; do
