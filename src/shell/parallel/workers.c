@@ -201,6 +201,8 @@ struct workers_end workers_run(const struct workers *job)
             job->merge(job->context, worker[k].context);
     } else
         pool.end.how = WORKERS_NO_MEMORY;
+    pthread_cond_destroy(&pool.room);
+    pthread_mutex_destroy(&pool.lock);
     free(pool.waiting);
     free(contexts);
     free(worker);
