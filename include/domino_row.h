@@ -110,7 +110,7 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 /* ---- A finite row of any dominoes ---- */
 
 /*
- * A solid block. The gap is the free distance to the previous domino, measured at the foot as if the block
+ * A solid block. The gap is the clear distance to the previous domino, measured at the foot as if the block
  * were upright. The first domino has the gap 0. A domino whose floor or foot is not flat is not plumb: it
  * rests tilted about its front edge, and turns about this edge when it falls. Its lean must be within
  * dom_lean_limits.
@@ -121,7 +121,7 @@ struct dom_domino {
     /* Radius of the edges in m, used only if rho of the row is not 0. A radius of 0 stands for rho times the
      * height. */
     dom_real radius;
-    dom_real lean; /* rad, the tilt before the domino is hit, > 0 in the direction of the fall */
+    dom_real lean; /* the tilt in rad before the domino is hit, > 0 in the direction of the fall */
 };
 
 /*
@@ -155,7 +155,7 @@ struct dom_row {
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library; may be NULL. */
     const struct dom_engine *engine;
-    /* m, the height above which dominoes have walls; all others are solid. 0 if all dominoes have walls. */
+    /* The height, in m, above which dominoes have walls; all others are solid. 0 if all have walls. */
     dom_real boxes_above;
 };
 
@@ -167,20 +167,20 @@ struct dom_row dom_row_default(void);
  * domino or lies on the floor. "The hit" is the collision in which the domino is hit. */
 struct dom_fall {
     size_t domino; /* number of the domino, from 1 */
-    dom_real time; /* s, the time of the hit, since the push or, without a push, since the first hit */
-    /* s, the time from the hit until the domino hits the next one or lies on the floor; NaN if it does
+    dom_real time; /* the time of the hit in s, since the push or, without a push, since the first hit */
+    /* the time in s from the hit until the domino hits the next one or lies on the floor; NaN if it does
      * neither */
     dom_real duration;
-    dom_real omega;   /* rad/s, the angular velocity of the domino just after the hit */
-    dom_real kinetic; /* J, the kinetic energy of all moving dominoes just after the hit */
-    /* J, the kinetic energy needed to get over the barrier; infinite if friction locks the row */
+    dom_real omega;   /* angular velocity of the domino just after the hit, in rad/s */
+    dom_real kinetic; /* kinetic energy of all moving dominoes just after the hit, in J */
+    /* the kinetic energy, in J, needed to get over the barrier; infinite if friction locks the row */
     dom_real barrier;
-    dom_real margin; /* J, kinetic - barrier */
-    dom_real lost;   /* J, the energy lost in the collision */
-    /* J, the energy lost to friction between dominoes after the hit. NaN if the row ends at this domino. */
+    dom_real margin; /* kinetic - barrier, in J */
+    dom_real lost;   /* energy lost in the collision, in J */
+    /* The energy, in J, lost to friction between dominoes after the hit. NaN if the row ends here. */
     dom_real friction_work;
-    dom_real theta_m; /* rad, the tilt of the domino at the top of the barrier */
-    /* rad, the last tilt, at which the domino hits the next one, lies on the floor, or comes to rest */
+    dom_real theta_m; /* tilt of the domino at the top of the barrier, in rad */
+    /* the last tilt in rad, at which the domino hits the next one, lies on the floor, or comes to rest */
     dom_real theta;
     size_t moving; /* the number of dominoes that move just after the hit, including this domino */
     /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
@@ -194,9 +194,9 @@ struct dom_verdict {
     /* The domino at which the row ends, which is the last one that was hit. With DOM_BAD_..., the domino with
      * the bad value. */
     size_t domino;
-    /* J, the missing energy: > 0 for DOM_ROW_STOPS, and infinite if friction would lock the row */
+    /* the missing energy in J: > 0 for DOM_ROW_STOPS, and infinite if friction would lock the row */
     dom_real short_by;
-    /* s, the time until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
+    /* the time in s until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
      * times were not requested */
     dom_real seconds;
     /* the number of the domino with the smallest margin / barrier among those that fall; 0 if there is
@@ -231,10 +231,11 @@ struct dom_engine {
 
 /* The state of a row at one moment. */
 struct dom_moment {
-    dom_real time;                /* the time in s, counted as in struct dom_fall */
-    size_t head;                  /* number of the last domino that was hit, from 1 */
-    size_t moving;                /* the number of dominoes that move, the head included */
-    const dom_real *tilt, *omega; /* rad and rad/s, with domino 1 at index 0; valid only during the visit */
+    dom_real time; /* the time in s, counted as in struct dom_fall */
+    size_t head;   /* number of the last domino that was hit, from 1 */
+    size_t moving; /* the number of dominoes that move, the head included */
+    /* tilts in rad and angular velocities in rad/s, with domino 1 at index 0; valid only during the visit */
+    const dom_real *tilt, *omega;
 };
 
 /*
@@ -283,10 +284,10 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 /* A change of a single gap after which all dominoes of the row fall. */
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
-    dom_real gap;  /* m, the current gap */
-    /* m, rounded to seven digits: of all gaps at which the row falls, the one nearest to the current gap. */
+    dom_real gap;  /* the current gap, in m */
+    /* Of all gaps, in m, at which the row falls, the one nearest to `gap`, rounded to seven digits. */
     dom_real to;
-    /* m, the other end of the interval: all dominoes fall with any gap between `to` and `until`. */
+    /* The other end of the interval, in m: all dominoes fall with any gap between `to` and `until`. */
     dom_real until;
 };
 
@@ -359,11 +360,12 @@ struct dom_limits {
     /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
      * walls, the masses follow from the walls instead. */
     dom_real q;
-    /* m, the length of the hall, into which the row must fit with its last domino lying; may be infinite */
+    /* the length of the hall in m, into which the row must fit with its last domino lying; may be infinite */
     dom_real hall;
-    /* For dom_row_improve: kg, the largest mass that a changed domino may have; may be infinite. */
+    /* For dom_row_improve: the largest mass, in kg, that a changed domino may have; may be infinite. */
     dom_real heaviest;
-    /* m, the grid: all sizes and gaps that change are multiples of this length; 0 if there is no grid */
+    /* the spacing of the grid in m: all sizes and gaps that change are multiples of this length; 0 if there
+     * is no grid */
     dom_real grid;
     /* Array of `boards` thicknesses in m, in increasing order; may be NULL. If only dominoes above a certain
      * height are boxes, only the solid dominoes are cut from boards, and boxes may have any thickness. */
@@ -375,16 +377,16 @@ struct dom_limits {
 
 /* The row that a builder wants. */
 struct dom_wish {
-    dom_real first, height; /* m, the heights of the first and of the last domino; height > first */
+    dom_real first, height; /* heights of the first and the last domino, in m; height > first */
     dom_real safety; /* the kinetic energy of each cycle divided by the energy that the cycle needs; > 1 */
-    /* m, > height, the length of the hall, into which the row must fit with its last domino lying; may be
-     * infinite */
+    /* the length of the hall in m, larger than `height`, into which the row must fit with its last domino
+     * lying; may be infinite */
     dom_real hall;
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train, and masses
-     * are those of blocks and of boxes that are half as wide as they are tall. */
+    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train, and
+     * masses are those of blocks and of boxes that are half as wide as they are tall. */
     dom_real walls, boxes_above;
 };
 
@@ -395,8 +397,8 @@ struct dom_design {
     dom_real s, r;
     /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
     size_t steps;
-    dom_real feet;    /* m, the distance from the back of the first domino to the front of the last */
-    dom_real length;  /* m, the length after the last domino has fallen: `feet` + `height` */
+    dom_real feet;    /* distance from the back of the first domino to the front of the last, in m */
+    dom_real length;  /* the length in m after the last domino has fallen: `feet` + `height` */
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */

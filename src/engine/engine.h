@@ -82,10 +82,10 @@ struct engine_fall {
     /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the second
      * of these hits. */
     double gain;
-    /* How much the foremost boxes slowed down: the smallest ratio of the angular velocity of a box to the
-     * largest angular velocity that this box has had since it was hit. A row that almost stops has a small
-     * ratio. The ratio is 0 if the foremost box touches another box in any way, unless only its back face is
-     * touched by the tip of the box behind it. */
+    /* How much the foremost boxes slowed down. The angular velocity of the foremost box is divided by the
+     * largest one that this box has had since it was hit, and this is the smallest of these ratios. A row
+     * that almost stops has a small ratio. The ratio is 0 if the foremost box had a contact that was not
+     * between the tip of one box and the back face of the next. */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
      * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */

@@ -9,7 +9,7 @@
 static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3};
 const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
-/* Returns by how much the times of two runs differ: the largest difference of any hit time or of the
+/* Returns by how much the times of two runs differ: the largest difference in any hit time or in the
  * duration, divided by the duration of the second run. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)

@@ -100,8 +100,8 @@ static void signals_begin(struct session *session)
 
 /* ---- Options ---- */
 
-/* Reads the argument of --shard, such as "2/7". Returns false with a message if the text has another form or
- * the numbers are out of range. */
+/* Reads the argument of --shard, such as "2/7". If the text has another form or the numbers are out of range,
+ * prints a message and returns false. */
 static bool shard_read(const char *text, struct shard *shard)
 {
     enum { PARTS_MAX = 1000000000 };
@@ -213,9 +213,9 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
-/* Closes standard output, which writes the text that is still buffered. Returns false with a
- * message if any output was lost. If the reader of a pipe has gone, as in 'domino | head', the program ends
- * by SIGPIPE instead, unless its caller ignores this signal. */
+/* Closes standard output, which writes the text that is still buffered. If any output was lost, prints a
+ * message and returns false. If the reader of a pipe has gone, as in 'domino | head', the program ends by
+ * SIGPIPE instead, unless its caller ignores this signal. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;

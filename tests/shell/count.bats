@@ -30,8 +30,8 @@ END
 }
 
 @test "count 112 answers the quiz in the words of the quiz" {
-    same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one of 112 m.
-The 20th domino is 106.4 m tall; it could topple one of up to 159.6 m.
+    same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one that is 112 m tall.
+The 20th domino is 106.4 m tall; it could topple a domino up to 159.6 m tall.
 Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     answer=$("$DOMINO" -e 'count 112')
     for words in '^Falling with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \

@@ -29,7 +29,7 @@ for p, w, r in zip(plan, windows, row[1:]):
 assert f"{study[0]['fall']} of {study[0]['rows']} rows fall" in text
 assert "With errors (gap 5 mm)" in text and "its top moves at 0.72 m/s" in text
 END
-    # Lower limits are rounded up and upper limits down. The three dimensions with the least room
+    # Lower limits are rounded up and upper limits down. The three dimensions with the tightest limits
     # are marked.
     grep -qF '     2   165.0!  147.2!  207.8!  215.0   130.0' text.txt
     grep -qF '     8  2900.0! 1873.6!  2991.3!     420.0! 105.1!  427.4! 1450.0   440' text.txt

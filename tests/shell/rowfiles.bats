@@ -186,10 +186,10 @@ END
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
     # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
-    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has no column lean"
+    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has neither a 'lean'"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine, which is used because method is engine, needs upright dominoes; turn the engine off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
-    grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is now off by 1 mm backwards.' <<<"$said"
+    grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is now off by 1 mm backwards.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
     said=$("$DOMINO" -e 'effect row stops.csv; tolerance')
     grep -qxF 'All would fall if the top of domino 2 were off by 1.7 mm backwards to 1.03 cm forwards; it is now off by 3 mm backwards.' <<<"$said"

@@ -52,10 +52,10 @@ verdicts() { # COMMANDS...
 
 @test "tolerance: sentences, in which windows are rounded inwards; and a row that does not fall" {
     said=$("$DOMINO" -e 'effect row 5; tolerance')
-    grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the least room of all, and is at 3.58 cm now.' <<<"$said"
+    grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the tightest limits of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
     grep -qE '^All fall if the friction between the dominoes is at most 0\.17' <<<"$said"
-    grep -qxF 'Set domino 2 up plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the least room of all.' <<<"$said"
+    grep -qxF 'Set domino 2 up plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
@@ -83,7 +83,7 @@ verdicts() { # COMMANDS...
     same heads 'domino from to gap_low gap_high height_low height_high first' "$(echo ${lines[0]})"
 }
 
-@test "tolerance: the thickness with the least room is named, and the ends of its window are in csv" {
+@test "tolerance: the thickness with the tightest limits is named, and the ends of its window are in csv" {
     said=$("$DOMINO" -e 'effect row 5; tolerance')
     [[ $said =~ Make\ domino\ ([0-9]+)\ between\ [^.]*[.0-9]+\ [cm]*m\ and\ .*\ thick:\ its\ thickness\ has\ the\ least\ room\ of\ all ]]
     k=${BASH_REMATCH[1]}

@@ -26,8 +26,9 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. For the tail of J, passes use done_J. Although it is
- * written for sharp edges, it is safe, because rounding the edges never increases the inertia of a domino. */
+/* Returns true when the tail of H1 can be left out. The tail of J is tested with done_J, which was written
+ * for sharp edges but is also safe for rounded ones, because rounding never increases the inertia of a
+ * domino. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;

@@ -58,7 +58,7 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If margin_share is closer than ROOT_FLAT to 1 or -1, it does not show how far away the root is. The search
+/* If margin_share is within ROOT_FLAT of 1 or -1, it does not show how far away the root is. The search
  * then multiplies or divides r by at least r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)

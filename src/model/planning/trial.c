@@ -136,8 +136,9 @@ void trial_end(struct trial *t)
  * result must be a point that was tested, and GSL computes only in double.
  *
  * Bisection alternates with the secant method, which is used if the spare energy is known on both sides of
- * the edge, where it has different signs. The secant's point is moved by half of the final distance towards
- * the farther one of `good` and `bad`, since otherwise only the nearer one would come close to the edge.
+ * the edge, where it has different signs. The secant's point is shifted by half of the tolerance, away from
+ * the end of the interval that is nearer to it. Without the shift, only that end would come close to the
+ * edge.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)

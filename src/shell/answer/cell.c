@@ -155,9 +155,9 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* About half of the computed numbers need `all` digits, and most of the others need one digit less. If
-     * the text with one digit less had trailing zeros, they have been removed, and no other digit can be left
-     * out. */
+    /* About half of the computed numbers need `all` digits, and most of the others need one digit fewer.
+     * Still fewer digits are tried only if the text with one digit fewer had no trailing zeros. If it had
+     * any, they have been removed already, and all other digits are needed. */
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];

@@ -40,10 +40,10 @@ struct cell {
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 
-/* Makes a cell of a number whose error bound is not known. */
+/* Makes a cell for a number whose error bound is not known. */
 struct cell cell_unbounded(domq_real value);
 
-/* Makes a cell of a number of which only three digits are known. */
+/* Makes a cell for a number that is known to only three digits. */
 struct cell cell_brief(double value);
 
 struct cell cell_count(domq_real value);

@@ -156,14 +156,14 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
                    measured(first, "m", 6).text);
         return;
     }
-    answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
+    answer_say(a, "%s domino%s, each %s times as large as the one before, %s one that is %s tall.",
                quad_text(count->dominoes, WIDE_DIGITS), count->dominoes == 1 ? "" : "es",
                quad_growth(train->r, (int)a->style.digits),
                !t->falls              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",
                measured(height, "m", 6).text);
-    answer_say(a, "%s is %s tall; it could topple one of up to %s.", ordinal(count->dominoes).text,
+    answer_say(a, "%s is %s tall; it could topple a domino up to %s tall.", ordinal(count->dominoes).text,
                measured(count->last / train->r, "m", 4).text, measured(count->last, "m", 4).text);
     answer_say(a, "%s", t->falls ? "Such a row falls." : "Such a row does not fall.");
 }

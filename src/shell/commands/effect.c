@@ -139,10 +139,9 @@ static void effects_say(const struct query *query, struct answer *a)
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
-    answer_say(a,
-               "\nAny error of a random row takes as much time as placement: error_place, error_thickness, "
-               "error_mass, error_lean, error_radius, error_friction, error_slope, error_floor and "
-               "error_push.");
+    answer_say(a, "\nEach of these random errors takes as much computing time as placement: error_place, "
+                  "error_thickness, error_mass, error_lean, error_radius, error_friction, error_slope, "
+                  "error_floor and error_push.");
 }
 
 static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)

@@ -62,7 +62,7 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                    "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
                    (double)train->s, quad_growth(used->r_max, 6),
                    used->ends == DOM_END_REACH
-                       ? "Dominoes that grow more fall past the next one without touching it."
+                       ? "With a larger growth a domino falls past the next one without touching it."
                        : "With a larger growth there is too little energy to keep falling.");
 }
 

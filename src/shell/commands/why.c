@@ -79,9 +79,10 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(a, "Dominoes that lean on each other are as high as upright ones, or the larger domino in "
-                      "front takes up more energy than the smaller ones release: the fuel P = H(0) - "
-                      "H(theta_c) is not positive (25; c7).");
+        answer_say(
+            a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either dominoes that lean on each "
+               "other have at least as much potential energy as upright ones, or the larger domino in "
+               "front takes up more energy than the smaller ones release.");
     else if (b->barrier > 0)
         answer_say(
             a,

@@ -98,7 +98,8 @@ struct command {
     /* The key of the last column if the number in this column takes much longer to compute than the others.
      * Sweeps and expressions leave this column out. Otherwise NULL. */
     const char *alone;
-    /* the reason why 'sweep' refuses the command, although it computes something; or NULL */
+    /* For a command that computes something but that 'sweep' refuses: the reason for refusing it. Otherwise
+     * NULL. */
     const char *unswept;
     bool train; /* the answer is about the endless train */
     /* What the command writes. If it writes a picture, csv and json contain the data of the picture. A chart

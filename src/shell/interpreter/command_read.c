@@ -110,8 +110,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns the command that an assignment "NAME = VALUE" stands for, which is 'set' or 'let'. Returns NULL
- * with a problem if NAME is neither a parameter nor a variable. */
+/* Returns the command that an assignment "NAME = VALUE" stands for, which is 'set' or 'let'. If NAME is
+ * neither a parameter nor a variable, sets the reader's problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -233,8 +233,8 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
-/* Reads the name of a command, which may be abbreviated, and returns the command. Returns NULL with a problem
- * if there is no such command. */
+/* Reads the name of a command, which may be abbreviated, and returns the command. If there is no such
+ * command, sets the reader's problem and returns NULL. */
 static const struct command *name_read(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE], exact[VARIABLE_NAME];

@@ -7,9 +7,10 @@
 #include "interpreter/reader.h"
 
 /*
- * Returns the command of a line, and moves the reader to the beginning of the command's arguments. Returns
- * NULL with a problem if there is no such command. If a command and a parameter share a name, the command
- * wins. A parameter wins over an abbreviated command, so that 'q' is the parameter and not 'quit'.
+ * Returns the command of a line, and moves the reader to the beginning of the command's arguments. If there
+ * is no such command, sets the reader's problem and returns NULL. If a command and a parameter share a name,
+ * the command wins. A parameter wins over an abbreviated command, so that 'q' is the parameter and not
+ * 'quit'.
  */
 const struct command *command_read(struct reader *reader);
 

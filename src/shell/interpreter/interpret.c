@@ -161,13 +161,13 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
         fits = c->writes == WRITES_DOCUMENTS
                    ? ending->is_document
                    : ending->terminal && draws && (charts || strcmp(ending->text, ".tex") != 0);
-    return fits ||
-           problem_error(problem, "'%s' names a %s, which '%s' cannot write; use %s%s", names_shown(path),
-                         ending->kind == ENDING_DATA ? "data file"
-                         : ending->terminal          ? "picture"
-                                                     : "document",
-                         c->name, endings_of(c),
-                         draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
+    return fits || problem_error(problem, "'%s' is the name of a %s, and '%s' cannot write one; use %s%s",
+                                 names_shown(path),
+                                 ending->kind == ENDING_DATA ? "data file"
+                                 : ending->terminal          ? "picture"
+                                                             : "document",
+                                 c->name, endings_of(c),
+                                 draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
 /* Runs a command and writes its answer to a file, in the format that the extension of the file implies. */

@@ -58,7 +58,7 @@ bool question_bind(const struct question *question, const struct query *query, s
                    struct problem *problem);
 
 /* Allocates zeroed memory from the arena given->memory for the result of argument.bind, and makes
- * given->bound point to this memory. Returns NULL with a problem if memory runs out. */
+ * given->bound point to this memory. If memory runs out, sets *problem and returns NULL. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
@@ -71,8 +71,8 @@ bool question_ask(const struct question *question, const struct query *query, st
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question asks for a single number. Otherwise returns false, with a problem that lists
- * the keys to choose from. */
+/* Returns true if the question asks for a single number. Otherwise sets *problem to a list of the keys to
+ * choose from, and returns false. */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

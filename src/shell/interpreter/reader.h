@@ -93,8 +93,8 @@ char *reader_copy(struct reader *reader, const char *text, size_t length);
 
 /*
  * Reads a word, which ends at a blank. If `quotes` is true, the word may also be a text in double quotes, in
- * which '""' stands for one '"'. The result is allocated in the arena. Returns NULL with a problem if a '"'
- * is never closed.
+ * which '""' stands for one '"'. The result is allocated in the arena. If a '"' is never closed, sets the
+ * reader's problem and returns NULL.
  */
 char *read_word(struct reader *reader, bool quotes);
 

@@ -73,7 +73,8 @@ bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, .
 /* Reads a whole file into file->text, which the caller frees. On failure, sets *problem and returns false. */
 bool csv_load(struct csv_file *file, FILE *in);
 
-/* Reads the next record that is not empty. Returns false at the end of the file, or with a problem. */
+/* Reads the next record that is not empty. Returns false at the end of the file. After an error, sets
+ * file->problem and returns false. */
 bool csv_read(struct csv_file *file, struct csv_record *record);
 
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */

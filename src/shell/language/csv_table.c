@@ -348,7 +348,7 @@ static bool cells_many(struct csv_table *csv, int cells)
 }
 
 /* Reads the next row. Skips repetitions of the first line, which occur in concatenated files. Returns false
- * at the end of the file or with a problem. */
+ * at the end of the file. After an error, sets the problem of the file and returns false. */
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;

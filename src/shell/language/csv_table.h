@@ -89,7 +89,8 @@ struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bo
 /* Frees a table, which may be NULL. */
 void csv_close(struct csv_table *csv);
 
-/* Reads the next row. Returns false at the end of the table, or with a problem. */
+/* Reads the next row. Returns false at the end of the table. After an error, sets the problem of the file and
+ * returns false. */
 bool csv_next(struct csv_table *csv);
 
 /* Returns the cell of the kind's column k in the current row. If the row has no such cell, returns an empty

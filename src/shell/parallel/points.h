@@ -9,8 +9,8 @@
 /*
  * Writes an answer whose rows are computed point by point, in parallel. `workers` holds the number of points
  * of the whole answer and the function that computes a point. Point 0 begins the answer. With --shard, only a
- * part of the points is computed. Returns false with a problem, or with *by_point set to true if the function
- * that computes a point returned false.
+ * part of the points is computed. If the function that computes a point returns false, sets *by_point to true
+ * and returns false. On any other failure, sets *problem and returns false.
  */
 bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
                    struct workers workers, bool *by_point);

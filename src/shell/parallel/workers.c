@@ -13,8 +13,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a block has at most this many times as many points as the previous block of the worker, because later
-     * points may take longer */
+    /* a worker's next block is at most this many times as large as its previous one, because later points
+     * may take longer */
     GROWTH = 4,
     WINDOW = 16, /* the maximum number of blocks that a worker computes before the output catches up */
     BLOCK_MOST = 4096,

@@ -16,8 +16,8 @@ struct picture {
 /* Returns true if gnuplot is installed. Otherwise reports a problem. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal setting. Returns false
- * with a problem on failure. */
+/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal setting. On failure, sets
+ * *problem and returns false. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
@@ -28,7 +28,7 @@ bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 /* Returns true if a program with this name is in one of the directories in PATH. */
 bool program_exists(const char *name);
 
-/* Opens a temporary file, which vanishes when it is closed. Returns NULL with a problem on failure. */
+/* Opens a temporary file, which vanishes when it is closed. On failure, sets *problem and returns NULL. */
 FILE *temporary_open(struct problem *problem);
 
 /* Runs a program with `in` as standard input and `out` as standard output. If the program fails, the message

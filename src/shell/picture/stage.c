@@ -9,7 +9,8 @@ enum { DOMINOES = 200, MORE = 32 };
 /* a domino that is smaller than this, relative to the head, would be a dot */
 #define SMALLEST 0.01
 #define WIDEST   2.4 /* the width of a picture relative to its height; dominoes farther back are not drawn */
-#define TALLEST  2.5 /* the height of a picture relative to the head; a taller next domino is cut off */
+/* the height of a picture relative to the head; if the next domino is taller, it is cut off */
+#define TALLEST 2.5
 
 /* ---- One domino ---- */
 

@@ -118,7 +118,7 @@ static void make_folders(char *path)
 }
 
 /* Opens and locks the history file. If another session replaces the file between these two steps, tries
- * again. Returns -1 with errno after an error. */
+ * again. On failure, sets errno and returns -1. */
 static int file_open(const volatile sig_atomic_t *interrupt)
 {
     enum { TRIES = 10 };
@@ -140,8 +140,8 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends a line to the file, as a whole or not at all. `size` is the size of the file. Returns false with
- * errno after an error. */
+/* Appends a line to the file, as a whole or not at all. `size` is the size of the file. On failure, sets
+ * errno and returns false. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;

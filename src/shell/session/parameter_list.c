@@ -16,8 +16,9 @@
 #define QUAD_TYPE "not available"
 #endif
 
-static const char s_help[] = "The free distance before a domino, divided by the height of this domino. "
-                             "A length, as in 'set s 2 cm', is divided by h.";
+static const char s_help[] =
+    "The gap is the clear distance before a domino, and s is the gap divided by the height of this domino. "
+    "A length, as in 'set s 2 cm', is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
                              "which a train keeps falling, and 'effect row N' makes a finite row.";

@@ -15,7 +15,7 @@ const struct column plan_columns[] = {
     {"back_low", "m", "the smallest value of 'back' at which all dominoes fall, if only this domino moves",
      0},
     {"back_high", "m", "the largest such value", 0},
-    {"gap", "m", "free distance to the domino before it", 0},
+    {"gap", "m", "clear distance to the domino before it", 0},
     {"height", "m", "height of the domino", 0},
     {"height_low", "m", "the smallest height at which all dominoes fall", 0},
     {"height_high", "m", "the largest such height", 0},

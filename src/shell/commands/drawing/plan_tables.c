@@ -22,7 +22,7 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 }
 
 /* Writes a value and the two ends of its window into three cells, and makes the cells bold if the window of
- * domino k has the least room of all windows of this kind. */
+ * domino k is the tightest of all windows of this kind. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {

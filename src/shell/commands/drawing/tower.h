@@ -16,7 +16,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
  * that are too small to be seen. Returns false if memory runs out. */
 bool tower_add(struct falling_row *row, double height);
 
-/* Stores the tower in stage.domino[stage.count], so far to the right that the last domino can fall in front
+/* Stores the tower in stage.domino[stage.count], far enough to the right for the last domino to fall in front
  * of it. Functions that pose the row do not change the tower. A frame shows the tower only if the caller adds
  * 1 to stage.count. Returns false if memory runs out. */
 bool tower_film(struct falling_row *row, double height);

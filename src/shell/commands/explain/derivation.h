@@ -97,7 +97,8 @@ struct derivation {
     const char *energy_unit;      /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
-    /* The tilts and slopes of all dominoes: at launch, and when the head has the tilt of the current sum. */
+    /* The tilts and slopes of all dominoes: at launch, and at the tilt of the head for which the current sum
+     * is computed. */
     struct chain {
         struct domq_link *link;
         size_t count, room;

@@ -50,8 +50,8 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Returns true if all measured dominoes are among the first `dominoes` dominoes, which fall in the model.
- * Otherwise reports that the row is too short, and returns false. */
+/* `dominoes` is the number of dominoes that fall in the model, counted from the first. Returns true if all
+ * measured dominoes are among them. Otherwise reports that the row is too short, and returns false. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||

@@ -51,8 +51,8 @@ static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
     return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
 }
 
-/* Makes the row of the scene, the limits and the errors. On failure, sets *problem and returns false. The
- * caller frees the memory in both cases. */
+/* Sets up the scene's row, the limits of the changes and the random errors. On failure, sets *problem and
+ * returns false. The caller frees the memory in both cases. */
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {

@@ -15,8 +15,8 @@ struct probe {
     const struct parameter *parameter; /* NULL if no parameter is changed */
     bool verdict;                      /* the answer is the command's verdict: 1 for true, -1 for false */
     struct problem problem;            /* why the last evaluation gave no answer */
-    bool wrong;                        /* the question has an error at every value of the parameter */
-    struct quantity unit;              /* the unit of the last answer */
+    bool wrong;           /* the question itself is wrong and fails at every value of the parameter */
+    struct quantity unit; /* the unit of the last answer */
 };
 
 /* Evaluates the question with this value of the parameter, and returns the answer. If there is no answer,

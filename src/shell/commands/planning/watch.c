@@ -16,7 +16,7 @@
 
 enum {
     STEPS = 200, /* number of small steps in the range */
-    COARSE = 5   /* a large step, and the distance between two points of the curve, in small steps */
+    COARSE = 5   /* a large step, counted in small steps; points of the curve are this far apart, too */
 };
 
 struct watch {

@@ -195,11 +195,11 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         snprintf(chart->note, sizeof chart->note,
                  "The row does not fall, and changing any single gap would not save it.");
     else if (falls)
-        snprintf(
-            chart->note, sizeof chart->note,
-            "The gap before domino %zu has the least room: %.30s, at most %.30s narrower or %.30s wider.",
-            t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
-            measured(t->high - t->now, "m", 3).text);
+        snprintf(chart->note, sizeof chart->note,
+                 "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "
+                 "or %.30s wider.",
+                 t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
+                 measured(t->high - t->now, "m", 3).text);
     else
         snprintf(chart->note, sizeof chart->note,
                  "The row does not fall as planned. It falls with a gap of %.30s to %.30s before domino %zu.",

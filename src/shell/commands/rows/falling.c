@@ -128,12 +128,12 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
             problem,
             "a domino of this row leans, but the rigid-body engine, which is used because %s, needs upright "
             "dominoes; turn the engine off, or enter a row whose file has "
-            "no column lean",
+            "no 'lean' column",
             scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
-        return problem_no_answer(problem,
-                                 "a domino of this row leans, but rounded edges need upright dominoes; enter "
-                                 "'effect edges off', or a row whose file has no column lean and no radius");
+        return problem_no_answer(
+            problem, "a domino of this row leans, but rounded edges need upright dominoes; enter "
+                     "'effect edges off', or a row whose file has neither a 'lean' nor a 'radius' column");
     /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the sizes and masses of dominoes. */
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return query_status(query, problem, status);

@@ -15,7 +15,7 @@ static const struct column row_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"height", "m", "height of the domino", 0},
     {"thickness", "m", "thickness of the domino", 0},
-    {"gap", "m", "free distance to the domino before it", 0},
+    {"gap", "m", "clear distance to the domino before it", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {"relative", "", "mass divided by the mass of the first domino, if masses are not known", 0},
     {"radius", "m", "radius of the edges, if the file has radii; used with 'effect edges'", 0},
@@ -386,7 +386,7 @@ const struct command row_commands[] = {
          "domino whose height changes keeps its density and the angle of its lean. A domino that is not set "
          "up plumb leans about its front edge, and a window says how far its top may be off, backwards or "
          "forwards. With rounded edges, and in the engine, the program does not compute how far a domino may "
-         "lean. The dominoes with the least room are marked. If the row does not fall, the windows show "
+         "lean. The dominoes with the tightest limits are marked. If the row does not fall, the windows show "
          "which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",

@@ -84,8 +84,8 @@ struct windows {
     /* The windows of all dominoes, for each kind of window in the order of enum dom_window_of. The friction
      * between dominoes has a single window, which is the first element. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* The number of the domino with the least room for each kind of window, or 0 if there is no window. If
-     * the row does not fall, the number of the domino that needs the smallest change. */
+    /* The number of the domino with the tightest limits for each kind of window, or 0 if there is no window.
+     * If the row does not fall, the number of the domino that needs the smallest change. */
     size_t first[WINDOW_KINDS];
     bool falls;
 };

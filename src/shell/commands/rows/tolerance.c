@@ -14,7 +14,7 @@ const struct column tolerance_columns[] = {
     {"place", "m", "position of the domino: from the back of domino 1 to the back of this one", 8},
     {"from", "m", "the smallest position at which all fall, if only this domino moves", 8},
     {"to", "m", "the largest position at which all fall, if only this domino moves", 8},
-    {"gap", "m", "free distance to the domino before it", 8},
+    {"gap", "m", "clear distance to the domino before it", 8},
     {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"gap_high", "m", "the largest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"height", "m", "height of the domino", 8},
@@ -33,7 +33,8 @@ const struct column tolerance_columns[] = {
      "the largest friction between dominoes at which all fall; the search ends at 2, or at 4 times the "
      "present friction",
      8},
-    {"first", "", "whether this domino has the least room of all: in its 'place', its 'height' or 'both'", 6},
+    {"first", "",
+     "whether this domino has the tightest limits of all: in its 'place', its 'height' or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -47,8 +48,8 @@ static domq_real room(const struct domq_window *w)
 }
 
 /* Returns the number of the domino whose current value is closest to an end of its window, or 0 if there are
- * no windows. This domino has the least room if the row falls, and needs the smallest change if it does not.
- * For heights and thicknesses, the distance is divided by the current value. */
+ * no windows. This domino has the tightest limits if the row falls, and needs the smallest change if it does
+ * not. For heights and thicknesses, the distance is divided by the current value. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -203,7 +204,7 @@ static void lean_say(struct answer *a, const struct windows *w)
     if (k == 0)
         return;
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
-    const char *all = w->count > 1 ? ", the least room of all" : "";
+    const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
         answer_say(a, "All would fall if the top of domino %zu were off by %s to %s; it is now off by %s.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
@@ -269,14 +270,14 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
                w->falls ? "sets the middle of this range" : "saves the row");
 }
 
-/* Prints the window of the domino whose height or thickness has the least room, if there is one. */
+/* Prints the window of the domino whose height or thickness has the tightest limits, if there is one. */
 static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind, const char *how)
 {
     const size_t k = w->first[kind];
     if (k == 0)
         return;
     const struct domq_window of = readable(&w->kind[kind][k - 1]);
-    answer_say(a, "Make domino %zu between %s and %s %s: its %s has the least room%s; it is %s now.", k,
+    answer_say(a, "Make domino %zu between %s and %s %s: its %s has the tightest limits%s; it is %s now.", k,
                length(of.low, DIGITS).text, length(of.high, DIGITS).text, how, size_names[kind],
                w->count > 1 ? " of all" : "", length(of.now, DIGITS_NOW).text);
     change_say(a, w, kind, k);
@@ -298,9 +299,9 @@ static void tolerance_say(struct answer *a, const struct windows *w)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));
     if (place) {
         const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
-        answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
-                   place, length(p.low, DIGITS).text, length(p.high, DIGITS).text,
-                   length(p.now, DIGITS_NOW).text);
+        answer_say(
+            a, "Place domino %zu between %s and %s: it has the tightest limits of all, and is at %s now.",
+            place, length(p.low, DIGITS).text, length(p.high, DIGITS).text, length(p.now, DIGITS_NOW).text);
         place_change_say(a, w, place);
     }
     size_say(a, w, DOM_WINDOW_HEIGHT, "tall");
