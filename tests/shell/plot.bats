@@ -39,7 +39,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
     done <<'END'
 fall|Energy~to~spare more~than~it~needs,~in~% the~weakest,~domino All~6~fall.~Domino
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
-gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~least~room
+gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
 placement 50|How~likely rows~that~fall,~in~% standard~deviation~of~every~gap 95~%~interval
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 inertia|Inertia launch top hit J~(20;~c2)
