@@ -47,8 +47,8 @@ struct dom_proof_work {
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling for all growths from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling for all growths from `from` to 1/s; low <= 1/s <= high */
-    /* The train stops at r = 1. For a pair, no larger growth at which the pair keeps falling was found
-     * either. */
+    /* The train stops at r = 1. A pair that stops at r = 1 has this result if no larger growth was found at
+       which it keeps falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, this is proved for no
      * growth. `gap` says why the proof is incomplete. */

@@ -399,7 +399,7 @@ struct dom_design {
     size_t steps;
     dom_real feet;    /* distance from the back of the first domino to the front of the last, in m */
     dom_real length;  /* the length in m after the last domino has fallen: `feet` + `height` */
-    dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
+    dom_real seconds; /* as in struct dom_verdict; if the wish names an engine, the engine computes it */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
     size_t weakest;   /* the number (2 or more) of the domino whose ratio is smallest */

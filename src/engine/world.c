@@ -83,8 +83,9 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Returns a filter for the shapes with which a box can collide. On hinges these are only its neighbours. On a
- * floor, where feet may slide, a box can collide with the floor and with all other boxes. */
+/* Returns a filter for the shapes with which a box can collide. If the feet are on hinges, a box can collide
+ * only with its neighbours. On a floor, where feet may slide, a box can collide with the floor and with all
+ * other boxes. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;

@@ -74,7 +74,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .help =
                 "Without this effect the moment of inertia is that of a solid block, even if 'q' is hollow. "
                 "In a train, the thickness of the walls is the same fraction of the height for every domino. "
-                "Only times change, because the moment of inertia enters only tau: with thin walls, times "
+                "Only times change, because the moment of inertia affects only tau: with thin walls, times "
                 "are 2.8 % longer. In a row, all dominoes are boxes made of the same boards, whose thickness "
                 "is THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
                 "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "

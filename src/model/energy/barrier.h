@@ -7,8 +7,8 @@
 
 /*
  * The barrier over the tilts [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ...,
- * edge[edges - 1] = end. If a domino detaches, the tilt of the head at that moment is the edge between the
- * first and the last edge.
+ * edge[edges - 1] = end. If a domino detaches, there are three edges, and edge[1] is the tilt of the head at
+ * that moment.
  */
 struct barrier {
     real theta_m, height;

@@ -31,8 +31,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* Return if the domino contributes less than the rounding errors, since nothing changes when it
-         * detaches. */
+        /* If the domino contributes less than the rounding errors, its detaching changes nothing. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);

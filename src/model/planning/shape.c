@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* Determines how sharp the limit of the hall is: if a row just fits into the hall, its gaps are already
- * narrowed by the factor 2^(-1 / SHARP). */
+/* The limit of the hall is smooth: it narrows the gaps of a row a little even before the row is too long.
+ * SHARP determines how little: a row that just fits gets gaps narrowed by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */

@@ -135,8 +135,8 @@ void trial_end(struct trial *t)
  * Neither num_root nor a solver of GSL can be used here: not every test yields a number to interpolate, the
  * result must be a point that was tested, and GSL computes only in double.
  *
- * Bisection alternates with the secant method, which is used if the spare energy is known on both sides of
- * the edge, where it has different signs. The secant's point is shifted by half of the tolerance, away from
+ * Bisection alternates with the secant method, which is used if the spare energy is known at both ends of the
+ * interval and has different signs there. The secant's point is shifted by half of the tolerance, away from
  * the end of the interval that is nearer to it. Without the shift, only that end would come close to the
  * edge.
  */

@@ -247,7 +247,7 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u of a domino with rounded edges at the moment when the time `left`
+/* Returns the angle phi beyond theta_u at which a domino with rounded edges stands when the time `left`
  * remains until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {

@@ -170,10 +170,11 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     if (!query_status(query, problem, domq_limit_pair(&train, query_compute(query), &limit)))
         return false;
     if (limit.ends != DOM_END_NONE)
-        answer_say(a,
-                   "A domino that just tips over topples one that is %s times as large, with a gap of %.6g "
-                   "times the height of the larger one.\n",
-                   measured(limit.r_max, "", 6).text, (double)train.s);
+        answer_say(
+            a,
+            "A domino that just tips over can topple a domino that is %s times as large, with a gap of %.6g "
+            "times the height of the larger one.\n",
+            measured(limit.r_max, "", 6).text, (double)train.s);
     return answer_row(
         a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE

@@ -123,7 +123,8 @@ static const struct column walk_columns[] = {
 };
 
 /* Begins a new walk if the session has none, or if the parameters have changed since its walk began. Sets
- * *begun to whether a new walk was begun. If this fails, sets *problem and returns false. */
+ * *begun to true if it has begun a walk, and to false otherwise. If this fails, sets *problem and returns
+ * false. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {

@@ -84,7 +84,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
                              units);
     if (!conversion_find(problem, name, c))
         return false;
-    /* Before 'to' and a unit of angle, a plain number is an angle in the session's unit. */
+    /* In '90 to rad', the plain number 90 is taken as an angle in the session's unit. */
     if (quantity_bare(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,

@@ -53,7 +53,7 @@ struct csv_file {
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
-    /* For the point and the comma: what the numbers read so far reveal about this character as a decimal
+    /* What the numbers read so far show about whether a character, which is either '.' or ',', is the decimal
      * mark. */
     struct csv_mark {
         bool is_used;

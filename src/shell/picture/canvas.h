@@ -86,7 +86,7 @@ void canvas_shade(struct canvas *canvas, int column, int row, double upper, doub
 /* Returns true if a cell is empty or outside the canvas. */
 bool canvas_blank(const struct canvas *canvas, int column, int row);
 
-/* Writes the rows of the canvas from the row `from` on, without trailing blanks. */
+/* Writes the rows of the canvas, beginning with row `from`, without trailing blanks. */
 void canvas_write(const struct canvas *canvas, int from, FILE *out);
 
 #endif

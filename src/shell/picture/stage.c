@@ -145,7 +145,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 
 /* ---- The train ---- */
 
-/* The state while the dominoes of a train are put on a stage, from front to back. */
+/* The state of a loop that puts the dominoes of a train on a stage, from front to back. */
 struct filling {
     struct stage *stage;
     double s, r, d, rho;

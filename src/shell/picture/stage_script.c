@@ -123,7 +123,7 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (MARGIN_LEFT + ACROSS / 2.0) / v->width, (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
-/* Writes a text into the caption, starting at line `line`. */
+/* Writes text into the caption, starting at line `line`. */
 static void caption_script(const char *text, const struct sheet *v, int line, FILE *script)
 {
     for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {

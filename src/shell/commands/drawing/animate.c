@@ -131,8 +131,8 @@ static bool animate_row(const struct film *film, double tower)
             (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
     stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
-    /* The caption must be as large as the largest caption of a frame: two lines, the second of which is
-     * longest in the last frame, where it is the verdict. */
+    /* Makes room for the largest caption of a frame. A caption has two lines, and the second line is longest
+     * in the last frame, where it gives the verdict. */
     falling_row_verdict(&f.row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
     bool done = !f.towers || tower_film(&f.row, tower) ||

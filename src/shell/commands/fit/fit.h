@@ -33,7 +33,7 @@ struct fit_point {
  * speeds belong to a single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
-    double gap;    /* the gap of the row in this run, or NaN if the scene gives the row */
+    double gap;    /* the gap of the row in this run, or NaN if the row is that of the scene */
     size_t first, count;
     size_t dominoes; /* the highest number of a measured domino */
 };

@@ -28,8 +28,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns, to three digits, the largest friction below that of the scene at which equal dominoes have this
- * safety. Returns 0 if there is no such friction. */
+/* Returns the largest friction, to three digits, that gives equal dominoes this safety and is below the
+ * friction of the scene. Returns 0 if there is no such friction. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;

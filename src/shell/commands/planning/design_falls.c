@@ -9,7 +9,8 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search tries at most DOMINOES_MOST dominoes, and runs random rows for at most MORE designs. */
+/* The search tries rows of at most DOMINOES_MOST dominoes, and simulates random rows for at most MORE
+ * designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
 /* The table also shows designs with up to this many dominoes more than needed, so that the user can choose.

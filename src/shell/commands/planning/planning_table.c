@@ -64,8 +64,9 @@ const struct command design_commands[] = {
      .summary = "change the row so that it is most likely to fall",
      .help = "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
              "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES, in any "
-             "order, are: 'sizes', to change the sizes of all dominoes but the first and the last, too, in "
-             "fixed proportions; 'hall 20 m', the greatest length of the row with its last "
+             "order, are: 'sizes', to change not only gaps but also the sizes of all dominoes between the "
+             "first and the last, whose proportions stay fixed; 'hall 20 m', the greatest length of the row "
+             "with its last "
              "domino fallen (by default the length that it has now); 'boards 9, 12, 15 mm', the thicknesses "
              "to choose from (with 'effect walls 12 mm 30 cm' they are for the solid dominoes); 'mass 50 "
              "kg', the greatest mass of a domino that changes; and 'grid 1 mm' for sizes and "

@@ -201,7 +201,7 @@ static bool more_bind(const struct question *q, const struct query *query, struc
 }
 
 /* Chooses the columns of a plot, in the order of its keys. If several columns have the same key, chooses the
- * one whose meaning mentions the plot. */
+ * one whose description mentions the plot. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;
@@ -263,7 +263,7 @@ const struct command plot_commands[] = {
          "'xrange' and 'yrange' with the two ends of an axis, in the unit that its label names; 'xscale' and "
          "'yscale' with 'log' or 'linear'; 'legend' with 'below', 'right' or 'off'; and for a file, 'width' "
          "and 'height' from 6 to 30 cm, 'font' in points, and 'family' with the name of a font. These words "
-         "can stand in any order, but before the grid of a sweep or the parameters of a fit.",
+         "can come in any order, but must come before the grid of a sweep or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",

@@ -93,8 +93,8 @@ const struct column slip_columns[] = {
     {"domino", "", "the domino whose foot needs this friction: 0 = head, 1, 2, ... its followers", 0},
     {"hit", "", "the friction that feet need in a collision: the largest ratio of impulses", 0},
     {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
-    {"slips", "", "yes if a foot slips on the floor of 'effect floor' while dominoes fall", 0},
-    {"slips_hit", "", "yes if a foot slips on the floor of 'effect floor' in a collision", 0},
+    {"slips", "", "yes if a foot slips while dominoes fall, on the floor that 'effect floor' sets", 0},
+    {"slips_hit", "", "yes if a foot slips in a collision, on the floor that 'effect floor' sets", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -74,8 +74,8 @@ static int cause_next(const struct study *s, int last)
     return (int)most_next(cost, DOM_ERROR_COUNT, (size_t)last);
 }
 
-/* Returns the number of the domino at which one kind of error stops more rows than at any other domino, or 0
- * if that kind of error stops no row. */
+/* Returns the number of the domino where a kind of error stops the most rows, or 0 if this kind of error
+ * stops none. */
 static size_t cause_stops(const struct study *s, int kind)
 {
     const size_t most = most_next(study_stops(s, kind), s->count, s->count);
