@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The clock of a cycle: finds times from tilts, tilts from times, and the cycle as a table. */
+/* Converts the tilts of a cycle to times and times to tilts, and tabulates the cycle. */
 #include "motion/motion.h"
 
-/*
- * The time as a function of the tilt: one Chebyshev series for each smooth piece. Since a series gives the
- * time at every tilt of its piece, the whole clock costs no more than a few separate integrals, each of which
- * gives the time at one tilt only.
- */
+/* The time as a function of the tilt, with a Chebyshev series for each smooth piece. All series together cost
+ * no more than the integrals for a few single times. */
 struct clock {
     int pieces;
     struct tick {
         struct num_series series;
         real begins; /* the time at which the head reaches lo */
-        /* True if the train stops at the end of this piece. The variable of the series is then x of
-         * slowness_before, which runs from the stop backwards. */
+        /* True if the train stops at the end of this piece. In this case the variable of the series is x of
+         * slowness_before, which is 0 at the stop. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
@@ -101,11 +98,8 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
     return model_status(DOM_OK, solver);
 }
 
-/*
- * Finds the tilt at a given time by Newton's method, with omega as the derivative, and by bisection where a
- * step of Newton's method would leave the bracket. *at holds the first guess on entry and the result on
- * return.
- */
+/* Finds the tilt at a given time by Newton's method; the derivative is omega. Bisects where a step of
+ * Newton's method would leave the bracket. *at is the first guess on entry, and the result on return. */
 static enum dom_status tilt_search(struct motion *m, real time, real *at)
 {
     real lo = 0, hi = m->end;
@@ -176,7 +170,7 @@ struct table {
     bool errors;
     dom_state_visit *visit;
     void *context;
-    bool ended; /* true once the visitor has asked to end the walk */
+    bool ended; /* true after the visitor has ended the walk */
 };
 
 static enum dom_status table_row(struct table *t, real theta, const struct instant *event)

@@ -101,8 +101,8 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
-        /* Near a stop the remaining energy is a small difference, which has the requested tolerance only if
-         * the sums have a finer tolerance. */
+        /* Near a stop, the remaining energy is a small difference of sums. It has the requested accuracy only
+         * if the sums are more accurate. */
         real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;
@@ -112,8 +112,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
     return DOM_OK;
 }
 
-/* Finds the error of the tilt at which a train stops: the error of the remaining energy there, divided by the
- * slope of the energy. */
+/* The error of the tilt is the error of the remaining energy, divided by the slope of the energy. */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     const struct geometry *geometry = &cycle->segment.geometry;
@@ -155,8 +154,7 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* The rounding errors of the kinetic energy and of the barrier, divided by the margin, limit the accuracy
-     * of the duration. */
+    /* Rounding makes the margin this inaccurate, and the duration cannot be more accurate than the margin. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

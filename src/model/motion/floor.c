@@ -6,8 +6,8 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 /* A search ends when a smooth maximum can exceed the largest known value by at most this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* Dominoes slower than this fraction of the head's speed are ignored. Such dominoes may need much friction to
- * stay in place, but nobody would see them slip. */
+/* A domino is ignored if its speed is less than this fraction of the head's. Slow dominoes may need much
+ * friction, but nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Finds the friction that the motion needs at this tilt, and stores it in *motion. If this friction exceeds
- * the largest one so far, also stores it in *required_friction. */
+/* Sets *motion to the friction that the motion needs at theta. Raises *required_friction if the friction
+ * needed so far was less. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
@@ -52,10 +52,9 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Bisects an interval recursively while a maximum inside it may exceed the largest known value. A parabola
- * through the two ends and the middle exceeds the largest of the three values by at most an eighth of their
- * second difference. Allowing for the whole second difference makes the test safe for other shapes. Since no
- * maximum is missed, the order in which maxima are found does not matter.
+ * Bisects [lo, hi] recursively, as long as a value inside may exceed the largest known one. A parabola
+ * through three equally spaced points exceeds the largest of their values by at most 1/8 of their second
+ * difference. The test allows for the whole second difference, to be safe for other shapes.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 
 /*
- * The force on the last domino that is shown comes from the dominoes after it, so the list has about twice as
- * many dominoes as are shown. In a long train, FORCES_MORE extra dominoes are enough, because moving_push
- * replaces all later ones by a geometric series.
+ * The force on the last domino shown depends on the dominoes after it, so the list is about twice as long as
+ * what is shown. In a long train this many extra dominoes are enough, because moving_push replaces all later
+ * ones by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -14,13 +14,13 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* Finds the contact forces from the tail up to the head. For each follower, first finds the part of the
- * torque that does not accelerate the follower, and then the contact force that balances this part. */
+/* Finds the contact forces from the tail up to the head. Part of the torque on a follower does not accelerate
+ * it; the contact with its leader must balance this part. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the change of
-     * angular momentum in the collision that the impulse of this contact must supply. */
+    /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
+     * momentum that the impulse of this contact must supply in the collision. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
@@ -39,7 +39,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
             push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1 the tip hits the leader at its hinge, and no force can turn a domino. */
+        /* At r s = 1 the tip hits the leader at its hinge, where a force has no lever arm. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -60,9 +60,9 @@ static struct push push_on(const struct moving *k, real normal)
 }
 
 /*
- * Finds the force of the floor from Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
- * its hinge. If the edges are rounded, the centre of the lower edge takes the place of the hinge, and moves
- * along the floor at the height rho.
+ * Finds the force of the floor from Newton's law for the centre of the block. Relative to the hinge, the
+ * centre is at (x - d y, y + d x) / 2. If the edges are rounded, the centre of the lower edge replaces the
+ * hinge. It moves along the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -147,9 +147,8 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- The forces during a motion ---- */
 
-/* Finds the motion at a tilt. If T is the inertia ratio, the collision multiplies the angular velocities of
- * the chain that hits by T / (1 + T). The angular velocity that a domino loses is 1 / T times the one that
- * remains. */
+/* If T is the inertia ratio, the collision multiplies the angular velocities of the hitting chain by T / (1 +
+ * T). So a domino loses 1 / T times the angular velocity that it keeps. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -255,8 +254,7 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples. The minimum between two samples is found to a thousandth of the distance between
- * them. */
+/* The number of samples. The minimum is then found to 1/1000 of the distance between two samples. */
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
  * enough. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The forces in a moving chain, computed from the tail up to the head: a follower passes on to its leader the
- * part of its torque that does not accelerate the follower. The force of the floor at each hinge supplies
- * whatever the contacts and gravity do not.
+ * The forces in a moving chain, computed from the tail to the head. Part of the torque on a follower
+ * accelerates it; the contact passes the rest on to its leader. The forces of the contacts, gravity and the
+ * acceleration of a domino determine the force of the floor at its hinge.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
@@ -14,9 +14,9 @@ struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
     /*
-     * If `hit` is true, the motion begins with a collision at this moment. `omega` is then tau times the
-     * angular velocity of the head just after the collision. The collision reduces tau times the angular
-     * velocity of follower i by theta_i' omega_lost.
+     * If `hit` is true, the motion begins with a collision at this moment. `omega` is tau times the angular
+     * velocity of the head after the collision. Follower i loses theta_i' omega_lost / tau of its angular
+     * velocity.
      */
     bool hit;
     real omega, omega_lost;
@@ -24,15 +24,15 @@ struct kinematics {
     struct room *room; /* memory for the list of dominoes, reused by later calls; may be NULL */
 };
 
-/* A tolerance that is fine enough for a few digits of a force. In a long train, this tolerance halves the
- * number of dominoes that are visited. */
+/* This tolerance gives a few digits of a force. In a long train it halves the number of dominoes that are
+ * visited. */
 #define FORCES_TOL ((real)1e-6)
 
 /* The forces on one domino, in units of m g of the head, and the impulses on it, in units of m g tau of the
  * head. x points forward and z up. */
 struct hinge_load {
     const struct link *link;
-    real size;                 /* height relative to that of the head */
+    real size;                 /* height relative to the head's */
     bool leaned;               /* true if a follower leans on this domino */
     real force, impulse;       /* exerted by the follower, normal to the back face */
     real x, z;                 /* force of the floor at the hinge */
@@ -58,14 +58,14 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /*
- * Finds the smallest contact force at a few tilts up to `to`, divided by the weight of the domino that the
- * force pushes. Lowers *least to that value if *least is larger. Does nothing if segment->end.pushes already
- * shows that every contact pushes.
+ * Lowers *least to the smallest contact force at a few tilts up to `to`, if that is smaller. Each force is
+ * divided by the weight of the domino that it pushes. Does nothing if segment->end.pushes already shows that
+ * every contact pushes.
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns |x| / z for the force (x, z) of the floor, which is the friction coefficient that a hinge needs.
- * The coefficient is infinite if the force would have to pull the domino down. */
+/* Returns the friction coefficient that a hinge needs: |x| / z, where (x, z) is the force of the floor. The
+ * coefficient is infinite if the floor would have to pull the domino down. */
 KERNEL real forces_needed(real x, real z);
 
 /*
@@ -73,8 +73,8 @@ KERNEL real forces_needed(real x, real z);
  * the force at a hinge during the motion, or the impulse at a hinge in the collision.
  */
 struct required_friction {
-    real motion, theta; /* the largest ratio during the motion, and the tilt of the head at that time */
-    size_t domino;      /* the domino whose foot needs the coefficient `motion`, 0 for the head */
+    real motion, theta; /* largest ratio during the motion, and the tilt of the head then */
+    size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
     real hit;           /* the largest ratio in the collision */
     size_t hit_domino;
 };

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle as a function of time: events, times, and the state at a tilt. */
 #include "motion/motion.h"
 #include <stdlib.h>
 
@@ -16,7 +15,7 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
     m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
-        /* times grow like ln(1/margin), and the margin is too inaccurate */
+        /* times grow like ln(1/margin), so they need an accurate margin */
         return DOM_NO_MARGIN;
     return cycle_end(&m->cycle, &m->end);
 }
@@ -28,24 +27,23 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Returns dt/du, the integrand of the time before a stop. The slowness grows like 1/sqrt(end - theta), but
- * with theta = end (1 - u^2) the integrand dt/du = 2 end u / (tau omega) is smooth. As x runs from 0 to 1, u
- * runs from `root` to root + span. The remaining energy H(end) - H(theta) is computed directly from end -
- * theta, so nothing cancels, neither at the stop nor at the launch.
+ * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) makes the
+ * integrand smooth: dt/du = 2 end u / (tau omega). As x goes from 0 to 1, u goes from `root` to root + span.
+ * The remaining energy H(end) - H(theta) is computed from end - theta, so that no digits cancel.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow. dt/du is constant there to within rounding
-     * errors, so it can be computed at a larger u. */
+    /* Very near the stop, the remaining energy would underflow. A larger u gives the same dt/du there, to
+     * within rounding errors. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
     return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 
-/* Adds the time from m->smooth to a tilt before the stop. */
+/* Adds the time from m->smooth to `to`, a tilt before the stop. */
 static enum dom_status motion_time_before(struct motion *m, real to, real *time)
 {
     real part = 0, far = sqrt((m->end - m->smooth) / m->end);
@@ -122,11 +120,10 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds the error bound on the time at which the head reaches theta: the integral of the error bound on the
- * slowness, plus the tolerance of the integral of the slowness. Near a stop the slowness has no error bound.
- * There, rounding errors affect the time through m->tol, and through the tilt of the stop: if that tilt has
- * the error of_end, times shift by at most of_end / omega. Early in the cycle, half of the time so far,
- * multiplied by the relative error of the kinetic energy, is a better bound.
+ * Finds an error bound on state->time: the tolerance of its integral, plus the integral of the error bound on
+ * the slowness. If the train stops, the slowness has no such bound. Instead, an error of_end in the tilt of
+ * the stop shifts times by at most of_end / omega. Early in the cycle, (time / 2) (energy / kinetic energy)
+ * is a better bound, where `energy` is the error bound on the energy.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -148,8 +145,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. If theta is the tilt at which a follower detaches,
- * rounding may put theta before or after it; either way the follower counts as detached. */
+/* Finds the energy that detached dominoes have released. Theta may be the tilt at which a follower detaches.
+ * The follower then counts as detached, even if rounding makes theta a little smaller. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -189,8 +186,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits the head is this train at theta_c, but with every size divided by r, so its energy
-     * has the additional factor r^-q. */
+    /* The train that hits the head is a copy of this train at theta_c, with all sizes divided by r. So its
+     * energy has an additional factor r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

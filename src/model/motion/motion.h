@@ -1,23 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * One cycle of the endless train: its events, its times, and its state at a tilt. A cycle lasts from the
- * launch over the barrier to the next hit, or to the tilt at which the train comes to rest.
- */
+/* One cycle of an endless train: its events, its times, and its state at a tilt. A cycle begins with the
+ * launch. It ends with the next hit, or at the tilt where the train comes to rest. */
 #ifndef DOM_MOTION_H
 #define DOM_MOTION_H
 
 #include "motion/segment.h"
 
-/* A cycle: its motion from upright to theta_c, and the launch that begins it. */
+/* The motion of the head from upright to theta_c, and the launch that begins it. */
 struct cycle {
     struct segment segment;
     struct launch launch, launch_error;
 };
 
 /*
- * Prepares a cycle and finds its barrier over [0, theta_c], with a tolerance that is fine enough for the sign
- * of the margin. Also finds launch_error if `errors` is true. Returns DOM_NO_FUEL if there is not even a
- * launch. cycle_free frees the memory and must be called after a failure, too.
+ * Prepares a cycle and finds its barrier over [0, theta_c], accurately enough for the sign of the margin.
+ * Finds launch_error only if `errors` is true. Returns DOM_NO_FUEL if the train has no energy for a launch.
+ * Call cycle_free afterwards, even if this function fails.
  */
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
 KERNEL void cycle_free(struct cycle *cycle);
@@ -38,45 +36,43 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
                                    real *error);
 
 /*
- * Finds the error bound on the tilt at which a cycle has used up its energy, or NaN if no bound is known. If
- * `energy` is not NULL, *energy receives the error of the energy at that tilt, provided that a bound is
- * known.
+ * Finds an error bound on theta, the tilt at which a cycle has used up its energy. *error is NaN if no bound
+ * is known. If a bound is known and `energy` is not NULL, *energy is the error bound on the energy at theta.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 
 struct motion {
     struct cycle cycle;
-    real end; /* theta_c, or the tilt at which the train comes to rest */
-    real tol; /* tolerance of times, larger than the requested one if the margin is small */
+    real end; /* last tilt: theta_c, or where the train comes to rest */
+    real tol; /* tolerance of times; larger than requested if the margin is small */
     bool stops;
-    real smooth, root, span; /* set by motion_time and read by slowness_before */
+    real smooth, root, span; /* set by motion_time for slowness_before */
     struct room room;        /* memory for the computation of forces */
 };
 
 /*
  * Prepares the motion of a train up to theta_c or to the tilt at which it comes to rest. Returns
- * DOM_NO_MARGIN if the margin is too small for times to be computed. motion_end frees the memory and must be
- * called after a failure, too.
+ * DOM_NO_MARGIN if the margin is too small for times to be computed. Call motion_end afterwards, even if this
+ * function fails.
  */
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
 
-/* Returns dt/du, the integrand of the time before a stop, which is a smooth function of x (motion.c). The
- * context is a struct motion. */
+/* Returns dt/du, the integrand of the time before a stop, as a smooth function of x (motion.c). The context
+ * is a struct motion. */
 KERNEL real slowness_before(real x, void *context);
 
 /* Finds the time from one tilt to another, in tau. */
 KERNEL enum dom_status motion_time(struct motion *motion, real from, real to, real *time);
 
-/* An event without its time. theta is a `real` here, so that it has the full precision of the kernel, whereas
- * struct dom_event has a dom_real. */
+/* An event without its time. Unlike in struct dom_event, theta has the full precision of the kernel. */
 struct instant {
     enum dom_event_kind kind;
     real theta;
     size_t domino;
 };
 
-/* Lists the events of the motion in their order, at most DOM_EVENTS_MAX. */
+/* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
 KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
 /* Finds the state at a tilt. `time` is the time at which the head reaches theta, or NaN if it still has to be

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
-/*
- * Ends the segment where the first domino detaches. Each step finds a domino that has detached before the end
- * of the segment, and moves the end to the tilt where this domino detaches. The steps are repeated, since
- * another domino may have detached even earlier.
- */
+/* Each pass of the loop finds a domino that has detached before hi, and lowers hi to the tilt at which this
+ * domino detaches. The loop goes on because another domino may have detached even earlier. */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
     const struct geometry *geometry = &st->geometry;
@@ -17,9 +14,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* The search ends at a domino whose motion is below the rounding errors. But once a domino that
-         * detaches has been found, the search continues up to that domino: at the tilt where it detaches, the
-         * dominoes after it do not move. */
+        /* The first search ends at a domino whose motion is below the rounding errors. Later searches visit
+         * every domino up to the one that detaches at hi, however little they move. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -49,15 +45,15 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no kinetic energy away. So if a domino detaches at once (r s = 1), J
-     * becomes smaller, and omegasq becomes larger in proportion. */
+    /* A domino that detaches carries no kinetic energy away. If one detaches at once (r s = 1), J becomes
+     * smaller, and omegasq grows in proportion. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
     start->J = at.J;
     st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
-    if (st->geometry.n == 1) /* a single domino has no contacts, and so no friction */
+    if (st->geometry.n == 1) /* a single domino has no contacts, hence no friction */
         st->geometry.dynamics = &energy_balance;
     if (status == DOM_OK && st->geometry.dynamics->solve_piece && st->lo < st->hi)
         status = st->geometry.dynamics->solve_piece(&st->geometry, start->J, st->lo, &st->hi);
@@ -118,7 +114,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* The energy is just enough for the highest point, except for a rounding error, so the row comes to rest
+    /* Up to a rounding error, the energy is exactly what the highest point requires, so the row comes to rest
      * there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;

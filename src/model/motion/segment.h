@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A segment: a part of the motion of one head, from a given state at lo up to hi, according to the law of
- * motion of its geometry. The cycle of a train is a single segment, whose barrier has an edge where a domino
- * detaches. In a row, a segment ends at such an edge.
+ * A segment is a part of the motion of one head, from a given state at the tilt lo to the tilt hi. The cycle
+ * of a train is a single segment: where a domino detaches, its barrier has an edge. In a row, a segment ends
+ * where a domino detaches.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
@@ -22,15 +22,15 @@ struct segment {
     real lo, hi;              /* tilts of the head, in rad */
     struct start start;       /* the state at lo */
     size_t summed;            /* number of dominoes that start.J includes, or 0 if J is not known yet */
-    real gain;                /* derivative of omegasq with respect to omegasq at the launch */
+    real gain;                /* derivative of start.omegasq with respect to omegasq at the launch */
     /* Inertia ratio of the collision that begins the segment, or 0 if the segment does not begin with a
      * collision. */
     real inertia_ratio;
     bool locks;             /* true if friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
-    struct sums end;        /* the sums at hi, set by segment_next; dH is relative to lo */
+    struct sums end;        /* sums at hi, set by segment_next; dH is H(hi) - H(lo) */
     struct room *room;      /* memory for the computation of forces; may be NULL */
-    enum dom_status status; /* error status of the function that a root search or an integral evaluates */
+    enum dom_status status; /* status of an integrand, or of a function whose root is sought */
 };
 
 /* Lowers hi to the tilt at which a domino detaches, if one does. *stay receives the number of dominoes that
@@ -44,14 +44,14 @@ KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Finds segment->end, the sums at hi, and sets *next to the segment that begins at hi with the dominoes that
- * continue to move. next->start.omegasq is a linear function of omegasq at the launch. A negative value means
- * that the energy has been used up on the way, and shows how much is missing.
+ * Finds segment->end, the sums at hi, and sets *next to the segment that begins at hi. next->start.omegasq is
+ * a linear function of omegasq at the launch. If it is negative, the energy has been used up before hi, and
+ * the value shows how much is missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* For a segment that locks at hi: sets *braked to true if the motion slows down before hi; then no motion
- * reaches hi. */
+/* The segment must lock at hi. Sets *braked to true if the motion slows down before hi. In this case no
+ * motion reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
