@@ -90,7 +90,7 @@ END
     wrong 'bye' "unknown command 'bye'; did you mean '(exit|quit)'"
     wrong 'Show s' "did you mean 'show'"
     wrong '2**10' "a power is written with '\^'"
-    wrong 'help(rmax)' "'help' has no value; the command is entered without parentheses"
+    wrong 'help(rmax)' "'help' has no value; enter the command without parentheses"
     wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
 }
 

@@ -9,9 +9,9 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands of all groups, and for each letter a linked list of the commands that begin with it. The list
- * holds indices in `every`, increased by 1. It begins with first[letter], continues with next[index], and
- * ends with 0. */
+/* `every` holds the commands of all groups. For each letter, a linked list holds the commands that begin with
+ * this letter: it begins with first[letter], continues with next[index], and ends with 0. The lists store
+ * each index plus 1. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -54,8 +54,8 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter whose first synonym is the word, or else the parameter that has the word as a value,
- * as q has 'hollow'. Returns NULL if there is no such parameter. */
+/* Returns the parameter whose first synonym is this word. If there is none, returns the parameter that has
+ * the word as a value, as q has 'hollow', or NULL. */
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
@@ -136,7 +136,7 @@ int command_principal(const struct command *c)
 const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
     snprintf(usage, USAGE_SIZE, "%s", c->name);
-    bool inside = false; /* a '[' has been written, and its ']' has not been written yet */
+    bool inside = false; /* a '[' has been written, but not yet its ']' */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
         text_add(usage, USAGE_SIZE, " %s%s%s", a->optional && !inside ? "[" : "", a->name,
@@ -178,7 +178,7 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* A user may copy theta_c from an answer in degrees, where the last digit may have been rounded up. */
+    /* The value may be a theta_c copied from an answer in degrees, whose last digit was rounded up. */
     domq_real slack =
         2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands. Each command is one entry of a table. The entry determines how the arguments of the command
- * are parsed, the error messages, the help, the completion, and the value of the command in expressions. */
+/* Each command is one entry of a table. Parsing, error messages, help, completion, and the value of the
+ * command in expressions all follow from this entry. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -9,8 +9,7 @@
 #include "session/parameters.h"
 #include "session/query.h"
 
-/* The kind of an argument determines how the argument is parsed and checked, and what completion offers for
- * the argument. */
+/* The kind of an argument determines how it is parsed and checked, and what completion offers. */
 enum argument_kind {
     ARGUMENT_NONE,
     /* Arguments that are expressions: */
@@ -22,15 +21,15 @@ enum argument_kind {
     ARGUMENT_NUMBER, /* a plain number */
     ARGUMENT_PLACE,  /* an angle in [0, theta_c], or one of the choices; choice k is stored as -1 - k */
     /* Arguments that are words or names: */
-    ARGUMENT_CHOICE,    /* one of the choices, which is stored as its index */
+    ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter or, if no ARGUMENT_VALUE follows, of a variable */
+    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable, if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
-    ARGUMENT_WORD,      /* any word, or a text in double quotes */
+    ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
-    /* Arguments with a parser of their own, the member `parse`: */
+    /* Arguments that the function `parse` of struct argument parses: */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
     ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
     ARGUMENT_WORDS,   /* all remaining words and values of the command */
@@ -53,9 +52,9 @@ struct argument {
     int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Functions for ARGUMENT_GRID to ARGUMENT_UNIT; NULL for other kinds. `parse` stores its result in
-     * question->parsed. `bind` evaluates this result in the state of the query, and stores the values in
-     * given->bound. */
+    /* Functions for the kinds from ARGUMENT_GRID to ARGUMENT_UNIT; NULL for other kinds. `parse` stores its
+     * result in question->parsed. `bind` evaluates this result in the state of the query, and stores the
+     * values in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -63,17 +62,16 @@ struct argument {
 
 enum { ARGUMENTS_MAX = 4 };
 
-/* The arguments of a command after binding: every expression has been evaluated in a state. */
+/* The arguments of a command after all their expressions have been evaluated. */
 struct arguments {
     int count;
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
-    int column[ARGUMENTS_MAX]; /* the column in the typed line at which each argument begins, for messages */
-    /* The parameter that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
+    int column[ARGUMENTS_MAX]; /* the column of each argument in the typed line, for messages */
+    /* The parameter that was named by an ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL. */
     const struct parameter *parameter;
-    /* The variable that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_TOPIC or in 'let'. May be
-     * NULL. */
+    /* The variable that was named by an ARGUMENT_PARAMETER, by an ARGUMENT_TOPIC or in 'let', or NULL. */
     const struct variable *variable;
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
@@ -95,16 +93,15 @@ struct command {
     /* The name of a parameter whose value the answer repeats in a column, or NULL. A sweep over this
      * parameter omits the column, unless an argument of the command takes the place of the parameter. */
     const char *echo;
-    /* The key of the last column if the number in this column takes much longer to compute than the others.
-     * Sweeps and expressions leave this column out. Otherwise NULL. */
+    /* The key of the last column if this column takes much longer to compute than the others, and otherwise
+     * NULL. Sweeps and expressions leave it out. */
     const char *alone;
-    /* For a command that computes something but that 'sweep' refuses: the reason for refusing it. Otherwise
-     * NULL. */
+    /* The reason why 'sweep' refuses this command, or NULL. Also NULL for commands that compute nothing. */
     const char *unswept;
     bool train; /* the answer is about the endless train */
-    /* What the command writes. If it writes a picture, csv and json contain the data of the picture. A chart
-     * is a picture that can also be written into a .tex file. A document is a text that can also be written
-     * into a .md or .tex file. A page is a long text for the pager. */
+    /* What the command writes. In csv and json, a picture is written as its data. A chart is a picture that
+     * can also be written to a .tex file. A document is text that can also be written to a .md or .tex file.
+     * A page is long text for the pager. */
     enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
     /* For a command that answers yes or no: the statement that is true if the answer is yes. See
      * answer_holds. */
@@ -118,28 +115,29 @@ struct command {
     /* Computes the answer to a query. A command that changes something stores the new state in query->next.
      * On failure, sets *problem and returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
-    /* Replaces `run` for a command that needs the whole session and not just its state. */
+    /* Called instead of `run` if the command needs the whole session, and not only its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
-    /* Draws the answer if it goes to a file whose extension is that of a picture. */
+    /* Called instead of `run` if the answer goes to a picture file, such as 'train.svg'. */
     bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
 struct command_group {
     const char *title;
-    const struct command *commands; /* ends with a NULL name */
+    const struct command *commands; /* an array whose last element has a NULL name */
 };
 
 /*
- * Registers the groups of all commands, in an array that ends with a NULL title, before the first command
- * runs. The array is defined in commands/registry.c, because the interpreter must not depend on the
- * individual commands.
+ * Registers the groups of all commands. The title of the last element is NULL. Must be called before the
+ * first command runs. The array is defined in commands/registry.c, so that the interpreter does not depend on
+ * the individual commands.
  */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Four names_lists (see names.h): all commands; all commands and parameters; all column keys of a command's
- * answer; and the column keys that a sweep or an expression can ask for. */
+/* Lists of names (see names_list in names.h). command_names has all commands, and topic_names all commands
+ * and parameters. answer_keys has all column keys of a command's answer, and command_keys only those that a
+ * sweep or an expression can ask for. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *answer_keys(const void *command, int k);
@@ -149,15 +147,15 @@ const char *command_keys(const void *command, int k);
  * names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
-/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of
- * the k-th topic that has this synonym, counted from 0, or NULL if fewer topics have it. */
+/* Returns topic number k, counted from 0, of those that have this word as a synonym, or NULL. For example,
+ * 'growth' is a synonym of r, and 'speed' of several topics. */
 const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns true for 'print', the command that is meant when a line consists of an expression alone. Messages
- * about an expression do not mention 'print', because the user has usually not typed it. */
+/* Returns true for 'print', the command of a line that is only an expression. Messages do not mention
+ * 'print', because the user has usually not typed it. */
 bool command_is_print(const struct command *command);
 
 /* Returns the index of the command's principal column. The command must have such a column. */
@@ -176,8 +174,7 @@ enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Checks that a safe session may run the command. Sets *problem and returns false if the session is safe
- * and the command reads or writes files. */
+/* If the session is safe and the command reads or writes files, sets *problem and returns false. */
 static inline bool command_allowed(const struct means *means, const struct command *command,
                                    struct problem *problem)
 {
@@ -185,7 +182,7 @@ static inline bool command_allowed(const struct means *means, const struct comma
            problem_error(problem, "a safe session cannot read or write files");
 }
 
-/* Returns an answer for a command to fill in. The answer is not written; only the cells of its last row are
+/* Returns an answer for a command to fill in. This answer is not printed: only the cells of its last row are
  * stored, in `kept`. */
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
@@ -198,8 +195,8 @@ struct quantity argument_unit(const struct argument *argument);
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns the angular velocity omega with its error bound. `omegasq` is tau^2 omega^2, and `error` is the
- * error bound on this square. If the square may be 0, the error bound on omega is sqrt(error) / tau. */
+/* Returns the angular velocity omega with its error bound. `omegasq` is tau^2 omega^2, and `error` is its
+ * error bound. If omegasq may be 0, the error bound on omega is sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
 /* CELL_OF makes a cell from a member of a result and the error bound on this member. CELL_TIMES multiplies

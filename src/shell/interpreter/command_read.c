@@ -33,12 +33,12 @@ const char *definition_head(const char *c, struct variable *v)
 
 /* The name at the beginning of a line, and the command or variable with this name. */
 struct head {
-    /* `next` is the first character after the name that is not a blank */
+    /* `next` points to the first character after the name and the blanks that follow it */
     const char *begin, *end, *next;
     char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
     const struct variable *variable;
-    bool is_alone; /* the command consists of this name alone */
+    bool is_alone; /* the name is the whole command */
 };
 
 static struct head head_read(const struct reader *r)
@@ -53,8 +53,7 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true if a command or its first word can end at c: if c is a blank, a '>' or the end of the command.
- */
+/* Returns true if a word ends at c: at a blank, a '>' or the end of the command. */
 static bool word_ends(const char *c)
 {
     return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
@@ -70,7 +69,7 @@ bool goes_on(const char *c)
            (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
 }
 
-/* Returns true if the line is meant as an expression, which may still contain errors. */
+/* Returns true if the line is meant as an expression, even one with errors. */
 static bool is_expression(const struct state *state, const struct head *h)
 {
     const char *c = h->begin;
@@ -88,7 +87,7 @@ static bool is_expression(const struct state *state, const struct head *h)
 }
 
 /* Returns true if a command that cannot be used in expressions is written like a function, as in "quit()" or
- * "print(2)". Moves the reader past the name, and also past an empty "()". */
+ * "print(2)". In this case, moves the reader past the name and past an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -140,7 +139,7 @@ static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
     struct variable v;
-    /* Most lines of a script are a command and a number, for which the tests below are not needed. */
+    /* Most lines of a script are a command and a number. They need none of the tests below. */
     if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);
@@ -183,8 +182,8 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Returns the index of the command that claims an ambiguous abbreviation with its member `shortest`, or
- * NAMES_SEVERAL if no command does. */
+/* Chooses among several commands that begin with `name`. Returns the index of the command that claims this
+ * abbreviation by its member `shortest`, or NAMES_SEVERAL if no command does. */
 static int reserved_command(const char *name)
 {
     const char *all;
@@ -206,8 +205,8 @@ static const char *synonym_command(const char *word)
     return NULL;
 }
 
-/* Reports that no command has this name, and suggests what the user may have meant. `k` and `message` come
- * from a call of names_find for the name. */
+/* Reports that no command has this name, and suggests what the user may have meant. `k` and `message` are the
+ * results of names_find for this name. */
 static void command_unknown(struct reader *r, const char *name, int k, const char *message)
 {
     const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);

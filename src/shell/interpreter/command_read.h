@@ -14,12 +14,11 @@
  */
 const struct command *command_read(struct reader *reader);
 
-/* Returns the command of a question that is an argument of another command, such as 'sweep'. An expression
- * stands for 'print'; other shorthands are not accepted. `offered` is the list of commands that completion
- * offers. */
+/* Finds the command of a question inside another command, such as 'sweep'. An expression stands for 'print';
+ * no other shorthands are accepted. Completion offers the commands in the list `offered`. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
-/* Returns true if the text at c is an operator or 'to', so that the word before c begins an expression. */
+/* Returns true if there is an operator or 'to' at c. The word before c then begins an expression. */
 bool goes_on(const char *c);
 
 /* Parses the head of a definition, "x =" or "f(s, d) =", into *variable. Returns the position after the '=',

@@ -38,8 +38,8 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs the `act` or `run` function of a command or, if the answer is drawn into a file, the `picture`
- * function. */
+/* Runs one of the command's functions: `act` if the command has it, `picture` if the answer is drawn into a
+ * file, and otherwise `run`. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -58,8 +58,7 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    /* The array is only cleared if it is used: clearing a kilobyte takes time, and most lines of a script do
-     * not use it. */
+    /* Clearing a kilobyte takes time, and most lines of a script do not need it. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = *output_find(&output, OUTPUT_END);
@@ -124,7 +123,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* It is not a write error if the user closed the pager before the end of the answer. */
+        /* If the user closes the pager before the end of the answer, this is not a write error. */
         end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -134,7 +133,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-/* Returns a list of the file extensions that suit the answer of a command, for messages. */
+/* Returns a list of the file extensions that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
     return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
@@ -146,7 +145,7 @@ static const char *endings_of(const struct command *c)
 }
 
 /* Returns true if the answer of the command can be written to a file with this extension. Otherwise reports a
- * problem. */
+ * problem and returns false. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct ending *ending = ending_of(path);
@@ -170,7 +169,7 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                                  draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
-/* Runs a command and writes its answer to a file, in the format that the extension of the file implies. */
+/* Runs a command and writes its answer to a file, in the format that the file extension stands for. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
@@ -204,8 +203,8 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     if (!*path)
         return problem_error(problem, "the file after '>' is missing; enter for example 'show > FILE'");
     if (!command_ends(r->at))
-        return problem_error(
-            problem, "only one word can follow '>'; put a file name with blanks between double quotes");
+        return problem_error(problem,
+                             "only one word can follow '>'; put a file name with blanks in double quotes");
     if (session->means.safe)
         return problem_error(problem, "a safe session cannot read or write files");
     return ending_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
@@ -214,9 +213,9 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 /* ---- Commands ---- */
 
 /*
- * Returns true if an empty JSON object must be written, because a command has written nothing and a program
- * may be waiting for its answer. With --shard, only part 1 writes such an object, and only if the answer is
- * not a table, because the outputs of the parts are concatenated.
+ * Returns true if the command has written nothing. A program may be waiting for its answer, so an empty JSON
+ * object is written instead. With --shard, the outputs of all parts are concatenated; only part 1 writes the
+ * object, and only if the answer is not a table.
  */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
@@ -228,8 +227,7 @@ static bool is_silent(const struct session *session, const struct command *c, bo
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
-/* Parses and runs the command at the position of the reader, and moves the reader to the position where
- * parsing ended. */
+/* Parses and runs the command at the reader's position, and moves the reader to where parsing ended. */
 static void run_command_at(struct session *session, struct reader *line)
 {
     struct reader r = *line;
@@ -254,7 +252,7 @@ static void run_command_at(struct session *session, struct reader *line)
             done = is_redirected ? run_redirected(session, &r, c, &call.query)
                                  : run_paged(session, c, &call.query, &problem);
         arena_free(&call.given.memory);
-        /* No empty JSON object is written after a change of the output format, as by 'set output csv'. */
+        /* After a command that changes the output format, no empty JSON object is written. */
         bool is_same = session_answers(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
@@ -335,8 +333,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* If SIGINT ends only the running command and not the whole script, forgets a SIGINT that has arrived before
- * or during the command. */
+/* At the prompt, SIGINT ends only the running command. Forgets a SIGINT that has arrived before or during it.
+ */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)

@@ -11,8 +11,8 @@ bool is_value_name(const struct state *state, const char *name)
 
 /* ---- Expressions ---- */
 
-/* Returns true if the word at `at` may follow a value. If not, the user must have meant the word as a unit,
- * and this function reports what is wrong with the unit. */
+/* Returns true if the word at `at` may follow a value. Otherwise the word was probably meant as a unit;
+ * reports what is wrong with it, and returns false. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN];
@@ -82,7 +82,7 @@ static void expression_offer(const struct reader *r, const struct argument *a, c
         offer_kind(&behind, OFFER_UNIT);
 }
 
-/* The callback `with` of struct parse: parses "with NAME VALUE ..." after a value in parentheses. */
+/* Parses "with NAME VALUE ..." in "(VALUE with NAME VALUE ...)". This function is the callback parse.with. */
 static struct tree *with_parse(struct parse *p, struct tree *value)
 {
     struct reader *outer = p->context, r = *outer;
@@ -168,9 +168,9 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /*
  * Reads a word and returns its index in a list of words for values. The word may be abbreviated, unless it
- * could also begin an expression, such as the parameter h in 'set q h'. `is_word_only` is true if the value
- * cannot be an expression. If the word is not in the list, returns a negative number and does not move the
- * reader. The message is then that of names_find, or empty if the word could begin an expression.
+ * could also begin an expression, as h could in 'set q h'. `is_word_only` is true if the value cannot be an
+ * expression. If the word is not in the list, returns a negative number and does not move the reader. The
+ * message is then that of names_find, or empty if the word could begin an expression.
  */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])

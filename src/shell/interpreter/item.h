@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values among a command's arguments. A value is parsed once, and then bound in a state, which means that
- * it is evaluated and checked. A sweep binds the value again at every point. */
+/* Parses and binds the values among a command's arguments. A value is parsed once. To bind it in a state
+ * means to evaluate it and to check the result; a sweep does this at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* All these parsers move the reader forward. After an error they set the reader's problem and return false or
+/* The parsers below move the reader forward. After an error they set the reader's problem and return false or
  * NULL. */
 
 /* Parses an expression for an argument. The item keeps a pointer to the argument. */
@@ -35,7 +35,7 @@ const struct parameter *parameter_parse(struct reader *reader, const char *form)
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes the value of an item and checks the value against the item's argument. Stores the value in
+/* Computes the value of an item and checks it against the item's argument. Stores the value in
  * *number, and with its unit in *quantity, which may be NULL. On failure, sets *problem and returns false.
  * If `text` is not NULL, the column of the problem is that of the value in this text. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,

@@ -10,8 +10,8 @@ struct lookup {
     struct problem *problem;         /* tells why a command has no answer */
 };
 
-/* Stores the number in cells[t->index] in *result. `cells` is a row of the answer of the command t->refers.
- * Returns false after an error. */
+/* `cells` is a row of the answer of the command t->refers. Stores the number of cell t->index in *result. On
+ * failure, sets the error and returns false. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {

@@ -45,11 +45,11 @@ const char *question_names(const void *context, int k);
 /* Returns a copy of the text from `begin` to `end`, without trailing blanks, for messages. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* A bound question: the values of its arguments, and the query with which the command runs. */
+/* A bound question: the values of its arguments, and the query that its command answers. */
 struct call {
     struct query query;
     struct arguments given;
-    struct state state; /* the state after the assignments of 'with'; not used if there is no 'with' */
+    struct state state; /* the state after the assignments of 'with', if there are any */
 };
 
 /* Binds a question in the state of a query. On failure, sets *problem and returns false. In both cases the
@@ -71,8 +71,8 @@ bool question_ask(const struct question *question, const struct query *query, st
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question asks for a single number. Otherwise sets *problem to a list of the keys to
- * choose from, and returns false. */
+/* Returns true if the question asks for a single number. Otherwise sets *problem to a message that lists the
+ * keys to choose from, and returns false. */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

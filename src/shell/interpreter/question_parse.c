@@ -23,8 +23,7 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          usage);
 }
 
-/* Returns true if argument i is a value of an effect that may be left out, and `word` is meant for a later
- * value of the effect. */
+/* Returns true if argument i, a value of an effect, is optional and the word is meant for a later value. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
@@ -61,7 +60,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* If the word is meant for a later value, argument i has been left out, and gets its usual value. */
+    /* If the word is meant for a later value, argument i has been left out and gets its usual value. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;

@@ -15,7 +15,7 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 /*
  * What may be typed next, for completion, hints and colours. A line that is being typed is parsed with a
  * cursor at its end. The cursor is a character that no parser accepts, and every function that tries to read
- * at the cursor records in this struct what it can read.
+ * at the cursor records in this struct what it would accept.
  */
 struct offer {
     const char *cursor;
@@ -31,8 +31,8 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* If not NULL, an array with one element for each byte of the line. The elements that belong to names of
-     * commands are set to true. */
+    /* May be NULL. Has one element for each byte of the line, which is set to true if the byte belongs to a
+     * command's name. */
     bool *is_command;
 };
 
@@ -46,9 +46,9 @@ struct reader {
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
     bool unresolved;     /* names in expressions are left to be resolved later */
-    bool evaluates;      /* each value is computed and checked when it has been parsed */
+    bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */
-    struct offer *offer; /* NULL unless the line is only previewed */
+    struct offer *offer; /* for a line that is only previewed; otherwise NULL */
 };
 
 /* Returns reader->offer if the reader is at the cursor, and NULL otherwise. */

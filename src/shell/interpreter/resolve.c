@@ -10,7 +10,8 @@ enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol without arguments. Returns 0, the height for a node that has no children. */
+/* Turns a node into a symbol without arguments. Returns 0, as the functions below do for a node without
+ * children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -117,7 +118,7 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
     int fewest, most = command_values(c, &fewest);
     if (!c->principal)
         return fail(r, t,
-                    t->count > 0 ? "'%s' has no value; the command is entered without parentheses"
+                    t->count > 0 ? "'%s' has no value; enter the command without parentheses"
                                  : "'%s' has no value: the answer of this command consists of words or rows",
                     t->name);
     if (most < 0)

@@ -26,12 +26,12 @@ struct assignment {
 };
 
 /* What a node of kind TREE_SYMBOL stands for, and what the member `refers` of the node points to. The member
- * `value` of a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is the unit of the value. */
+ * `value` of a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is its unit. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of the answer of this command */
+    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
     /* The struct command that gave the last answer; the value is column `index` of this answer. If `refers`
      * is NULL, the value is the last one that 'print' has shown. */
     SYMBOL_ANS,
@@ -44,7 +44,7 @@ struct routine {
     const struct variable *function;
     const struct tree *body;
     int height; /* the height of the body's tree */
-    /* the names of the body are being resolved; this detects a function that uses itself */
+    /* true while the names of the body are being resolved, to detect a function that uses itself */
     bool is_open;
     struct routine *next;
 };
@@ -66,8 +66,8 @@ struct resolver {
  * returns -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
-/* After an error in the body of a function, adds the name of the function to the message. `at` is the
- * position at which an expression uses the function. */
+/* Adds the name of a function to the message about an error in its body. `at` is the position where an
+ * expression uses the function. */
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 
 /* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either *error or
