@@ -49,20 +49,6 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_
         row_weigh(scene, domino, count);
 }
 
-domq_real *scene_row_widths(const struct scene *scene, size_t count)
-{
-    const size_t room = count + 1; /* because malloc(0) may return NULL */
-    domq_real *width = malloc(room * sizeof *width);
-    struct domq_domino *domino = malloc(room * sizeof *domino);
-    const bool good = width && domino;
-    if (good)
-        scene_row_fill(scene, domino, width, count);
-    else
-        free(width);
-    free(domino);
-    return good ? width : NULL;
-}
-
 /* Returns true if the walls fit into every domino. Otherwise reports the problem. */
 static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
                       struct problem *problem)
@@ -84,10 +70,11 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     if (!effect[DOM_EFFECT_row].on)
         return problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
-    row->domino = malloc(count * sizeof *row->domino);
+    row->domino = malloc(count * (sizeof *row->domino + sizeof *row->width));
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    scene_row_fill(scene, row->domino, NULL, count);
+    row->width = (domq_real *)(row->domino + count);
+    scene_row_fill(scene, row->domino, row->width, count);
     if (scene_walls(scene) > 0 && !walls_fit(scene, row->domino, count, problem)) {
         free(row->domino);
         row->domino = NULL;
@@ -174,13 +161,13 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
         quad_text(value, 10), write);
 }
 
-domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino, domq_real width,
+domq_real scene_row_measure(const struct scene *scene, const struct scene_row *row, size_t k,
                             enum row_measure measure)
 {
-    struct measured_domino copy = {*domino, width};
-    return measure == MEASURE_LEAN                            ? domino->height * quad(sin)(domino->lean)
-           : measure == MEASURE_RADIUS && domino->radius == 0 ? scene->train.rho * domino->height
-                                                              : *row_measure_at(&copy, measure);
+    struct measured_domino d = {row->domino[k], row->width[k]};
+    return measure == MEASURE_LEAN                             ? d.domino.height * quad(sin)(d.domino.lean)
+           : measure == MEASURE_RADIUS && d.domino.radius == 0 ? scene->train.rho * d.domino.height
+                                                               : *row_measure_at(&d, measure);
 }
 
 /* Returns the lean angle of a domino whose top is `off` m from plumb. */
@@ -192,16 +179,14 @@ static domq_real lean_angle(domq_real off, domq_real height)
 /* Computes the new value of one measurement of domino k, counted from 0, and stores it in *kept, in the same
  * form as in listed_row.change. Sets *problem and returns false if the domino cannot have this value. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
-                          const struct scene_row *row, const domq_real *width, size_t k, domq_real *kept,
-                          struct problem *problem)
+                          const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
     const enum row_measure measure = change->measure;
     const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
-    struct measured_domino d = {row->domino[k], width[k]};
+    struct measured_domino d = {row->domino[k], row->width[k]};
     struct domq_domino *domino = &d.domino;
     domq_real *member = row_measure_at(&d, measure),
-              now = is_lean && change->is_angle ? domino->lean
-                                                : scene_row_measure(scene, domino, d.width, measure),
+              now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, row, k, measure),
               value = change->how == CHANGE_TO   ? change->value
                       : change->how == CHANGE_BY ? now + change->value
                                                  : now * change->value;
@@ -244,9 +229,8 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
 }
 
 /* Changes the row of a scene that owns the memory of its row. On failure, sets *problem and returns false. */
-static bool row_change(struct scene *scene, const struct scene_row *row, const domq_real *width,
-                       const struct row_change *change, const struct row_range *range, int ranges,
-                       struct problem *problem)
+static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
+                       const struct row_range *range, int ranges, struct problem *problem)
 {
     struct scene_row changed;
     struct listed_row next;
@@ -257,8 +241,8 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const d
     bool good = true;
     for (int i = 0; i < ranges; i++)
         for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
-            good = domino_change(scene, change, row, width, k,
-                                 row_measure_at(&next.change[k], change->measure), problem);
+            good = domino_change(scene, change, row, k, row_measure_at(&next.change[k], change->measure),
+                                 problem);
     struct listed_row before = scene->listed;
     next.saved = false;
     scene->listed = next;
@@ -281,10 +265,7 @@ bool scene_row_change(struct scene *scene, const struct row_change *change, cons
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
         good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
                                       "domino with 'set mass', or a relative change such as '+10 %%'");
-    domq_real *width = scene_row_widths(scene, row.row.count);
-    good = good && (width || problem_status(problem, scene, DOM_NO_MEMORY)) &&
-           row_change(scene, &row, width, change, range, ranges, problem);
-    free(width);
+    good = good && row_change(scene, &row, change, range, ranges, problem);
     free(row.domino);
     return good;
 }

@@ -54,7 +54,6 @@ static void plan_free(struct plan *p)
         free(p->guide.table[i].line);
     free(p->windows.kind[0]);
     free(p->back);
-    free(p->width);
     falling_row_free(&p->row);
 }
 
@@ -80,8 +79,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     }
     scene->row.floor = false;
     p->back = malloc(count * sizeof *p->back);
-    p->width = scene_row_widths(of, count);
-    enum dom_status status = p->back && p->width ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
+    enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
     for (size_t k = 0; k < count && p->back; k++)
         p->back[k] =
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
@@ -183,7 +181,7 @@ static void plan_rows(const struct plan *p, struct answer *a)
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
                      cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
-                     cell_real(thickness->low), cell_real(thickness->high), cell_real(p->width[k]),
+                     cell_real(thickness->low), cell_real(thickness->high), cell_real(scene->width[k]),
                      cell_real(d->mass));
     }
 }

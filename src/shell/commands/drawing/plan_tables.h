@@ -11,9 +11,8 @@
 struct plan {
     struct falling_row row;
     struct windows windows;
-    double *back;     /* positions of the dominoes' back edges on the tape measure, in m */
-    bool is_thin;     /* the dominoes are hollow, and the thickness of their walls is not known */
-    domq_real *width; /* the widths of the dominoes in m */
+    double *back; /* positions of the dominoes' back edges on the tape measure, in m */
+    bool is_thin; /* the dominoes are hollow, and the thickness of their walls is not known */
     struct domq_study study;
     struct domq_error error[DOM_ERROR_COUNT];
     struct guide guide;

@@ -33,21 +33,19 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
     struct scene_row now;
     if (!scene_row_list(scene, &now, problem))
         return false;
-    domq_real *width = scene_row_widths(scene, count);
-    bool good = width || problem_status(problem, scene, DOM_NO_MEMORY);
-    for (size_t k = 0; k < count && good && width; k++) {
+    bool good = true;
+    for (size_t k = 0; k < count && good; k++) {
         const struct domq_domino *a = &now.domino[k], *b = &to[k];
         good =
             (is_near(a->gap, b->gap) || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
             (is_near(a->height, b->height) ||
              change_to(scene, k, MEASURE_HEIGHT, false, b->height, problem)) &&
-            (!sizes || width_keep(scene, k, width[k], a, b, problem)) &&
+            (!sizes || width_keep(scene, k, now.width[k], a, b, problem)) &&
             (is_near(a->thickness, b->thickness) ||
              change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    free(width);
     /* The changes above keep the density of each domino, so the masses may still differ from those of `to`.
      */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))

@@ -30,15 +30,10 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     bool has_radii = false, has_leans = false, has_widths = false;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
-    domq_real *width = scene_row_widths(query->scene, scene.row.count);
-    if (!width) {
-        free(scene.domino);
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    }
     for (size_t k = 0; k < scene.row.count; k++) {
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
-        has_widths = has_widths || width[k] != scene.domino[k].height / 2;
+        has_widths = has_widths || scene.width[k] != scene.domino[k].height / 2;
     }
     answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
     if (!has_radii)
@@ -58,14 +53,13 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
                 cell_real(d->thickness),      cell_real(d->gap),
                 cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
                 cell_real(d->radius),         cell_real(d->height * quad(sin)(d->lean)),
-                cell_real(width[k])};
+                cell_real(scene.width[k])};
             for (int i = 1; i < 9 && !writes; i++)
                 answer_largest(a, row_columns[i].key, cells[i].number);
             if (writes)
                 answer_row(a, cells, NULL);
         }
     free(scene.domino);
-    free(width);
     if (query->next && a->path)
         query->next->scene.listed.saved = true;
     return true;
@@ -311,9 +305,9 @@ static domq_real *measures_list(const struct scene *scene, enum row_measure meas
     if (!scene_row_list(scene, &row, problem))
         return NULL;
     *count = row.row.count;
-    domq_real *list = scene_row_widths(scene, *count);
+    domq_real *list = malloc(*count * sizeof *list);
     for (size_t k = 0; list && k < *count; k++)
-        list[k] = scene_row_measure(scene, &row.domino[k], list[k], measure);
+        list[k] = scene_row_measure(scene, &row, k, measure);
     free(row.domino);
     if (!list)
         problem_status(problem, scene, DOM_NO_MEMORY);
@@ -406,8 +400,7 @@ const struct command row_commands[] = {
          "'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes "
          "taller, thicker or wider keeps the gaps beside it and its density, so it becomes heavier; its "
          "other sizes stay the same. The change lasts until another row is entered; 'save FILE' and 'row > "
-         "FILE.csv' "
-         "keep it.",
+         "FILE.csv' keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,
