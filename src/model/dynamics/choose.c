@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Selects the law of motion of a train or a row from the effects that are switched on. */
 #include "dynamics/choose.h"
 #include "geometry/far.h"
 
-/* Each effect in DOM_DYNAMICS has a source file of the same name, which defines a function that switches the
- * effect on. */
+/* Each effect in DOM_DYNAMICS has a source file of the same name, with a function that switches the effect
+ * on. */
 #define DYNAMICS_DECLARE(effect, member, status)                                                             \
     KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(DYNAMICS_DECLARE)
@@ -37,7 +36,7 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
-        far_make(geometry, 16); /* one train needs about 16 passes */
+        far_make(geometry, 16); /* about 16 passes down the chain follow */
     return status;
 }
 

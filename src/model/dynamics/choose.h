@@ -10,8 +10,8 @@
  * already be set. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
 
-/* Prepares the geometry and the law of motion of a train, except for its separation and growth, which
- * geometry_set adds. */
+/* Prepares the geometry and the law of motion of a train. geometry_set must then set the separation and the
+ * growth. */
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);
 
 /* Checks a train and prepares its complete geometry and its law of motion. Call dynamics_begin before the

@@ -9,12 +9,14 @@
 #include "geometry/chain.h"
 
 /*
- * The collision (22; c4), derived as in (59; e8): the struck domino, which is upright, and the chain that
- * hits it move on together. The inertia ratio T is r^-(q+1) J(theta_c), where J is the inertia of the hitting
- * chain; with friction S_1 A replaces J. The collision conserves the angular momentum that the contacts
- * transmit along the chain:
+ * The collision (22; c4), derived as in (59; e8). The struck domino, which is upright, and the chain that
+ * hits it move on together. The contacts transmit angular momentum along the chain. The collision conserves
+ * it:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
+ *
+ * The inertia ratio T is r^-(q+1) J(theta_c), where J is the inertia of the hitting chain. With friction, S_1
+ * A replaces J.
  */
 /* Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a
  * collision. */
@@ -61,14 +63,14 @@ struct dynamics {
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: if the motion uses up its energy before *hi, lowers *hi to a tilt soon after that, so that
-     * the tilt of the stop is easier to find. edge[0] and edge[1] are the ends of the smooth piece of the
-     * motion that contains `start`.
+     * Optional: if the motion stops before *hi, lowers *hi to a tilt shortly after the stop. This makes the
+     * tilt of the stop easier to find. edge[0] and edge[1] are the ends of the smooth piece of the motion
+     * that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional: finds whether a motion that friction locks at this tilt slows down on the way there (*braked
-     * is true) or speeds up. */
+    /* Optional: friction locks the motion at the tilt `head`. Sets *braked to true if the motion slows down
+     * on the way to that tilt, and to false if it speeds up. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
     /* Finds the launch of a train in which each cycle repeats the one before, scaled by r (24; c6). Also
@@ -77,8 +79,8 @@ struct dynamics {
                                struct launch *error);
     /*
      * Finds the inertia ratio of a collision. The chain `hitting`, whose head is at the tilt `at` and whose
-     * inertia is J, hits the domino of `next`, which is still at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if
-     * the ratio is not positive.
+     * inertia is J, hits the domino of `next`, which is at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if the
+     * ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
@@ -86,7 +88,7 @@ struct dynamics {
     /* Finds dH/dtheta at a tilt of the head or, with friction, a quantity with the sign of the derivative of
      * the required energy. If `rough` is true, only the sign of the result is reliable. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
-    /* Finds the kinetic energy at the tilt `from` that is just sufficient to reach the tilt 2 atan p. */
+    /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
     /* Optional: returns an estimate of the error of required energies. The error may be large compared with a
@@ -96,7 +98,7 @@ struct dynamics {
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
     /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
-     * Stores NaN if there is not enough energy to reach that tilt. */
+     * *slowness is NaN if the energy does not suffice to reach end - by. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
      * receives the number of dominoes that contribute. */

@@ -15,7 +15,7 @@
 
 #include "dynamics/dynamics.h"
 
-/* The quantities that one pass down the chain yields with the head at theta_c. */
+/* The results of one pass down the chain, with the head at theta_c. */
 struct fuel {
     real exact, paper;  /* the fuel (25; c7) from the energy balance, and from the paper's closed form */
     real inertia_ratio; /* J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */

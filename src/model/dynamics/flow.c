@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The limit for the number of dominoes visited in all passes of one solution, which takes about a hundred
- * passes. In double precision, visiting so many dominoes takes half a second. */
+/* One solution may visit at most this many dominoes, in all of its passes together. In double precision,
+ * visiting so many takes half a second. A solution takes about a hundred passes. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -47,16 +47,16 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the beginning of a motion on separate narrow panels, whose ends increase by factors of 8, because
- * the solution changes there on two small scales. One scale is d: u changes by only d^2 up to theta ~ d, and
- * by much more afterwards. The other scale is sqrt(1 - r s), the tilt of the head at which followers that
- * started near pi/2 have come down. *lo receives the tilt up to which the motion is solved.
+ * Solves the beginning of a motion on narrow panels whose ends increase by factors of 8. The solution changes
+ * there on two small scales. One scale is d: u changes by only d^2 up to theta ~ d, and by much more
+ * afterwards. The other scale is sqrt(1 - r s). When the head reaches this tilt, followers that started near
+ * pi/2 have come down. *lo becomes the tilt up to which the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
     const struct geometry *geometry = c->geometry;
     real finest = geometry_finest(geometry);
-    /* If the head leans at the start, the smallest scales no longer matter. */
+    /* Scales below the initial tilt of the head do not matter. */
     while (finest <= *lo && finest < hi / 8)
         finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
@@ -95,8 +95,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Finds three numbers: the inertia ratio of the collision, J(0), and J(theta_c). The hitting chain consists
- * of all dominoes except the new head, which is upright. */
+/* Sets inertia_ratio, J0 and J_c of *flow. The hitting chain consists of all dominoes except the new head,
+ * which is upright. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;
@@ -144,9 +144,9 @@ static real flow_end(const struct flow *flow, real lo)
 }
 
 /*
- * Solves the motion up to the tilt at which A vanishes and friction locks the motion, to within the
- * tolerance. Each step solves half of the distance to a tilt that is known to be locked. Panels become short
- * there, since 2 B / A has a pole.
+ * Friction locks the motion at the tilt where A vanishes. Solves the motion up to that tilt, to within the
+ * tolerance. Each step covers half of the distance to a tilt that is known to be locked, because panels must
+ * be short near the pole of 2 B / A.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -193,10 +193,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/*
- * If the motion uses up its energy soon after lo, solves the first part of the smooth piece again, because
- * the panels of the whole piece may be too wide to locate the stop. Lowers *hi to the end of that part.
- */
+/* If the motion uses up its energy soon after lo, solves a short piece that contains the stop, and lowers *hi
+ * to the end of that piece. The panels of the whole piece may be too wide to locate the stop. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {
@@ -283,8 +281,8 @@ KERNEL real flow_rises(const struct geometry *geometry, real theta)
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
-/* Returns the error of required energies: the error of the solution, plus the error of its sums, which leave
- * out the tail of the chain. */
+/* Returns the error of required energies. It is the error of the solution, plus the tail of the chain, which
+ * the sums leave out. */
 KERNEL real flow_unsure(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;

@@ -37,8 +37,8 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* Finds -2 C, which has the sign of the derivative of the required energy, and equals dH/dtheta without
- * friction. If `rough` is true, the sign comes from the solution of the motion. */
+/* Sets *slope to -2 C. It has the sign of the derivative of the required energy. Without friction it is
+ * dH/dtheta. If `rough` is true, the solution of the motion gives the sign. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
@@ -56,7 +56,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
                                              real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
-    /* *n receives the number of dominoes in an energy pass, since the forces depend on the same dominoes. */
+    /* The energy pass counts the dominoes that the forces depend on. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
         status = geometry->law->equation(geometry, head, &equation);

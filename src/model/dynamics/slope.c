@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Slope: the floor descends at the angle alpha in the direction of the train; alpha > 0 means downhill. Tilts
- * are measured from the normal of the floor. Contacts and inertia are the same as on a level floor; only the
- * direction of gravity differs. The potential energy of a domino is
+ * Slope: the floor descends by the angle alpha in the direction of the train. A negative alpha means uphill.
+ * Tilts are measured from the normal of the floor. Contacts and inertia are the same as on a level floor;
+ * only the direction of gravity differs. The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
  *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha.
  *
- * A domino tips over at tan theta_u = h.x / h.y; theta_u is smaller by alpha than on a level floor. Upright
- * dominoes are stable only if |alpha| is less than atan d, the theta_u of a level floor.
+ * A domino tips over at theta_u, where tan theta_u = h.x / h.y. This is smaller by alpha than on a level
+ * floor. Upright dominoes are stable only if |alpha| is less than atan d, the theta_u of a level floor.
  */
 #include "geometry/law.h"
 

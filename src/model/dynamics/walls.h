@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A hollow box whose six walls have the same thickness. Let d be the thickness of the domino, w its width and
- * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fractions
+ * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fraction a
+ * of the height, b of the thickness and c of the width:
  *
- *     a = 2 t,   b = 2 t / d,   c = 2 t / w
+ *     a = 2 t,   b = 2 t / d,   c = 2 t / w.
  *
- * of the height, the thickness and the width, and has the fraction v = (1 - a) (1 - b) (1 - c) of the volume.
- * The parallel axis theorem, applied to the block and to the hollow, which have the same centre, gives the
- * moment of inertia about the lower edge, relative to that of a solid block of the same mass:
+ * So its volume is the fraction v = (1 - a) (1 - b) (1 - c) of the box's volume. The hollow and the box have
+ * the same centre. The parallel axis theorem gives the moment of inertia about the lower edge, relative to
+ * that of a solid block of the same mass:
  *
  *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
  */

@@ -19,7 +19,7 @@ static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30
 struct slope_context {
     const struct geometry *geometry;
     struct tilt from; /* the tilt whose H is subtracted from all heights */
-    real known;       /* tan(theta / 2) of a maximum of H that is already known, or a negative number */
+    real known;       /* tan(theta / 2) of a known maximum of H; negative if none is known */
     enum dom_status status;
 };
 
@@ -96,7 +96,7 @@ static void top_step(struct top *top, struct sums at)
 #define TOP_STEPS 200
 
 /* Searches for a top by Newton's method, starting at top->p. `at` holds the sums at top->p, or is NULL if
- * they have yet to be computed. */
+ * these are not known. */
 static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
                                      real tol)
 {
@@ -154,8 +154,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if it is certain that H decreases at all tilts above theta_u (6; b2), because at these tilts
- * the head loses height, and so do all its followers, which lean more than the head. */
+/* Returns true if H certainly decreases at all tilts above theta_u (6; b2). There the head loses height, and
+ * so do its followers, which lean even more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -163,18 +163,22 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to be concave up to theta_u. H has a single top then, because it decreases at
- * all tilts above theta_u (6; b2), where the head and its followers lose height. The proof: by (12; b8) and
- * (14; b10), theta_{i+1}'' is theta_1' theta_i'' minus at most c theta_i'^2, where c is r L / cos theta_c,
- * because Y_i >= Y_0 = cos theta_c, and theta_1' is at most 1. With rounded edges (r L + (r + 1) rho) / l
- * takes the place of r L, as the second derivative in rolling_here shows. Therefore -theta_i'' is at most c
- * times the sum of theta_j'^2 over j < i. Let w be r^-q. In H'', which is the sum of w^i (h_i'' theta_i'^2 +
- * h_i' theta_i''), where -h_i' is at most g, the terms with theta_j'^2 add up to at most
+ * Returns true if H is proved to be concave up to theta_u. In this case H has a single top, because the head
+ * and its followers lose height above theta_u (6; b2).
+ *
+ * Proof. Let c = r L / cos theta_c. With rounded edges (r L + (r + 1) rho) / l replaces r L (rolling_here).
+ * Since Y_i >= Y_0 = cos theta_c, (12; b8) and (14; b10) give
+ *
+ *     theta_{i+1}'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
+ *
+ * So -theta_i'' is at most c times the sum of theta_j'^2 over j < i. H'' is the sum of w^i (h_i'' theta_i'^2
+ * + h_i' theta_i''), where w = r^-q. Let g be an upper bound on -h_i'. Then the terms of H'' with theta_j'^2
+ * add up to at most
  *
  *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
  *
- * -h'' = h is at least h.y for the head, and at least `least` for the followers, whose theta_j'^2 is at most
- * 1. A follower that has detached reduces the concavity by less.
+ * For the head, -h'' = h is at least h.y. For a follower, it is at least `least`, and theta_j'^2 is at
+ * most 1. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -212,8 +216,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* If H has only one top (local maximum), finds it. `hi` is tan(theta / 2) of an upper bound on the tilt of
- * the top. */
+/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) of an upper bound on the
+ * tilt of the top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -377,11 +381,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. The
- * bound holds because within this distance H' is certainly positive at a tilt below theta, and certainly
- * negative at a tilt above theta, unless these tilts are outside of the cycle. The first distance that is
- * tried follows from H'' at theta. The distance is doubled until both signs are certain. Sets *steepest to an
- * upper bound on |H'| at the tilts that were tried.
+ * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. Tries
+ * a distance that follows from H'' at theta, and doubles it until H' is certainly positive at that distance
+ * below theta and certainly negative at that distance above it. Tilts outside the cycle need no test. Sets
+ * *steepest to an upper bound on |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -77,8 +77,8 @@ KERNEL real balance_tol(real tol, real left, real whole);
 
 /*
  * Returns the width of the peak of 1/omega at a top inside a cycle. `margin` is the kinetic energy that is
- * left at the top. Near the top, the kinetic energy is (width^2 + (theta - theta_m)^2) |H2| / 2. Returns NaN
- * if the top is at an end of the cycle, or if H2 is unknown. `from` is as for barrier_piece.
+ * left at the top, and heights are relative to H at `from`. Near the top, the kinetic energy is (width^2 +
+ * (theta - theta_m)^2) |H2| / 2. Returns NaN if the top is at an end of the cycle, or if H2 is unknown.
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
