@@ -1,27 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The best separation. Samples of s give a growth R that some separation allows. Then every interval of s
- * that allows no larger growth is excluded: either because s R > 1 in the whole interval, or because a bound
- * (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of these
- * trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
- * BEST_FINEST times s are resolved; in a narrower interval only the midpoint is computed. With friction no
- * bound is available, and only samples are used. In quad precision all these steps are left out, and the
- * search begins at the best separation that double precision has found.
+ * Finds the best separation. Samples of s give a first growth R. Then the search excludes every interval of s
+ * that allows no growth above R. An interval is excluded if s R > 1 throughout the interval, or if bounds
+ * (strip.h) show that all its trains stop at R, or at some smaller growth. All other intervals are bisected
+ * down to a width of BEST_FINEST times s, so a narrower peak of r_max(s) can be missed. No bounds are known
+ * with friction or with rounded edges; only samples are used there. In quad precision all these steps are
+ * left out, and the search begins at the best separation that double precision has found.
  */
 #include "growth/limit.h"
 
 #define BEST_RATIO    ((real)0.9) /* ratio of one sample of s to the next larger one */
-#define BEST_PATIENCE 8           /* sampling ends after so many successive samples with a lower r_max */
+#define BEST_PATIENCE 8 /* sampling ends after this many successive samples without a larger r_max */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* width of the narrowest interval before a growth is found */
+/* width of the narrowest interval of s until a growth above 1 has been found */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
     struct margin_context *c;
     real s, r_max; /* the best separation so far, and r_max there */
     real finest;   /* width of the narrowest interval, relative to s */
-    real finer;    /* the factor by which slope_step is reduced */
+    real finer;    /* slope_step is multiplied by this factor */
 };
 
 /* Returns r_max at s, or 0 if even a train with r = 1 stops. */
@@ -78,8 +77,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 both fuel formulas agree, and P increases with s where it is positive. So if P <= 0 at hi, no
-     * train in the interval has fuel. */
+    /* At r = 1 both fuel formulas agree, and P increases with s wherever P is positive. So if P <= 0 at hi,
+     * no train in the interval has fuel. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -96,9 +95,9 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 }
 
 /*
- * Let R be the best r_max so far. If the train with the separation s has a margin >= 0 at R although its
- * r_max is less than R, finds a smaller growth at which this train stops. Such a growth lies a little above
- * r_max. *witness receives the growth with the most negative margin, or R if no such growth is found.
+ * Let R be the best r_max so far. The train with the separation s has a smaller r_max, although its margin at
+ * R is not negative. Looks for a growth between r_max and R at which this train stops. *witness receives the
+ * growth with the most negative margin, or R if the train stops at none of the growths tried.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -128,8 +127,8 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches the separations between lo and hi for a larger growth than the best so far. The trains of this
- * interval may already stop at the growth `witness`. */
+/* Searches the separations between lo and hi for a larger growth than the best so far. If `witness` is less
+ * than the best growth, the trains between lo and hi may already stop at `witness`. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -185,8 +184,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* With friction, refines the search with smaller and smaller steps near the best sample. If the train stops
- * at every sample, the steps cover all s from the reach at r = 1 down to 0.5. */
+/* Takes more samples near the best one, in smaller and smaller steps. This is done where no bounds are known.
+ * If the train stops at every sample, the steps cover all s from the reach at r = 1 down to 0.5. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -206,8 +205,8 @@ static enum dom_status search_finely(struct search *b)
 
 /*
  * Returns the step h with which the nine-point rule computes d margin / ds at a fixed growth. The error of
- * the rule is (h / scale)^8, plus the rounding error divided by h, and is smallest near the h returned here.
- * The scale is a few percent of s, or half of the distance to the reach if that is less.
+ * the rule is about (h / scale)^8 + rounding error / h, which is smallest near the h returned here. The scale
+ * is a few percent of s, or half of the distance to the reach if that is less.
  */
 static real slope_step(real span, real s, real r)
 {
@@ -227,8 +226,8 @@ static real margin_slope_by(struct margin_context *c, real s, real r, real h)
     return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
 }
 
-/* Returns d margin / ds at r = r_max(s), which has the same sign as d r_max / ds. Returns -1 where the reach
- * is the limit, since r_max = 1/s decreases there. */
+/* Returns d margin / ds at r = r_max(s), which has the same sign as d r_max / ds. If the reach limits r_max
+ * at s, returns -1, since r_max = 1/s decreases with s. */
 static real top_slope(real s, void *context)
 {
     struct search *b = context;
@@ -240,10 +239,10 @@ static real top_slope(real s, void *context)
 }
 
 /*
- * Finds the factor for slope_step at which the error of the rule is smallest. If a follower begins to detach
- * at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is better.
- * The error is estimated as the difference between the results of two steps, plus the rounding error, which
- * is inversely proportional to h.
+ * Finds the factor for slope_step at which the nine-point rule has the smallest error. If a follower begins
+ * to detach at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is
+ * better. The error is estimated as the difference between the results with two steps, plus the rounding
+ * error, which is inversely proportional to the step.
  */
 static void search_step(struct search *b)
 {
@@ -298,8 +297,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, as a root of the slope. *smooth is false at a kink or a jump. On
- * entry the relative error of b->s must be much less than `width`. */
+/* Finds a smooth maximum of r_max near b->s, as a root of the slope. Sets *smooth to false if the maximum is
+ * a kink or a jump. On entry the relative error of b->s must be much less than `width`. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
@@ -347,8 +346,8 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return status;
 }
 
-/* Returns how much r_max at s + step differs from r_max at the maximum. Returns 0 if r_max jumps between the
- * two, because the lower side of a jump does not belong to the maximum. */
+/* Returns how much r_max at s + step differs from r_max at the maximum s. Returns 0 if r_max jumps between
+ * these two separations, because the lower side of a jump does not belong to the maximum. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
@@ -359,8 +358,8 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
  * Finds the error bounds on s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
  * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
  * error of this slope. That error, divided by the derivative of the slope, is the error bound on s. At a kink
- * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max also covers the
- * change of r_max if s is off by its error bound.
+ * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max includes the change
+ * of r_max over the error bound on s.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
@@ -388,7 +387,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         /* With twice the step, the error of the rule is 256 times as large. The absolute values of the
          * weights of the rule add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An error in r causes an error in the slope, too. */
+        /* An error in r also causes an error in the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         s_error +=
@@ -424,8 +423,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* Relative width of the neighbourhood in which the best separation of the double kernel is refined. It
- * exceeds the error of that separation, but r_max hardly changes within it. */
+/* The best separation of the double kernel is refined within this relative distance. The distance exceeds the
+ * error of that separation, but r_max hardly changes over it. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -433,7 +432,7 @@ struct line {
     real s[2], r[2], slope;
 };
 
-/* Replaces the older of the two points by the point at s. */
+/* Replaces the older point of the line by the point of the curve r_max(s) at s. */
 static void line_to(struct line *line, struct margin_context *c, real s)
 {
     line->s[0] = line->s[1];
@@ -468,8 +467,8 @@ static bool search_kink(struct search *b, real tol)
 }
 
 /* Finds the best separation near c->s, the result of the double kernel. If *found is false, the best
- * separation may be beyond a jump of r_max(s). A root near c->near need not be the first root there, so
- * c->near is reset. */
+ * separation may lie beyond a jump of r_max(s). Beyond the jump, a root near c->near need not be the first
+ * root, so c->near is then reset to 0. */
 static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
 {
     struct margin_context *c = b->c;

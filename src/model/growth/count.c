@@ -12,10 +12,10 @@ static dom_real power_of(dom_real r, dom_real n)
 
 /*
  * Returns true if domino n is at least as tall as `height`. The heights and r are decimal numbers that were
- * rounded to the precision, each by up to half a unit in the last place. If first * r^n equals the height
- * without rounding, the rounded numbers can make the two differ by about 2 + n/2 units in the last place.
- * Differences up to that size are ignored, but never more than a millionth of the step from one domino to the
- * next.
+ * rounded to the precision, each by up to half a unit in the last place. Even if the decimal numbers satisfy
+ * first * r^n = height exactly, the two sides of this equation can then differ by about 2 + n/2 units in the
+ * last place. Differences up to that size are ignored, but never more than a millionth of the step from one
+ * domino to the next.
  */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {

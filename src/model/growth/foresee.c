@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds a root of the margin first, and then proves that it is the first root. Starting from a guess,
- * Newton's method finds the root in a few passes. If the margin is known to decrease over a strip of growths
- * that ends at the root, and to be positive over the one or two strips before that strip, there is no smaller
- * root. These few strips take the place of the many that a scan upwards from r = 1 needs.
+ * Finds a root of the margin, and then proves that it is the first root. Starting from a guess, the secant
+ * method finds the root in a few passes. The proof takes a few strips of growths below the root: the margin
+ * decreases over the strip that ends at the root, and is positive over the strips before it. A scan upwards
+ * from r = 1 would need many more strips.
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel, which
- * decreases with the weights of the dominoes. */
+/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel. The fuel
+ * decreases with r because the dominoes behind the head become lighter. */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -38,7 +38,7 @@ static void root_add(struct root_search *s, struct root_point point)
         s->lo = fmax(s->lo, point.r);
     if (point.share <= 0)
         s->hi = fmin(s->hi, point.r);
-    /* true if the newest point is computed again with a finer tolerance */
+    /* true if `point` is the newest point again, computed with a finer tolerance */
     bool again = s->known > 0 && s->at[2].r == point.r;
     for (int k = 0; k < 2 && !again; k++)
         s->at[k] = s->at[k + 1];
@@ -116,9 +116,9 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* As in the secant method, the error after a step is roughly the product of the last two errors,
-         * divided by a length that can be estimated from the previous steps. The first step is not one of the
-         * secant method, so it says nothing about this length, and r / 16 is used instead. */
+        /* The error after a secant step is roughly the product of the errors of the last two points, divided
+         * by some length. The previous steps give an estimate of this length. The first step is not a secant
+         * step, so it does not show the length, and r / 16 is used instead. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r);
         bool close = s->known > 2 ? 16 * step * step <= tol * r * before : 16 * step * before <= tol * r * r;
         bool narrow = s->hi - s->lo <= tol * r;
@@ -142,12 +142,12 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
-/* Relative distance from an approximate root at which the slope of the margin is measured. Its square is the
- * largest relative error that the approximate root may have. */
+/* The slope of the margin is measured at this relative distance from an approximate root. The relative error
+ * of the approximate root may be at most the square of this distance. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Finds the root near an approximate root. Follows the maximum of H to the root from a growth slightly below
- * it. The margin at that growth also gives the slope of the margin. */
+/* Finds the root close to `near`. Starts at a growth slightly below `near`, and follows the maximum of H from
+ * there to the root. The margin at the first growth also gives the slope of the margin. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
@@ -183,12 +183,12 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The relative allowance by which the barrier at the root may exceed the barrier at the last growth of the
- * search. */
+/* The barrier at the root is taken to exceed the barrier at the last growth of the search by at most this
+ * fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* A train with rounded edges has nearly the same root as one with sharp edges whose dominoes consist of the
- * flat parts only. Returns the thickness of such a domino relative to its height. */
+/* Returns the thickness of the flat part of a domino, divided by the height of the flat part. The root for
+ * rounded edges is nearly the root for sharp-edged dominoes of these proportions. */
 static real flat_thickness(const struct geometry *geometry)
 {
     return geometry->rounded.wide / geometry->rounded.tall;
@@ -226,9 +226,9 @@ static real root_slope(const struct margin_context *c)
 
 /*
  * Estimates a root close to the reach, from the kinetic energy at the reach. If r s is nearly 1, all
- * followers have already detached when the head is at theta_u, where the barrier is highest. Until then only
- * domino 1 has moved, from theta_c to theta_f, and the energy that it released lowers the barrier. To first
- * order in sqrt(1 - r s) the barrier is
+ * followers have already detached when the head reaches theta_u, where its own energy is highest. Until then
+ * only domino 1 has moved, from theta_c to theta_f, and the energy that it released lowers the barrier. To
+ * first order in sqrt(1 - r s) the barrier is
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
@@ -280,11 +280,12 @@ static real down_first(real whole)
 }
 
 /*
- * Finds a growth *down between `from` and `root` such that the margin is positive from *down up to `root`,
- * which is the reach if the margin is positive even there. *down is `root` if no strip shows that the margin
- * is positive. Proceeds downwards strip by strip, without computing any margin. Over the first strip the
- * bounds show that the margin decreases. At the upper end of each later strip, the strips before it give a
- * lower bound on the margin and an upper bound on the barrier.
+ * Looks for growths below `root` at which the margin is positive, and stores the smallest of them in *down:
+ * between *down and `root` the margin is positive. `root` is the reach if the margin is positive even there.
+ * If no strip shows that the margin is positive, *down is `root`. Takes strip after strip downwards from
+ * `root`, without computing any margin. Over the first strip the bounds show that the margin decreases. Each
+ * later strip starts from two bounds at its upper end, which follow from the strips above it: a lower bound
+ * on the margin, and an upper bound on the barrier.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The largest growth: the first root of the margin as a function of r, searched upwards from r = 1 to the
+ * Finds r_max, the largest growth: the first root of the margin as a function of r, between r = 1 and the
  * reach r = 1/s. The margin need not be monotone: for thin dominoes it decreases, increases again and drops
- * near 1/s. Therefore the scan proceeds only over intervals that are covered by a bound (scan.c), or, with
- * friction, by samples and their slopes (probe.c).
+ * near 1/s. An ordinary root finder could therefore miss the first root; limit.h says how the search avoids
+ * that.
  */
 #include "growth/limit.h"
 
 /*
- * Finds the error bound on a root of the margin. The bound is the sum of the margin that remains at the root
- * and of the error of that margin, divided by the slope of the margin in r. The slope is a difference
- * quotient over an interval that ends at or before the reach and is wide enough for the difference to exceed
- * the errors of both margins.
+ * The error bound is 2 (|margin| + error of the margin) / |d margin / dr|, taken at r_max. The slope is a
+ * difference quotient. Its interval ends at or before the reach, and is wide enough for the difference to
+ * exceed the errors of both margins.
  */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
@@ -107,8 +106,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The limit for the number of dominoes visited in all passes of a search that solves an equation of motion.
- * In such a search each domino takes four times as long as in other searches. */
+/* A search that solves an equation of motion may visit at most this many dominoes in all its passes together.
+ * Each visit takes four times as long as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)
@@ -131,7 +130,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
-    /* Below this growth, domino 1 hits the next domino before it tips over (5; b0). */
+    /* If the growth is less than first.r, domino 1 hits the next domino before it tips over (5; b0). */
     struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;

@@ -5,8 +5,8 @@
 /* The approximate number of passes at one growth. All of them use the same series for the far tail. */
 #define FAR_PASSES 2
 
-/* Finds the barrier with which the kinetic energy is compared, by the method c->how. `near` holds the sums at
- * the tilt from barrier_near, or is NULL. */
+/* Finds the barrier by the method c->how, and stores it in *m. `near` holds the sums at the tilt that
+ * barrier_near returned, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -31,8 +31,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Newton's method is not available with friction. The error of the height is then of second order in
-         * the error of the tilt rather than of third order, so the tilt needs a finer tolerance. */
+        /* With friction Newton's method is not available. The error of the barrier is then of second order in
+         * the error of the tilt, and not of third order, so the tilt needs a finer tolerance. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -233,7 +233,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even finer sums could not resolve the sign */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* not even more accurate sums could show the sign */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

@@ -21,7 +21,7 @@ KERNEL real margin_value(const struct margin *m)
     return m->kinetic - m->barrier;
 }
 
-/* Returns the margin divided by the sum of its two terms, a number between -1 and 1. */
+/* Returns (K - B) / (|K| + B), a number between -1 and 1. */
 KERNEL real margin_share(const struct margin *m)
 {
     return margin_value(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
@@ -51,7 +51,8 @@ struct margin_context {
     real error;             /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin found by margin_follow, and its tolerance */
-    /* If > 0, the width of the narrowest strip. Set for a scan whose result need only be an upper bound. */
+    /* If > 0, the width in ln r of the narrowest strip of a scan. Set if the result of the scan need only be
+     * an upper bound on r_max. */
     real coarse;
     real near;     /* r_max at a separation close to s, as found by a coarser kernel, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
@@ -86,8 +87,7 @@ KERNEL struct margin margin_tops(struct margin_context *c, real r);
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);
 
-/* Returns true if the local maximum of H that the search has followed to the root r is the highest maximum
- * there. */
+/* Returns true if H has no higher maximum at the root r than the one that the search has followed there. */
 KERNEL bool margin_highest(const struct margin_context *c, real r);
 
 #endif

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/*
- * Samples are compared as functions of x = -sqrt(1 - r/reach). The margin is a smooth function of x up to the
- * reach, but not of r: close to the reach it falls like sqrt(1 - r/reach).
- */
+/* The margin is treated as a function of x = -sqrt(1 - r/reach). It is a smooth function of x up to the
+ * reach, but not of r: close to the reach it falls like sqrt(1 - r/reach). */
 static real probe_x(const struct margin_context *c, real r)
 {
     return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
@@ -19,7 +17,7 @@ static real probe_r(const struct margin_context *c, real x)
  * the reach. */
 #define PROBE_PER_E 5
 
-/* Returns sample k of r, between 1 and the reach. If k exceeds the number of the last sample, returns the
+/* Returns the growth r of sample k, between 1 and the reach. If there are fewer samples than k, returns the
  * reach. */
 static real probe_place(const struct margin_context *c, int k)
 {
@@ -28,8 +26,8 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The largest number of bisections of an interval. They divide an interval from r to r e^(1/5) into parts
- * that are 1e-6 r wide. */
+/* An interval between two samples is bisected at most this many times. The bisections divide an interval from
+ * r to r e^(1/5) into parts about 2e-6 r wide. */
 #define PROBE_HALVES 17
 
 /*
@@ -51,7 +49,7 @@ struct probe {
      * start, `root` is a root. Otherwise it is the growth of the sample `after`, at which the margin is not
      * negative. */
     real root;
-    real falls; /* probe_value at a root that was found before all samples */
+    real falls; /* probe_value at a root that was found before any sample was taken */
     struct edge after;
 };
 
@@ -126,8 +124,8 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
 }
 
-/* Takes samples from number k on, up to the first sign change. Then looks for sign changes between `lo` and
- * the next sample, which is stored in *hi. `last` is the sample before `lo`. */
+/* Takes samples, starting with number k, up to the first sign change. Then looks for sign changes between
+ * `lo` and the next sample, which is stored in *hi. `last` is the sample before `lo`. */
 static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
                                   struct edge *hi)
 {

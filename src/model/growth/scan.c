@@ -4,18 +4,15 @@
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /*
  * SCAN_ROUGH is the relative error of the barrier that a scan accepts from margin_sign. SCAN_FINE is the
- * smaller error that scan_sure leaves. If the margin is positive up to some growth, and negative at a growth
- * that exceeds it by less than SCAN_CLOSE in ln r, the root between the two is taken to be the first one.
+ * smaller error that scan_sure leaves. As soon as a root is bracketed to less than SCAN_CLOSE in ln r, it is
+ * taken to be the first root.
  */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/*
- * Finds the root of the margin between lo and hi. The maximum of H that is found first is followed to the
- * root. There, another search checks that this maximum is the highest. If it is not, the root is found again
- * with a search for all maxima at every r.
- */
+/* Follows the maximum of H that is found first to the root. There, another search checks that this maximum is
+ * the highest. If it is not, the root is found again with a search for all maxima at every r. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
 {

@@ -157,11 +157,11 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of the first follower that stays finite at the reach. Let u_1 be d
- * theta_1 / d ln r, as in strip_follower. For an upright head u_1 is tan theta_c, which is infinite at the
- * reach, and u_1 decreases with the tilt of the head. At the maxima that matter, the head leans by at least
- * `least`, so u_1(theta) is at most the value of u_1 at `least`. u_1(0), which is subtracted, is at least its
- * value at lo.
+ * Returns an upper bound on the terms of the first follower. Unlike the bound of strip_follower, it stays
+ * finite at the reach. Let u_1 be d theta_1 / d ln r. For an upright head u_1 is tan theta_c, which is
+ * infinite at the reach, but u_1 decreases with the tilt of the head. At the maxima of H that matter, the
+ * head leans by at least `least`, so u_1(theta) is at most u_1 at `least`. The value u_1(0), which is
+ * subtracted, is at least its value at lo.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -366,10 +366,10 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 /*
  * Beyond theta_u, follower i lowers the barrier by its drop: the integral of w^i theta_i' g(theta_i) over
  * theta. For every train in the strip, this drop is at least the drop at hi divided by `grows`. The reason is
- * that theta_i' and w^i are at least as large as at hi, and that g(theta_i) is smaller than at hi by a factor
- * that is largest when the head is upright, because h/g and d theta_i / dr decrease with theta. The rise of
- * the head itself is at most `most`. If a follower has not yet reached theta_u, `grows` is infinite, and the
- * bound comes from the slope of the barrier.
+ * that theta_i' and w^i are at least as large as at hi, while g(theta_i) is smaller than at hi by some
+ * factor. This factor is largest when the head is upright, because h/g and d theta_i / dr decrease with
+ * theta. The rise of the head itself is at most `most`. If a follower has not yet reached theta_u, `grows` is
+ * infinite, and the bound comes from the slope of the barrier.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {

@@ -18,17 +18,17 @@
 #include "energy/barrier.h"
 
 struct strip {
-    /* Bounds on K over the strip. kinetic_least is a bound only if it is positive, and kinetic_most is
-     * infinite if it is unknown. */
+    /* Bounds on K over the strip. kinetic_least is a bound only if it is positive. */
     real kinetic_least, kinetic_most;
-    /* Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g(theta) = sin
-     * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
+    /* Let g(theta) = sin theta - d cos theta. `grows` is the largest factor by which g(theta_i(0)) of any
+     * follower i increases over the strip. It is infinite if a follower has not yet reached theta_u. */
     real grows;
     /* Upper bound on the energy that later followers, which `grows` does not cover, can still lose. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds, in the whole strip; >= 0 */
-    /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
-     * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */
+    /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip.
+     * root_slope holds wherever the barrier is at least kinetic_least, and therefore at every root of the
+     * margin. */
     real margin_slope, root_slope;
     /* True if K exceeds `enough` over the whole strip. The walk ends as soon as this is known, and then sets
      * only kinetic_least. */
