@@ -333,8 +333,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* At the prompt, SIGINT ends only the running command. Forgets a SIGINT that has arrived before or during it.
- */
+/* At the prompt and with --interruptible, SIGINT ends only the running command. Forgets a SIGINT that has
+ * arrived before or during it. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)

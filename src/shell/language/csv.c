@@ -81,14 +81,14 @@ static void skip_cell_blanks(struct csv_file *file)
         advance(file);
 }
 
-/* Returns true at the end of a line, and at the beginning of a comment. */
+/* Returns true at the end of a line or at the beginning of a comment. */
 static bool at_end(const struct csv_file *file)
 {
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
 /* Reads a cell. If another cell follows, skips the separator and sets *more to true. Otherwise skips the rest
- * of the line and sets *more to false. On failure, sets *problem and returns false. */
+ * of the line and sets *more to false. On failure, sets file->problem and returns false. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);
@@ -172,7 +172,7 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-/* Between parentheses, a comma separates arguments of a function, and is not a decimal comma. */
+/* Inside parentheses, a comma is not a decimal comma, but separates the arguments of a function. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;

@@ -6,9 +6,9 @@
  * stands for one quote. Lines end with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a
  * cell are skipped. A comment begins with a '#' at the beginning of a line or after a blank.
  *
- * Numbers have a decimal point or a decimal comma. "1,234" might also mean 1234. It is read as a decimal
- * number if the cells are separated by ';', if the locale has decimal commas, or if another number in the
- * file can only be read with a decimal comma. Otherwise "1,234" is an error. In a file with decimal commas,
+ * Numbers have a decimal point or a decimal comma. "1,234" may mean 1.234 or 1234. The text "1,234" is read
+ * as 1.234 if the cells are separated by ';', if the locale has decimal commas, or if another number in the
+ * file can only be read with a decimal comma. Otherwise it is an error. In a file with decimal commas,
  * "1.234" is an error.
  */
 #ifndef SHELL_CSV_H
@@ -46,21 +46,20 @@ struct csv_file {
         char text[640]; /* the message, or "" if there is no problem */
     } problem;
     char *text;
-    char *next;            /* the first character of the text that has not been read */
+    char *next;            /* the next character of the text to be read */
     struct csv_place at;   /* the position of the character at `next` */
     bool after_blank;      /* the character before `next` is a blank or a newline */
     const char *cut_short; /* the reason why `text` is only the beginning of the file, or NULL if it is the
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
-    /* What the numbers read so far show about whether a character, which is either '.' or ',', is the decimal
-     * mark. */
+    /* What is known about '.', or about ',', as the decimal mark, from the numbers read so far. */
     struct csv_mark {
         bool is_used;
         /* there is a number in which this character can only be the decimal mark */
         bool is_clear;
-        /* The position of the first number in which this character could also be a thousands separator. The
-         * line is 0 if there is no such number. */
+        /* The position of the first number in which this character could also be a thousands separator.
+         * at.line is 0 if there is no such number. */
         struct csv_place at;
         char before[4], after[4]; /* the digits before and after the character in the number at `at` */
     } point, comma;
@@ -70,7 +69,8 @@ struct csv_file {
 bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Reads a whole file into file->text, which the caller frees. On failure, sets *problem and returns false. */
+/* Reads a whole file into file->text, which the caller frees. On failure, sets file->problem and returns
+ * false. */
 bool csv_load(struct csv_file *file, FILE *in);
 
 /* Reads the next record that is not empty. Returns false at the end of the file. After an error, sets
@@ -81,11 +81,11 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 const char *csv_separator_name(const struct csv_file *file);
 
 /* Replaces decimal commas in the text of a cell by points, and records which decimal marks the cell uses.
- * `at` is the position of the cell. On failure, sets *problem and returns false. */
+ * `at` is the position of the cell. On failure, sets file->problem and returns false. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Must be called after the last number. Sets *problem and returns false if a number in the file can be read
- * in two ways. */
+/* Must be called after the last number. If a number in the file can be read in two ways, sets file->problem
+ * and returns false. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell, in quotes if it contains any of the characters in `quoted`. Escapes control characters

@@ -30,7 +30,7 @@ static bool unit_copy(const char *text, char unit[UNIT])
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* "³" takes two bytes in UTF-8, just as "^3" does */
+    if (cube) { /* "³" and "^3" both take two bytes in UTF-8 */
         cube[0] = '^';
         cube[1] = '3';
     }
@@ -186,7 +186,7 @@ static bool head_read(struct csv_table *csv)
         others += csv->other[i];
         text_free(&text);
     }
-    /* a file that is saved with more columns could not be read again */
+    /* if this file were saved with more columns, it could not be read again */
     if (good && others > CSV_OTHERS_MOST)
         return csv_wrong(
             &csv->file, csv->head.at,
@@ -237,8 +237,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false after an error, with an
- * empty message if more text follows the expression. */
+/* Evaluates a text that must be a single expression without names. Returns false after an error. If more text
+ * follows the expression, returns false with an empty message. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};
@@ -252,8 +252,8 @@ static bool constant_read(const char *text, struct quantity *q, struct expressio
     return good && *error->at == '\0';
 }
 
-/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without
- * checking the range. On failure, sets *problem and returns false. */
+/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without checking
+ * the range. On failure, sets the problem of the file and returns false. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -304,7 +304,8 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads and checks the value of column k in the current row. On failure, sets *problem and returns false. */
+/* Reads and checks the value of column k in the current row. On failure, sets the problem of the file and
+ * returns false. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];

@@ -3,8 +3,8 @@
  * Tables in csv files. The first line names the columns, in any order and in any case, and may give their
  * units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". Alternatively the second
  * line gives the units. A cell is an expression. A unit in a cell takes precedence over the unit of the
- * column. A cell with '-' is empty. A file has the same meaning in every session: it cannot use the variables
- * of the session, and an angle without a unit is in radians.
+ * column. A cell with only a '-' counts as empty. A file has the same meaning in every session: it cannot use
+ * the variables of the session, and an angle without a unit is in radians.
  */
 #ifndef SHELL_CSV_TABLE_H
 #define SHELL_CSV_TABLE_H
@@ -12,8 +12,8 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* The maximum number of columns of a kind, and of other columns in a file. A row of dominoes is saved with
- * all these columns, and the saved file must not have more than CSV_CELLS_MOST. */
+/* The maximum number of columns that a kind of table has, and of other columns in a file. A row of dominoes
+ * is saved with all of them, and a file must not have more than CSV_CELLS_MOST columns. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */
@@ -53,8 +53,8 @@ struct csv_kind {
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind to try, or NULL. The kinds are tried in turn until the file has all required columns of a
-     * kind. If no kind fits, messages are about the first kind. */
+    /* Another kind to try, or NULL. The kinds are tried in turn. A kind fits if the file has all its required
+     * columns. If no kind fits, messages are about the first kind. */
     const struct csv_kind *otherwise;
 };
 
@@ -78,12 +78,13 @@ struct csv_table {
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
     bool other[CSV_CELLS_MOST]; /* true for each column of the file that is not one of the kind's columns */
-    /* a list of the columns of the file that are ignored, except columns of notes */
+    /* the names of the ignored columns of the file, except columns of notes */
     char unused[200];
 };
 
 /* Reads a file and parses the first line of its table. If the file has an error, the returned table holds the
- * problem. Takes ownership of the path, unless memory runs out. In this case, returns NULL and sets errno. */
+ * problem. Takes ownership of the path. If memory runs out, the path still belongs to the caller; returns
+ * NULL and sets errno. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */
@@ -97,11 +98,12 @@ bool csv_next(struct csv_table *csv);
  * cell at the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
-/* Returns true if a value is in the range of a column. Otherwise writes a message. */
+/* Returns true if a value is in the range of a column. Otherwise writes a message and returns false. */
 enum { CSV_MESSAGE = 256 };
 bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV_MESSAGE]);
 
-/* Returns true if a value is in the range of column k. Otherwise reports a problem. */
+/* Returns true if a value is in the range of column k. Otherwise sets the problem of the file and returns
+ * false. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
 /* Writes the columns of the file that are not among the kind's columns, each after a comma. If `names` is

@@ -74,7 +74,7 @@ const char *function_name(const struct function *f)
 
 const char *expression_names(const void *context, int k)
 {
-    /* the names that the parser handles itself, and that are not in the table of functions */
+    /* names that the parser handles itself, so that they are not in the table of functions */
     static const char *const more[] = {"if", "pi", NULL};
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
@@ -123,8 +123,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* If one value is an angle and the other has no unit, as in "thetac - 1", converts the other value to an
- * angle. Returns true if both values then have the same unit. */
+/* In "thetac - 1", one value is an angle and the other has no unit. Converts such a value without a unit to
+ * an angle. Returns true if both values then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)

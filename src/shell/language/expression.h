@@ -49,10 +49,9 @@ struct function;
 struct tree {
     enum tree_kind kind;
     enum tree_operator op; /* for an operand of a chain: the operator before the operand */
-    /* The position at which an error in the operation `op` is reported. For '^', the position of the
-     * exponent. */
+    /* Where an error in the operation `op` is reported: at the operator or, for '^', at the exponent. */
     const char *op_at;
-    const char *at;            /* the position at which an error in this node is reported */
+    const char *at;            /* where an error in this node is reported */
     struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: the name is followed by arguments in parentheses */
@@ -73,7 +72,7 @@ struct expression_error {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. The two macros have the value false, so that a function can store an error and return
+/* Stores an error. The macros below have the value false, so that a function can store an error and return
  * false in one statement. */
 void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -88,9 +87,9 @@ struct parse {
     struct arena *arena;
     /* letters that are names, not units, when they stand alone after a blank; may be NULL */
     const char *no_unit;
-    /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses. Returns a tree for the value
-     * together with its "with", or NULL after an error. If this pointer is NULL, the parser does not accept
-     * "with". */
+    /* Parses the "with NAME VALUE ..." at parse->end in "(VALUE with NAME VALUE ...)". Returns a tree for the
+     * value together with its "with", or NULL after an error. If this pointer is NULL, the parser does not
+     * accept "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */

@@ -47,8 +47,8 @@ const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 
-/* Writes a number with enough digits for an exact round trip: 15 significant digits, or more if necessary,
- * but not more than `most`, without trailing zeros. Returns `text`. */
+/* Writes a number with enough digits for an exact round trip: 15 significant digits or more, up to `most`.
+ * Omits trailing zeros. Returns `text`. */
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);
 
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */

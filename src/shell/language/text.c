@@ -15,9 +15,8 @@ static const struct {
 
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
-/* Returns the ASCII text for the character at the beginning of `typed`, of which `left` bytes remain, and
- * stores the length of the character in bytes in *length. A byte without a replacement is returned unchanged,
- * in `byte`. */
+/* Returns the ASCII text for the first character of `typed`, a text of `left` bytes. Stores the length of the
+ * character in bytes in *length. A byte without a replacement is returned unchanged, in `byte`. */
 static const char *plain_form(const char *typed, size_t left, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {
@@ -54,7 +53,7 @@ bool text_make(struct text *text, const char *typed, size_t length)
         char byte[2];
         const char *plain = plain_form(typed + i, length - i, byte, &taken);
         column += ((unsigned char)typed[i] & 0xc0) != 0x80;
-        do { /* this loop also copies the terminating NUL byte */
+        do { /* copies at least one byte, which may be a NUL byte */
             text->origin[n] = (struct origin){column, (int)i};
             text->line[n++] = *plain;
         } while (*plain && *++plain);

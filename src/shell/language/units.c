@@ -125,7 +125,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit for which a word stands, in the singular or plural, or NULL. */
+/* Returns the unit that a word in the singular or plural stands for, or NULL. */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;

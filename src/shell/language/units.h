@@ -14,7 +14,7 @@ struct quantity {
     int length, time, angle, mass;
 };
 
-/* Returns true if the unit has no length, time or mass. The unit may still be a power of an angle. */
+/* Returns true if the unit has no length, time or mass. The unit may be a power of an angle. */
 static inline bool quantity_plain(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;
@@ -50,7 +50,7 @@ const char *unit_write(struct quantity quantity, const char *between, char text[
  * call. */
 #define expression_unit_text(quantity) unit_write(quantity, " ", (char[UNIT_TEXT]){""})
 
-/* The largest exponent of a unit that can be typed. */
+/* The largest exponent that can be typed in a unit. */
 enum { UNIT_POWER_MOST = 9 };
 
 /* Returns a phrase for messages that says what kind of quantity this is, such as "a length", "a time" or "in
