@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers. A command names the columns of its answer, and then passes rows of cells. A format writes each row
- * as soon as it is passed, so a long curve appears while it is computed. Sentences are written only for
- * people. */
+/* A command names the columns of its answer and then passes the rows, which consist of cells. A format writes
+ * each row at once, so a long curve appears while it is computed. Sentences are written only for people, and
+ * not for programs. */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -19,8 +19,7 @@ struct column {
     const char *key;     /* the name of the column */
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* an explanation for people, one line long */
-    /* for words and for numbers with few digits, the width of the column in a table of rows; for other
-     * numbers 0 */
+    /* the width of the column in a table of rows, for words and short numbers; 0 for other numbers */
     int width;
 };
 
@@ -30,13 +29,13 @@ struct layout {
     bool on_terminal; /* the answer goes to a terminal */
     bool letters;     /* the terminal can show Greek letters */
     bool bold;        /* the terminal has colours */
-    int width;        /* the width of the terminal in columns, or 0 without a terminal */
-    /* bit i is set if column i has error bounds, for which csv and json have a separate column */
+    int width;        /* the width of the terminal in columns, or 0 if there is no terminal */
+    /* bit i is set if column i has error bounds, which csv and json write as another column */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
-    struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
-    /* In a table for people: the number of digits, the widths of the columns, and the position where a last
-     * column of words begins, or -1 if the words are written below each row. */
+    struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
+    /* In a table for people: the number of digits, the widths of the columns, and where a last column of
+     * words begins. `words` is -1 if the words are written below each row. */
     int digits, column[ANSWER_COLUMNS], words;
     /* the terminal is too narrow for a table, so a row is written as one line for each column */
     bool is_stacked;
@@ -48,8 +47,8 @@ struct csv_layout {
     bool units;       /* column names include the units, so that the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
     char *last_head;  /* the last header line that was written to this file, or NULL */
-    /* Texts to append, first to the header line and then to each row. Each text ends with a NUL byte. May be
-     * NULL. */
+    /* Texts to append, each terminated by a NUL byte: the first to the header line, and the others to the
+     * rows. May be NULL. */
     const char *extra;
 };
 
@@ -60,14 +59,14 @@ struct answer {
     struct answer_style style;
     const char *command;                /* the name of the command, for programs that read the answer */
     const char *note;                   /* a remark for programs that read the answer, or NULL */
-    const struct column *columns;       /* the columns of each row, followed by a NULL key */
+    const struct column *columns;       /* the columns of each row; the key of the last element is NULL */
     struct column copy[ANSWER_COLUMNS]; /* memory for `columns` if they differ from those of the command */
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
     bool blank_above; /* a blank line separates this answer from the previous one */
     bool is_open;     /* output has begun: the blank line has been written, if there is one */
-    bool has_rows;    /* the lines above the first row, and the first row, have been written */
+    bool has_rows;    /* the first row and the lines above it have been written */
     struct layout layout;
 
     /* Results that the session keeps: */
@@ -120,14 +119,14 @@ static inline bool column_is_angle(const struct column *column)
     return strncmp(column->unit, "rad", 3) == 0;
 }
 
-/* Makes a column of words at least as wide as a word. */
+/* Widens a column of words, if necessary, so that the word fits. */
 void column_fit(struct column *column, const char *word);
 
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes columns, whose keys are separated by blanks, from the answer. The rows passed to answer_row still
- * have cells for the removed columns. */
+/* Removes some columns from the answer. `keys` lists their keys, separated by blanks. Rows that are passed to
+ * answer_row must have cells for the removed columns as well. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
 /* Changes the unit or the explanation of a column in this answer. If an argument is NULL, the column keeps
@@ -144,9 +143,9 @@ void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /*
  * Writes a row. If a cell of the row has no value, `reason` explains why. For people, the reason is written
- * on a line below the row. For programs, it is in a column or key "reason", which csv has only if the first
- * row has a reason. For a row without a reason, `reason` is NULL, or "" if other rows may have one. Always
- * returns true, so that a command can end with `return answer_row(...)`.
+ * on a line below the row. For programs, it is in a column or key "reason"; csv has this column only if the
+ * `reason` of the first row is not NULL. For a row without a reason, pass "" if other rows may have one, and
+ * otherwise NULL. Always returns true, so that a command can end with `return answer_row(...)`.
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
@@ -156,10 +155,12 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Keeps the cells of a row for 'ans' without writing them, for a command that answers in sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* answer_plan fixes the layout before the first row is written, as if that row were `sample`. If `sample` is
- * NULL, no column has error bounds. After that, answer_part returns copies of the answer that write their
- * rows to other streams. If `first` is true, the copy also writes the lines above the first row. */
+/* Fixes the layout before the first row is written, as if the first row were `sample`. If `sample` is NULL,
+ * no column has error bounds. */
 void answer_plan(struct answer *answer, const struct cell *sample);
+
+/* Returns a copy of the answer that writes its rows to another stream. The layout must have been fixed. If
+ * `first` is true, the copy also writes the lines above the first row. */
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
 /* Returns true if no more rows can be written, because the disk is full or a pipe has no reader. */
@@ -170,7 +171,7 @@ bool answer_bounded(const struct answer *answer, int i);
 
 /* ---- Sentences, and the end ---- */
 
-/* Returns true if the answer is a table for people. */
+/* Returns true if the answer is written for people, and not for a program. */
 static inline bool answer_for_people(const struct answer *answer)
 {
     return answer->out && answer->style.format->for_people && !answer->sink;

@@ -57,8 +57,8 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return quad_write(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns the number of digits to print for a number, which is at most `all`. Rounding to this many digits
- * adds little to the error bound. */
+/* Returns how many digits of a number to print: at most `all`, and enough that rounding adds little to the
+ * error bound. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -66,7 +66,7 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* Returns the error bound on a number as it is printed, which includes the rounding to the printed digits. */
+/* Returns an error bound on the printed number, which includes the error of rounding. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
@@ -155,9 +155,9 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* About half of the computed numbers need `all` digits, and most of the others need one digit fewer.
-     * Still fewer digits are tried only if the text with one digit fewer had no trailing zeros. If it had
-     * any, they have been removed already, and all other digits are needed. */
+    /* About half of the computed numbers need `all` digits, and most of the others one digit fewer. If the
+     * text with one digit fewer ended in zeros, they have been removed already, and this text is the
+     * shortest. Otherwise, texts with fewer digits are tried. */
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cells of an answer, and the digits with which they are shown. */
+/* The cells of an answer, and how their numbers are written. */
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
@@ -50,10 +50,11 @@ struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
-/* Returns false if a number is not finite at the precision at which csv and json write it. */
+/* Returns false if a number is too large for the precision that csv and json have. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true if a number other than 0 becomes 0 at the precision at which csv and json write it. */
+/* Returns true if a number other than 0 becomes 0 in csv and json, because it is too small for their
+ * precision. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */

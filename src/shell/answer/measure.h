@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Units for people.  Cells, csv and json contain base units: m, kg, and fractions of 1.  A table shows a
- * column in a unit that depends on the unit of the column:
+ * Units for people. Cells, csv and json contain base units: m, kg, and fractions of 1. A table converts
+ * numbers from these units as follows, and leaves every other unit as it is:
  *
  *   "m"      mm below 1 cm, cm below 1 m, otherwise m
  *   "kg"     g below 1 kg, otherwise kg
  *   "share"  %
  *
- * and leaves every other unit as it is.  A column of a table of rows has the same unit in all rows (see
- * answer_largest).  In sentences, measured(value, "m", 4).text does the same for a single value.
+ * A column of a table of rows has the same unit in all rows (see answer_largest). In sentences,
+ * measured(value, "m", 4).text does the same for a single value.
  */
 #ifndef SHELL_MEASURE_H
 #define SHELL_MEASURE_H

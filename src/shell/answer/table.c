@@ -11,11 +11,11 @@
 #include <string.h>
 
 enum {
-    NUMBER_MARGIN = 6, /* the width of everything in a number except its digits, as in "-0." and "e-300" */
+    NUMBER_MARGIN = 6, /* the width that a number needs besides its digits, for "-0." or "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if a last column of words has less room than this, the words go below their row */
-    WORDS_SHORT = 12,   /* a last column of words that is at most this wide needs room only for its width */
+    WORDS_SHORT = 12,   /* up to this width, a last column of words needs only its own width */
     WORDS_INDENT = 8,   /* the indentation of words below their row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */

@@ -7,7 +7,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Returns the length in bytes of the first line of a text for lines of `columns` columns. A line also ends at
+/* Returns the length in bytes of the first line, if a text is broken into lines of `columns` columns. A line
+ * also ends at
  * '\n'. A piece that is longer than a line is broken. */
 size_t line_break(const char *text, int columns);
 
