@@ -16,7 +16,7 @@ static size_t utf8_next(const char *text, uint32_t *code)
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
     for (size_t i = 1; i < length; i++) {
-        if (c[i] >> 6 != 2) /* not a continuation byte, but perhaps the terminating NUL byte */
+        if (c[i] >> 6 != 2) /* a continuation byte is missing; the text may even end here */
             return 0;
         *code = *code << 6 | (c[i] & 0x3fu);
     }

@@ -12,18 +12,18 @@
 enum { ESCAPE_PIECE = 12 };
 
 /*
- * Escapes the first character of a non-empty text, and returns the length of this character in the text in
- * bytes. Control characters, invisible characters, and characters that break lines or change the direction of
- * writing become \x.., \u.... or \u{.....}. A byte that is not UTF-8 becomes \x.., too. Escaping a text twice
- * gives the same result as escaping it once.
+ * Escapes the first character of a non-empty text into `piece`. Returns the number of bytes that the
+ * character takes in the text. Control characters, invisible characters, and characters that break lines or
+ * change the direction of writing become escapes such as \x1b, \u202e or \u{e0001}, and so do bytes that are
+ * not UTF-8. Escaping a text twice gives the same result as escaping it once.
  */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
 /* Returns true if a character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* Writes an escaped copy of a string into the buffer `shown`, which has `size` bytes, at least 16. A copy
- * that is too long ends in "...". Returns `shown`. */
+/* Writes an escaped copy of a string into the buffer `shown` of `size` bytes. The size must be at least 16. A
+ * copy that is too long ends in "...". Returns `shown`. */
 const char *escape_text(const char *text, char *shown, size_t size);
 
 /* Escapes a text of any length. Returns an allocated copy, or NULL if memory runs out. */

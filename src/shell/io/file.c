@@ -3,9 +3,9 @@
  * Output files after '>' and '>>' are written completely or not at all. The text first goes to a temporary
  * file without a name, which vanishes however the program ends. At the end, '>' copies the text to a
  * replacement, a new file in the same folder as the target, and renames the replacement to the name of the
- * target. '>>' locks the target and appends the text. A target that has several hard links or another owner,
- * or in whose folder no file can be created, is locked and overwritten in place, since a rename would change
- * more than its contents.
+ * target. '>>' locks the target and appends the text. A target that has several hard links or another owner
+ * is locked and overwritten in place, because a rename would change more than its contents. This also happens
+ * if no file can be created in the folder of the target.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
@@ -41,8 +41,8 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream that receives the text: the temporary file or, for a device, a FIFO or standard output,
- * the target itself. Returns NULL and sets errno on failure. */
+/* Opens the stream that receives the text. This is the target itself if the target is a device, a FIFO or
+ * standard output, and otherwise the temporary file. Returns NULL and sets errno on failure. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -61,7 +61,7 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the text begins with a line of column names that repeats the last such line in the target, returns the
+/* The first line of the text may repeat the last line of column names in the target. If so, returns the
  * length of this line, which is then not appended again. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
@@ -79,7 +79,8 @@ static long repeated_head(const struct file *f)
     return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
 }
 
-/* Copies the text from the offset `from` on into an open file. Returns false and sets errno on failure. */
+/* Copies the text, from the offset `from` to the end, into an open file. Returns false and sets errno on
+ * failure. */
 static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
@@ -92,8 +93,8 @@ static bool text_copy(FILE *text, long from, int to)
 }
 
 /* Writes or appends the text to an open file, and closes the file. If the disk is full, the old contents are
- * not lost: space is reserved before the first byte is overwritten, and a partially appended text is cut off
- * again. Returns false and sets errno on failure. */
+ * not lost: space is reserved before the first byte is overwritten, and text that was appended in part is cut
+ * off again. Returns false and sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
@@ -111,7 +112,7 @@ static bool file_fill(const struct file *f, int file)
 
 enum { REPLACEMENT = PATH_MAX + 32 }; /* the size of a buffer for the name of a replacement */
 
-/* Creates the replacement, with the group and mode of the target if the target exists. Returns -1 if that is
+/* Creates the replacement, with the group and mode of the target if the target exists. Returns -1 if this is
  * not allowed. */
 static int replacement_open(const struct target *t, char name[REPLACEMENT])
 {
@@ -132,7 +133,7 @@ static int replacement_open(const struct target *t, char name[REPLACEMENT])
     return -1;
 }
 
-/* Opens the target itself, rather than a replacement, and locks it. Returns -1 with errno on failure. */
+/* Opens the target itself, rather than a replacement, and locks it. Returns -1 and sets errno on failure. */
 static int file_lock(const struct file *f)
 {
     enum { SECONDS = 10 };
@@ -144,8 +145,8 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the target. Signals are blocked meanwhile, except while another program holds the lock
- * of the target. Returns false and sets errno on failure. */
+/* Writes the text into the target. Signals are blocked, except during the wait for another program that has
+ * locked the target. Returns false and sets errno on failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

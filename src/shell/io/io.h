@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files and streams on which a wait can be interrupted: the other end of a FIFO may never be opened, and a
- * program at the other end of a pipe may never read. When the flag `interrupt` is raised (see dom_raised), a
- * wait ends with ECANCELED, even if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
- * signals have their usual effect. All functions set errno on failure.
+ * Files and streams whose waits can be interrupted. Otherwise a wait might never end, for example if no
+ * program opens the other end of a FIFO. When the flag `interrupt` is raised (see dom_raised), a wait ends
+ * with ECANCELED, even if the signal handler was installed with SA_RESTART. If `interrupt` is NULL, signals
+ * have their usual effect. All functions set errno on failure.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -15,19 +15,19 @@
 #include <time.h>
 
 /*
- * Opens a file as open(2) does, but if the file is a FIFO that is opened for writing, waits until it has a
- * reader. The descriptor is non-blocking and close-on-exec. Returns -1 on failure.
+ * Opens a file as open(2) does. Before a FIFO is opened for writing, waits until it has a reader. The
+ * descriptor is non-blocking and close-on-exec. Returns -1 on failure.
  */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
 /* Locks an open file with flock(2) until the file is closed. This keeps out only programs that also lock the
- * file. Does nothing if the file system has no locks. Returns false if another program holds the lock for
- * `seconds` seconds, or on an interrupt. */
+ * file. Does nothing if the file system has no locks. Returns false if another program does not release its
+ * lock within `seconds` seconds, or after an interrupt. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits until a file can be read or, if `to_write` is true, written, or until the time `longest` has passed.
- * If `file` is -1, waits only for the time; if `longest` is NULL, there is no time limit. A signal that
- * arrives between the check of the flag and the wait also ends the wait. Returns false if the flag is raised.
+/* Waits until a file can be read (or written, if `to_write` is true), but not longer than `longest`. If
+ * `file` is -1, waits for this time. If `longest` is NULL, there is no time limit. A signal that arrives
+ * between the check of the flag and the wait also ends the wait. Returns false if the flag is raised.
  */
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
@@ -58,8 +58,8 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 /*
  * Returns the stream for standard output, which is the same at each call. On a terminal each line appears
  * immediately. Elsewhere the text is buffered, because a system call for each short answer would take longer
- * than the answer itself. A program that reads the output still need not wait: a timer writes flushed text at
- * most 10 ms later, whatever the session is doing at that time.
+ * than the answer itself. A program that reads the output does not have to wait long: a timer writes flushed
+ * text within 10 ms, even during a computation.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 

@@ -71,10 +71,11 @@ const char *file_push(struct output **top, const char *path, bool append,
 /*
  * Pushes a pager for a text that may be longer than the terminal. Returns false, and does nothing, unless
  * both standard input and the level below are the terminal itself. A text of at least `screens` screens is
- * piped through $PAGER or less while it is written. If `may_run` is false, no program is run, and the text is
- * shown a page at a time. A shorter text, or one that arrives slowly, is shown without a pager. Writing fails
- * after the user has quit the pager, and after an interrupt. Popping the pager waits until the user quits,
- * and then shows the messages. The result of popping is not NULL if the user quit before the end.
+ * piped through $PAGER, or through the program less, while it is written. If `may_run` is false, no program
+ * is run, and the text is shown a page at a time. A shorter text, or one that arrives slowly, is shown
+ * without a pager. Writing fails after the user has quit the pager, and after an interrupt. Popping the pager
+ * waits until the user quits, and then shows the messages. The result of popping is not NULL if the user quit
+ * before the end.
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 
@@ -91,8 +92,8 @@ const char *records_flush(struct output **top);
  * next answer or message shows whether they have failed. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log still
- * holds become comments, too, so that the log can be run as a script. */
+/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log holds
+ * have failed. They also become comments, so that the log can be run as a script. */
 void log_message(struct output **top, const char *text, bool failed);
 
 #endif

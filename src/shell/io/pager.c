@@ -66,12 +66,12 @@ static const char *line_next(const char *line, const char *end)
 
 /* ---- A pager program ---- */
 
-/* Starts a pager program that reads the text from the descriptor `text`. `command` is $PAGER; if it is NULL,
- * starts less. Returns false on failure. */
+/* Starts a pager program that reads the text from the descriptor `text`. `command` is $PAGER, or NULL for the
+ * program less. Returns false on failure. */
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If the program in $PAGER does not exist, less or cat shows the text. */
+    /* If the program in $PAGER does not exist, the program less or, without less, cat shows the text. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
@@ -100,7 +100,7 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the pager program, and a pipe through which the program gets the text from now on. Returns false on
+/* Starts the pager program with a pipe, which passes text to the program from now on. Returns false on
  * failure, or if the terminal is not capable enough for the program less. */
 static bool program_open(struct pager *p)
 {
@@ -110,7 +110,7 @@ static bool program_open(struct pager *p)
     if (!p->may_run || (!command && !(term && *term && strcmp(term, "dumb") != 0)) ||
         tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe(ends) != 0)
         return false;
-    /* the pager program keeps only the copy of this end that becomes its standard input */
+    /* the pager program needs only its standard input, which is a copy of ends[0] */
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     bool is_started = program_start(command, ends[0], &p->child);

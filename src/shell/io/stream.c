@@ -27,9 +27,9 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that was flushed but has not been written yet, and errno of the first write that failed. Both may be
- * accessed only while holding `held_lock`, which is taken by threads that write and by the handler of the
- * timer. The handler never waits for the lock. */
+/* Text that was flushed but has not been written yet, and errno of the first write that failed. They may be
+ * accessed only under `held_lock`. Threads that write wait for this lock; the handler of the timer never
+ * waits. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;
@@ -93,7 +93,7 @@ void io_stdout_flush(void)
 static int standard_close(void *cookie)
 {
     (void)cookie;
-    held_begin(); /* the lock is never released, because the timer may still fire */
+    held_begin(); /* the lock is never released, because the timer may fire later */
     held_write();
     errno = held_error ? held_error : errno;
     return held_error ? -1 : 0;
@@ -120,9 +120,9 @@ struct channel {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Reads the bytes that are available. If there are none yet, the program at the other end may be waiting for
- * answers before it writes its next command, so the collected answers are written first. Answers therefore
- * need not be written after each command. */
+/* Reads the bytes that are available. If there are none, first writes the collected answers, because the
+ * program at the other end may wait for them before it sends its next command. So answers need not be written
+ * after each command. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;

@@ -11,7 +11,7 @@
 
 static struct target *targets;
 
-/* Returns the absolute path of a file, without symbolic links. Unlike realpath, works also for a file that
+/* Returns the absolute path of a file, without symbolic links. Unlike realpath, also works for a file that
  * does not exist yet. Returns NULL and sets errno on failure. */
 static char *real_path(const char *path)
 {

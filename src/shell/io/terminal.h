@@ -36,12 +36,15 @@ int terminal_columns(const char *text);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, progress_begin shows a line there, such as "3 s; ^C stops it", which is
- * updated every second. progress_end clears the line. After progress_show has been called with the fraction
- * of the work that is done, the line shows "12 %, 3 s left" instead. A fraction of 1 restores the first
- * form. */
+/* If standard error is a terminal, shows a line there, such as "3 s; ^C stops it", and updates it every
+ * second. */
 void progress_begin(void);
+
+/* Clears the line of progress_begin. */
 void progress_end(void);
+
+/* Tells which fraction of the work is done. The line then shows "12 %, 3 s left" instead. With a fraction of
+ * 1, it shows only the seconds again. */
 void progress_show(double fraction);
 
 /* A callback of type dom_progress, which calls progress_show with done / of. */
