@@ -60,7 +60,7 @@ END
     wrong 'effect row 5; effect row typo.csv' '; the earlier row \(N = 5\) is now off$'
     wrong 'effect row good.csv; effect row short.csv' 'short\.csv:3:1: too few cells.*; the earlier row \(good\.csv\) is now off$'
     wrong 'effect row good.csv; effect push 3; effect placement 1 mm; effect row typo.csv' \
-        '\(good\.csv\) is now off, with push$'
+        '\(good\.csv\) is now off, together with push$'
     for before in 'effect row 5' 'effect row good.csv; effect push 3'; do
         run --separate-stderr "$DOMINO" --keep-going -e "$before; effect row typo.csv; verdict; save"
         grep -q 'verdict: there is no row;' <<<"$stderr" || same "$before" 'no row' "$stderr"

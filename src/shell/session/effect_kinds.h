@@ -8,12 +8,12 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* The kinds of random error that have their own effect, such as error_place. Random errors of gaps and
- * heights belong to the effect 'placement'. */
+/* The kinds of random error that have an effect of their own, such as 'error_place'. Random errors in gaps
+ * and heights belong to the effect 'placement'. */
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers of the effects below follow those of the library */
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* The numbers continue after the last effect of the library. */
 #define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
     ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
 #undef ENGINE_EFFECT_ENUM

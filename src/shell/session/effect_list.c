@@ -6,14 +6,14 @@
 const struct domq_effect engine_effect_feet = {
     .name = "feet",
     .synonyms = "foot slip slide slippery floor ground hinge engine chipmunk",
-    .adds = "feet that can slip on a floor with friction, instead of hinges",
-    .help = "Feet are not hinges: a foot may lift off, and it slides when a friction coefficient above MU "
-            "would be needed to hold it, during the motion and in collisions. The equations of the train "
+    .adds = "feet that can slip on the floor, instead of hinges",
+    .help = "Feet are not hinged to the floor. A foot may lift off, and it slides if friction with the "
+            "coefficient MU cannot hold it, during the motion or in a collision. The equations of the train "
             "have one degree of freedom and cannot describe this, so a rigid-body engine, Chipmunk 7, runs "
-            "the row. 'fall' reports how far feet slide. The step of the engine is halved until the verdict "
-            "and the times no longer change. The result depends on the start: a push of more than sqrt(2 "
-            "g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest growth at "
-            "which such a row falls; 'rmax' is for the endless train, whose feet are hinges.",
+            "the row. 'fall' reports how far feet slide. The time step of the engine is halved until the "
+            "verdict and the times no longer change. The result depends on the start: a push of more than "
+            "sqrt(2 g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest "
+            "growth at which such a row falls; 'rmax' is for the endless train, whose feet are hinges.",
     .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",
     .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "MU",
@@ -77,7 +77,7 @@ const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-/* Example commands for some effects. For the other effects, effect_example puts the commands together. */
+/* Example commands for some effects. For all other effects, effect_example composes the commands. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of all effects: first those of the library, then those that only the rigid-body engine can
- * compute, because a train with one degree of freedom cannot have them, and then the random errors of rows
- * (random_error_list.c). To add an effect of the engine, add its name to effect_kinds.h, its description to
- * effect_list.c, its value to scene_engine_make (engine.c), and its code to src/engine/. The steps for an
- * effect of the model are in src/model/dynamics/README.md; the calculator takes such an effect from the
- * library's list.
+ * Descriptions of all effects, in this order: the effects of the library; the effects of the rigid-body
+ * engine, which need more than one degree of freedom; and the random errors (random_error_list.c). To add an
+ * effect of the engine, add its name to effect_kinds.h, its description to effect_list.c, its value to
+ * scene_engine_make (engine.c), and its code to src/engine/. To add an effect of the model, follow
+ * src/model/dynamics/README.md; the calculator takes such effects from the library's list.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H

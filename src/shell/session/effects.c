@@ -44,13 +44,13 @@ static bool needs(int name, int other)
     return effect_at(name)->needs >> other & 1;
 }
 
-/* Writes a list of the effects that are on and need the row, such as ", with push and placement". */
+/* Writes a list of the effects that are on and need the row, such as ", together with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (scene->effect[k].on && needs(k, DOM_EFFECT_row))
-            text_add(text, size, "%s%s", *text ? " and " : ", with ", effect_at(k)->name);
+            text_add(text, size, "%s%s", *text ? " and " : ", together with ", effect_at(k)->name);
 }
 
 /* Turns off the row and all effects that need it. */
@@ -79,8 +79,8 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
                    csv->unused, csv->kind->names);
-    /* The absolute path is stored, because 'save' may write the path into a script in another directory. For
-     * a pipe, which has no absolute path, the name that the user typed is stored. */
+    /* Store the absolute path, because 'save' may write it into a script in another directory. A pipe has no
+     * absolute path, so store the name that the user typed. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     if (good && !row->path) {
         row->path = csv->path;

@@ -9,7 +9,7 @@
 
 /* Returns the values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or
  * "off". The text lives until the end of the block that contains the call. */
-enum { EFFECT_SETTING = 256 }; /* room for the longest file name and a NUL byte */
+enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
 #define effect_setting(scene, name) effect_setting_write(scene, name, (char[EFFECT_SETTING]){""})
 const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
 
@@ -18,9 +18,9 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
 const char *effect_file(const struct scene *scene, int name);
 
 /*
- * Completes the values of an effect. `value` holds the `given` values that the user typed, the first of which
- * may be EFFECT_OFF or EFFECT_ON. Copies these values to `all`, and adds the usual values of those that the
- * user left out. Sets *problem and returns false if a value that is not optional is missing, or if the effect
+ * Completes the values of an effect. `value` holds the `given` values that the user typed; the first of them
+ * may be EFFECT_OFF or EFFECT_ON. Copies them to `all`, and adds the usual value for each one that the user
+ * left out. Sets *problem and returns false if a value that is not optional is missing, or if the effect
  * cannot be turned off because another effect needs it.
  */
 bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
@@ -34,8 +34,8 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
  */
 void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 
-/* Reports a problem and returns false if effect `name` needs another effect that is off, or cannot be
- * combined with the parameter 'fuel'. */
+/* Returns true if all effects that effect `name` needs are on, and if the effect can be combined with the
+ * current 'fuel'. Otherwise reports the problem. */
 bool effect_needs(const struct scene *scene, int name, struct problem *problem);
 
 /*
@@ -45,13 +45,14 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem);
  */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
-/* Writes the commands that give an effect its current values. `folder` is the directory of the script to
- * which the commands are written, or NULL. For the effect 'row', also writes the commands that make the
- * changes of single dominoes again. */
+/* Writes the commands that give an effect its current values. `folder` is the directory of the script that
+ * the commands go to, or NULL. For the effect 'row', also writes 'change' commands for the dominoes that have
+ * been changed. */
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
-/* Turns on the effect 'row' with the dominoes of a file. On failure, turns off the earlier row, if there is
- * one, and reports this, too: if that row stayed on, later commands would silently compute answers for it. */
+/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem, returns false and turns
+ * off the earlier row, if there was one. If that row stayed on, later commands would silently compute answers
+ * for it. */
 bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
                     struct problem *problem);
 

@@ -210,17 +210,17 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    /* the engine's time, in the engine's units, at which the visitor's time is 0 */
+    /* the engine's time when the visitor's time is 0, in the engine's units */
     double zero;
-    const domq_real *times;  /* the times in s that have not been visited yet */
+    const domq_real *times;  /* the next times to visit, in s */
     size_t left;             /* the number of elements left in `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    /* the distances in m that the feet have slid until the last step, and the time of this step in s */
+    /* how far the feet have slid, in m, and the time in s, both after the last step */
     double *feet, time;
     size_t head;
     domq_moment_visit *visit;
     void *context;
-    bool more; /* the visitor wants to see more times */
+    bool more; /* the visitor has not asked to stop */
 };
 
 /* Passes the state after the last step to the visitor, as the state at the time `time`. */
@@ -236,8 +236,8 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* The engine calls this function after each step. At all times within the step, the visitor gets the state
- * after the step, since steps are very short. */
+/* The engine calls this function after each step. Steps are very short, so the visitor gets the state after
+ * the step for every time within it. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -275,7 +275,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &settled->grain, watch_step, &w);
-    /* After the end of the motion, the state no longer changes. */
+    /* The state no longer changes after the motion has ended. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs rows in the rigid-body engine. The engine is used if an effect that the model lacks is on, or after
- * 'set method engine'. The library's searches and studies then call the engine, too, through struct
+ * 'set method engine'. The library's searches and studies then also call the engine, through struct
  * dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
@@ -11,7 +11,7 @@
 /* The values of the parameter 'method'. */
 enum { METHOD_MODEL, METHOD_ENGINE };
 
-/* Results of a run of the engine that commands show, but that the library does not need. */
+/* Results of an engine run that commands show but the library does not need. */
 struct engine_report {
     /* the hits in m, s and kg; the caller provides an array with one element for each domino */
     struct engine_hit *hit;

@@ -18,21 +18,22 @@
 
 static const char s_help[] =
     "The gap is the clear distance before a domino, and s is the gap divided by the height of this domino. "
-    "A length, as in 'set s 2 cm', is divided by h.";
+    "If you give a length, as in 'set s 2 cm', it is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
                              "which a train keeps falling, and 'effect row N' makes a finite row.";
-static const char d_help[] = "The thickness is the size of a domino along the row, and d is the thickness "
-                             "divided by the height. A length, as in 'set d 7 mm', is divided by h.";
+static const char d_help[] =
+    "The thickness is the size of a domino along the row, and d is the thickness divided by the height. If "
+    "you give a length, as in 'set d 7 mm', it is divided by h.";
 static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
     "block, and 4 times if it is hollow, like a box of boards that are equally thin in all sizes.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
-    "than the tolerance justifies. Where an answer depends strongly on a parameter, rounding errors can be "
-    "larger: 'set errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 "
-    "in quad precision. Unless you have set tol, it changes to the default of the new precision when the "
-    "precision changes. 'cost rmax' shows how much time each digit costs.";
+    "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
+    "on a parameter; 'set errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double "
+    "and 1e-33 in quad precision. Unless you have set tol, it changes to the default of the new precision "
+    "when the precision changes. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
@@ -93,7 +94,7 @@ static void precision_before(struct state *state, domq_real precision)
 #define MORE_h   .synonyms = "height size tall scale",
 #define MORE_g   .synonyms = "gravity acceleration weight moon planet",
 
-/* The numbers of the output formats, and the words for them that the parameter 'output' takes. */
+/* The numbers of the output formats, and the words that 'set output' takes for them. */
 #define FORMAT_NUMBER(name) FORMAT_##name,
 #define FORMAT_WORD(name)   {#name, FORMAT_##name},
 enum { FORMATS(FORMAT_NUMBER) };

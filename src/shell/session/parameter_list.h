@@ -22,19 +22,20 @@ struct parameter {
     const struct domq_effect_argument *value;
     const char *help;     /* the text that 'help' shows; may be NULL */
     const char *synonyms; /* other words for the parameter, separated by blanks; may be NULL */
-    /* The description of the effect, or NULL if the parameter is not an effect. The help and the synonyms of
-     * an effect are in this description, and the two members above are NULL. */
+    /* The description of the effect, with its help and synonyms: for an effect, `help` and `synonyms` above
+     * are NULL. NULL if the parameter is not an effect. */
     const struct domq_effect *effect;
     int which;                /* the number of the effect, if the parameter is an effect */
     const struct word *words; /* words for some of the values; may be NULL */
     /* the value must be one of `words`, and is stored as an unsigned */
     bool words_only;
-    /* The parameter is a setting of the calculator. 'reset' does not change it unless its name is given. */
+    /* The parameter is a setting of the calculator. 'reset' leaves it unchanged unless its name is given. */
     bool setting;
-    /* the default and the lower bound depend on the precision; this is the case for tol */
+    /* the default and the lower bound depend on the precision, as for tol */
     bool of_precision;
-    const char *moves; /* another parameter that may change when this parameter is set; may be NULL */
-    size_t offset;     /* the offset of the value in struct state; not used for effects */
+    /* the name of another parameter, which may change when this one is set; NULL if there is none */
+    const char *moves;
+    size_t offset; /* the offset of the value in struct state; not used for effects */
 
     /* Hooks; each may be NULL. */
     /* Checks whether a value in the range can be combined with the values of other parameters. If not, sets
@@ -44,8 +45,8 @@ struct parameter {
     void (*before)(struct state *state, domq_real value);
 };
 
-/* All parameters in the order in which 'show' lists them, and then the effects. A NULL name ends the
- * table. */
+/* All parameters, in the order in which 'show' lists them, followed by the effects. The name in the last
+ * entry is NULL. */
 extern const struct parameter session_parameters[];
 
 #endif

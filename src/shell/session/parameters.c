@@ -239,8 +239,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
-    /* A lower bound such as 1e-15 has no exact double, so the nearest double is accepted even if it is below
-     * the bound. */
+    /* A double cannot represent a lower bound such as 1e-15 exactly, so the nearest double is accepted even
+     * if it is below the bound. */
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
@@ -255,9 +255,10 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
-    return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
+    return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s%s", of->name,
                              quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "", of->unit,
-                             p->words && !p->effect ? ", or one of its words" : "");
+                             p->words && !p->effect ? ", or a word such as " : "",
+                             p->words && !p->effect ? p->words->name : "");
 }
 
 struct answer_style state_style(const struct state *state)
@@ -266,7 +267,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* equal to ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* all_digits = ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -9,8 +9,8 @@
 
 /* ---- Descriptions ---- */
 
-/* Three names_lists (see names.h): all parameters; all words that stand for values of the given parameter;
- * and the same words without their synonyms. */
+/* Three names_lists (see names.h). parameter_names lists all parameters, parameter_words lists the words for
+ * the values of one parameter, and parameter_offered lists the same words without synonyms. */
 const char *parameter_names(const void *context, int k);
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
@@ -18,13 +18,12 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter whose first synonym, the most common one, is the word. If there is no such parameter
- * and `any` is true, returns the parameter that has the word earliest in its list of synonyms. Otherwise
- * returns NULL. */
+/* Returns the parameter whose first synonym is the word. If there is none and `any` is true, returns the
+ * parameter that has the word closest to the front of its synonyms. Otherwise returns NULL. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* Like names_find, but if the word is a synonym of a parameter or effect in the list, the message suggests
- * this parameter or effect. */
+/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests that
+ * parameter or effect. */
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.
@@ -43,7 +42,7 @@ bool parameter_is_number(const struct parameter *parameter);
 /* Returns the word that stands for a value of the parameter, or NULL if no word does. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
-/* Returns the range of value number i of a parameter, such as "1e-12 .. 1", or all words, such as
+/* Returns the range of value number i of a parameter, such as "1e-12 .. 1", or a list of its words, such as
  * "exact|paper". The text lives until the end of the block that contains the call. */
 enum { PARAMETER_RANGE = 64 };
 #define parameter_range(state, parameter, i)                                                                 \
@@ -63,12 +62,11 @@ domq_real parameter_get(const struct state *state, const struct parameter *param
 /* Returns the default of a parameter at the precision of the state, or EFFECT_OFF for an effect. */
 domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
 
-/* Returns true if `value` is in the range of value number i of the parameter. Otherwise reports the
- * problem. */
+/* Returns true if value number i of the parameter may be `value`. Otherwise reports the problem. */
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 
-/* A parameter and its new value. An effect may have the value EFFECT_OFF. */
+/* A parameter and its new value, which may be EFFECT_OFF for an effect. */
 struct assigned {
     const struct parameter *parameter;
     domq_real value;

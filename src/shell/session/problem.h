@@ -17,7 +17,7 @@ enum { PROBLEM_TEXT = 1024 };
 struct problem {
     enum problem_kind kind;
     int column; /* the column of the error in the line, counted from 1; 0 stands for the whole line */
-    int place;  /* the column of the next problem, which problem_report copies to `column` */
+    int place;  /* the column that problem_report stores in `column` */
     const char *command; /* the name of the command; may be NULL */
     char text[PROBLEM_TEXT];
 };
@@ -33,7 +33,7 @@ static inline void problem_begin(struct problem *problem, const char *command)
     problem->text[0] = '\0';
 }
 
-/* Writes the message of a problem, unless the struct already has a problem. Always returns false. */
+/* Stores a problem and its message, unless the struct already has a problem. Always returns false. */
 bool problem_report(struct problem *problem, enum problem_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 #define problem_error(problem, ...)     problem_report(problem, PROBLEM_WRONG, __VA_ARGS__)

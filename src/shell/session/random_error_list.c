@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Descriptions of the effects that give rows random errors. Random errors of gaps and heights belong to the
- * effect 'placement', and so are not in this file. To add a kind of random error, add it to DOM_ERRORS and
- * ERROR_EFFECTS, describe it in this file, and apply it to a row in src/model/planning/draw.c.
- */
+/* Descriptions of the effects that give rows random errors. Random errors in gaps and heights belong to the
+ * effect 'placement' and are not in this file. To add a kind of random error, add it to DOM_ERRORS and
+ * ERROR_EFFECTS, describe it in this file, and apply it to a row in src/model/planning/draw.c. */
 #include "session/effect_kinds.h"
 
 static const char *const distributions[] = {"normal", "uniform", NULL};
@@ -12,7 +10,7 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 
-/* Initialises the members that are the same for all kinds of random error, among them the arguments. */
+/* Initialises the source, the plan and the two arguments, which all kinds of random error have. */
 #define SIZED(unit_, meaning_, highest_, usual_)                                                             \
     .source = SOURCE, .plan = PLAN,                                                                          \
     .argument = {{.name = "SIZE",                                                                            \
@@ -34,31 +32,31 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 const struct domq_effect error_effect_place = {
     .name = "error_place",
     .synonyms = "position tape",
-    .adds = "random errors of the positions of dominoes",
-    .help =
-        "Each domino is off its position by a separate random error, which does not move the dominoes after "
-        "it, as if all positions had been measured with a tape. In 'effect placement', an error of a gap "
-        "moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
-    SIZED("m", "error of each position", 1e9, 0.001),
+    .adds = "random errors in the positions of dominoes",
+    .help = "Each domino is off its position by a separate random error. The error does not move the "
+            "dominoes after it, as if all positions had been measured with one tape. In 'effect placement', "
+            "by contrast, an error in a gap moves all dominoes after it. Dominoes that would overlap are "
+            "moved until they touch.",
+    SIZED("m", "error in each position", 1e9, 0.001),
 };
 
 const struct domq_effect error_effect_thickness = {
     .name = "error_thickness",
     .synonyms = "thick boards",
-    .adds = "random errors of the thicknesses of dominoes",
+    .adds = "random errors in the thicknesses of dominoes",
     .help = "Each domino is thicker or thinner by a separate random error, given as a fraction of its "
             "thickness, such as 0.01 or 1 %. Gaps and the density do not change, so a thicker domino is "
-            "heavier. A thickness is never below 1/100 of its value without the error, nor below twice the "
-            "thickness of the walls or twice the radius of the edges.",
-    SIZED("", "error of each thickness, as a fraction of the thickness", 1, 0.01),
+            "heavier. No domino becomes thinner than 1/100 of its thickness without the error, twice the "
+            "thickness of the walls, or twice the radius of the edges.",
+    SIZED("", "error in each thickness, as a fraction of the thickness", 1, 0.01),
 };
 
 const struct domq_effect error_effect_mass = {
     .name = "error_mass",
     .synonyms = "weight density",
-    .adds = "random errors of the masses of dominoes",
+    .adds = "random errors in the masses of dominoes",
     .help = "Each domino is heavier or lighter by a separate random error, given as a fraction of its mass.",
-    SIZED("", "error of each mass, as a fraction of the mass", 1, 0.05),
+    SIZED("", "error in each mass, as a fraction of the mass", 1, 0.05),
 };
 
 const struct domq_effect error_effect_lean = {
@@ -68,16 +66,16 @@ const struct domq_effect error_effect_lean = {
     .help = "Each domino leans forwards or backwards by a separate random angle, and rests on its front "
             "edge. A domino that would fall over by itself gets the largest lean at which it still stands. "
             "Leans cannot be combined with rounded edges, or with the rigid-body engine.",
-    SIZED("rad", "error of each lean", 1.5, 0.005),
+    SIZED("rad", "error in each lean", 1.5, 0.005),
 };
 
 const struct domq_effect error_effect_radius = {
     .name = "error_radius",
     .synonyms = "rounding bevels",
-    .adds = "random errors of the radii of rounded edges",
+    .adds = "random errors in the radii of rounded edges",
     .help = "The radius of the edges of each domino has a separate random error, given as a fraction of the "
             "radius. A radius is at most half of the thickness.",
-    SIZED("", "error of each radius, as a fraction of the radius", 1, 0.1),
+    SIZED("", "error in each radius, as a fraction of the radius", 1, 0.1),
     .needs = NEEDS(DOM_EFFECT_edges),
 };
 
@@ -88,16 +86,16 @@ const struct domq_effect error_effect_friction = {
     .help = "The friction between dominoes is never known well. One error is drawn for each row and added to "
             "the coefficient of 'effect friction' for all its dominoes. If the sum is negative, the "
             "coefficient is 0.",
-    SIZED("", "error of the friction coefficient", 100, 0.05),
+    SIZED("", "error in the friction coefficient", 100, 0.05),
 };
 
 const struct domq_effect error_effect_slope = {
     .name = "error_slope",
     .synonyms = "level uneven",
     .adds = "a floor that is off level by a random angle",
-    .help = "One angle is drawn for each row and added to that of 'effect slope'. A floor is never so steep "
-            "that a domino falls over by itself.",
-    SIZED("rad", "error of the slope of the floor", 1.5, 0.005),
+    .help = "One angle is drawn for each row and added to the angle of 'effect slope'. A floor is never so "
+            "steep that a domino falls over by itself.",
+    SIZED("rad", "error in the slope of the floor", 1.5, 0.005),
 };
 
 const struct domq_effect error_effect_floor = {
@@ -106,7 +104,7 @@ const struct domq_effect error_effect_floor = {
     .adds = "an unknown friction of the floor, the same for all dominoes",
     .help = "One error is drawn for each row and added to the coefficient of 'effect feet', the friction of "
             "the floor on which feet slip. If the sum is negative, the coefficient is 0.",
-    SIZED("", "error of the friction coefficient of the floor", 100, 0.05),
+    SIZED("", "error in the friction coefficient of the floor", 100, 0.05),
     .needs = NEEDS(EFFECT_feet),
 };
 
@@ -116,6 +114,6 @@ const struct domq_effect error_effect_push = {
     .adds = "a push whose strength varies at random",
     .help = "One error is drawn for each row and added to the speed of 'effect push'. If the sum is "
             "negative, the speed is 0.",
-    SIZED("rad/s", "error of the angular velocity of the first domino", 1e6, 0.5),
+    SIZED("rad/s", "error in the angular velocity of the first domino", 1e6, 0.5),
     .needs = NEEDS(DOM_EFFECT_push),
 };

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The random errors of rows: converts the effects that describe these errors to the form that the library
- * takes. */
+/* Converts the effects that describe random errors to the form that the library takes. */
 #ifndef SHELL_RANDOM_ERRORS_H
 #define SHELL_RANDOM_ERRORS_H
 
@@ -16,7 +15,7 @@ const char *error_unit(int kind);
 /* Returns the effect that describes a kind of random error. For gaps and heights, this is 'placement'. */
 int error_effect(int kind);
 
-/* Writes to `error` the random errors that the effects of a scene describe. If an effect is off, its errors
+/* Fills `error` with the random errors that the effects of a scene describe. If an effect is off, its errors
  * have the size 0. Returns true if at least one of these effects is on. */
 bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_COUNT]);
 

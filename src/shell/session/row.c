@@ -11,8 +11,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses of which only the ratios are known. The first domino gets the mass that follows from the
- * parameters 'mass' and 'density'. If neither is set, m g h / 2 of the first domino becomes 1. */
+/* Scales the masses of a row if only their ratios are known. The first domino gets the mass that follows from
+ * the parameters 'mass' and 'density'. If neither is set, its mass m is chosen such that m g h/2 is 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -44,7 +44,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_
         if (width)
             width[k] = d.width;
     }
-    /* a change may have affected the first domino, whose m g h / 2 must be 1 */
+    /* a change may have affected the first domino, for which m g h/2 must be 1 */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
@@ -137,8 +137,8 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 #define SLIP_OF_UNIT 50
 
 /* Checks a new value that was typed without a unit, and so is in m or kg. A user who types 25 for a height
- * probably means 25 mm and not 25 m. A gap is plausible unless it is larger than the taller of the two
- * dominoes beside it. If the value is not plausible, reports the problem and returns false. */
+ * probably means 25 mm and not 25 m. A gap is not plausible if it is larger than both dominoes beside it are
+ * tall. If the value is not plausible, reports the problem and returns false. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -209,8 +209,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Reports a problem and returns false if a domino of the ranges does not exist, or if `measure` is a gap and
- * the domino has no gap before it. */
+/* Returns true if all dominoes in the ranges exist and, if `measure` is a gap, have a gap before them.
+ * Otherwise reports the problem. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {

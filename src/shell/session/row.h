@@ -38,8 +38,8 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_
  * m g h / 2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement in m or kg of domino k, counted from 0. A lean is returned as the distance of the top
- * from plumb. A domino without a radius of its own has the radius of 'effect edges'. */
+/* Returns a measurement of domino k, counted from 0, in m or kg. A lean is returned as the distance of the
+ * top from plumb. A domino without a radius of its own has the radius of 'effect edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct scene_row *row, size_t k,
                             enum row_measure measure);
 

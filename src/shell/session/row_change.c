@@ -31,7 +31,7 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-/* Returns the fraction of the domino's volume that is wood. A change of a size may turn a solid domino into a
+/* Returns the fraction of the domino's volume that is wood. Changing a size may turn a solid domino into a
  * box, or a box into a solid domino. */
 static domq_real wood(const struct scene *scene, const struct measured_domino *d)
 {
@@ -94,7 +94,8 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* A lean may be negative, and without the '=', 'change' would add a number that has a sign. */
+            /* 'change' adds a number that begins with a sign, unless a '=' precedes it. A lean may be
+             * negative, so it needs the '='. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),

@@ -15,13 +15,13 @@ struct row_range {
 struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
-    domq_real value; /* the new value or the difference, both in m or kg, or the factor */
-    bool is_angle;   /* the value of a lean is an angle in rad, and not the distance of the top from plumb */
+    domq_real value; /* a new value or a difference, in m or kg; or a factor */
+    bool is_angle;   /* the value is a lean angle in rad, and not the distance of the top from plumb */
     bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member that holds a measurement of a domino. For an element of listed_row.change,
- * returns a pointer to the change of the measurement. */
+/* Returns a pointer to the member that holds a measurement of a domino. In an element of listed_row.change,
+ * the member holds the change of that measurement. */
 domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure);
 
 /* Returns true for the three sizes of a domino: if one of them changes, the domino keeps its density. */

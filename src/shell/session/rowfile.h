@@ -44,10 +44,11 @@ enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope
                                char message[MISFIT_MESSAGE]);
 
 /*
- * Reads all dominoes of a table. The gap of the first domino is 0. If the table gives no masses in kg, masses
- * are relative, like those of solid blocks of density 1. No domino may lean so far that it falls over by
- * itself on a slope of `slope` radians. On failure, stores the problem in the table, leaves *rows empty and
- * returns false. Free *rows with listed_free.
+ * Reads all dominoes of a table. The gap of the first domino is 0. If the table gives neither masses nor
+ * densities, only the ratios of the masses are known: they are the values of the column "relative" or,
+ * without this column, the ratios of the volumes. No domino may lean so far that it falls over by itself on a
+ * slope of `slope` radians. On failure, stores the problem in the table, leaves *rows empty and returns
+ * false. Free *rows with listed_free.
  */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 

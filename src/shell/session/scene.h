@@ -121,8 +121,8 @@ domq_real scene_boxes_above(const struct scene *scene);
  * in m. */
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);
 
-/* Returns the mass in kg of a first domino with this height and thickness in m, or 0 if neither mass nor
- * density is known. */
+/* Returns the mass in kg that the first domino has if its height and thickness in m are as given, or 0 if
+ * neither mass nor density is known. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */

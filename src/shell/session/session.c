@@ -56,7 +56,7 @@ bool session_stops(const struct session *session, long errors)
 
 /* ---- Errors and notes ---- */
 
-/* A copy of the typed line above a caret is indented by this many columns. */
+/* the indentation, in columns, of a typed line that is printed again above a caret */
 enum { CARET_INDENT = 2 };
 
 /* Returns true if the typed line has no control characters. A pasted line may have some. */
@@ -68,8 +68,8 @@ static bool typed_is_plain(const struct session *session)
     return plain;
 }
 
-/* At the prompt, writes a caret below the column of the error. The caret goes directly below the typed line,
- * or, if other output has followed that line, below a copy of the line. */
+/* At the prompt, writes a caret below the column of the error. The caret goes directly below the typed line.
+ * If other output has followed the typed line, a copy of the line is printed first. */
 static void session_caret(const struct session *session, int column)
 {
     int width = terminal_width(stderr), at = session->source.prompt_width + column;

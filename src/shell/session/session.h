@@ -35,8 +35,8 @@ struct session {
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
-    /* If SIGINT ends only the running command and not the script, points to the flag that the signal handler
-     * sets. Otherwise NULL. */
+    /* A pointer to the flag that the handler of SIGINT sets, if SIGINT ends only the running command. NULL if
+     * SIGINT ends the script, too. */
     volatile sig_atomic_t *resumes;
     bool bail; /* the first error ends the session (option --bail) */
     bool quit;

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The maximum number of steps, and the maximum number of dominoes in all steps together. Each change of a
- * domino counts as another domino. */
+/* The maximum number of steps, and the maximum number of dominoes in all steps together. If dominoes of a row
+ * have been changed, the row counts as `changes` additional dominoes. */
 enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*
