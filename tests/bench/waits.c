@@ -124,8 +124,12 @@ size_t waits_measure(const char *build, struct goal *goal)
         {"rows of eleven dominoes that fail after 'improve'", "%", 29.1, 5, failures(domino, GAPS), false,
          NULL},
         {"  with errors of four kinds", "%", 8.6, 5.2, failures(domino, ELEVEN KINDS), false, NULL},
-        {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false, NULL},
-        {"the program's text", "MB", 3, 2, text_megabytes(build), false, NULL},
+        {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false,
+         "no lower bound forbids it. Reading the headers takes 5 s, and optimizing the kernels in float and "
+         "double 6 s"},
+        {"the program's text", "MB", 3, 2, text_megabytes(build), false,
+         "GSL and Readline are 1 MB of it. With their shared libraries it has 1.5 MB, but the program takes "
+         "a third longer to start: 'make .build/shared/domino'"},
     };
     memcpy(goal, others, sizeof others);
     return WAITS + sizeof others / sizeof *others;
