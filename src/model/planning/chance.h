@@ -21,9 +21,11 @@ struct chance {
 enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
                             double *by_gap, double *by_size);
 
-/* Finds the margins of each random row, as 2 * count numbers per row. The first `count` numbers are the
+/*
+ * Finds the margins of each random row, as 2 * count numbers per row. The first `count` numbers are the
  * energy margins ln(kinetic / barrier) of the dominoes. The others are the margins of reach: how far the
- * previous domino reaches beyond the gap, as a fraction of its height. */
+ * domino before a gap reaches beyond the gap, as a fraction of that domino's height.
+ */
 enum dom_status chance_margins(const struct chance *chance, const struct dom_domino *domino, double *margin);
 
 #endif

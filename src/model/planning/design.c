@@ -8,9 +8,11 @@
 #include "planning/planner.h"
 #include <string.h>
 
-/* The search begins with the smallest number of dominoes that may suffice, and tries up to MORE additional
- * ones. The search for the shortest row ends after LONGER successive numbers of dominoes without a shorter
- * row, or after LONGER_IN_ENGINE if an engine runs each row. */
+/*
+ * A search begins with the smallest number of dominoes that may suffice, and tries at most MORE larger
+ * numbers. The search for the shortest row ends when LONGER successive numbers have not given a shorter row.
+ * If an engine runs the rows, LONGER_IN_ENGINE numbers are enough.
+ */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
 static bool train_enough(struct planner *p, struct choice c)
@@ -58,8 +60,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Finds the separation that allows the largest growth with the required safety. The search tries coarse steps
- * first, and then steps that are halved repeatedly. Returns this growth, or 0 if no train is safe enough. */
+/* Finds the separation that allows the largest growth with the required safety. Returns this growth, or 0 if
+ * no train is safe enough. Takes coarse steps first, and then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -84,9 +86,10 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Searches for the separation nearest to k/GRID at which the row passes the test. Goes from k in both
- * directions, in steps of `step`, but never above `most`. Returns the separation in units of 1/GRID, or 0 if
- * none is found. */
+/*
+ * Finds the separation nearest to k/GRID at which the row passes the test. Goes from k in both directions, in
+ * steps of `step`, but never above `most`. Returns the separation in units of 1/GRID, or 0 if none is found.
+ */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -99,8 +102,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* At the separation `good` the row must have the required safety. Returns the smallest separation down to
- * which the row keeps this safety. Separations are in units of 1/GRID. */
+/* The row must have the required safety at the separation `good`. Returns the smallest separation that can be
+ * reached from `good` without losing this safety. Separations are in units of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -280,7 +283,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train has the required safety, so look for one that just falls */
+        p.wish = &falls; /* no train has the required safety, so look for one that merely falls */
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;

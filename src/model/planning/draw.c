@@ -111,8 +111,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Applies a random error to the position of each domino, which does not move the dominoes after it. A domino
- * that would overlap the previous one is placed so that the two touch. */
+/* Applies a random error to the position of each domino, without moving the dominoes after it. A domino that
+ * would overlap the previous one is placed so that the two touch. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */

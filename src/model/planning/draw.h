@@ -9,12 +9,11 @@
 struct draw {
     gsl_rng *random[2];
     struct dom_domino *domino; /* the dominoes with their random errors */
-    /* the random row, which consists of these dominoes; its friction, slope and push may also have errors */
+    /* the random row; its friction, slope and push may have errors, like its dominoes */
     struct dom_row row;
 };
 
-/* Allocates memory for random copies of a row. draw_end frees the memory and must be called after a failure,
- * too. */
+/* Allocates memory for random copies of a row. Call draw_end afterwards, even if this function fails. */
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row);
 void draw_end(struct draw *draw);
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the row that falls most reliably in spite of random errors. The search minimizes the smoothed
- * fraction of random rows that do not fall (chance.h). The width of the smoothing of each margin is a
- * multiple of the standard deviation of this margin. At first the multiple is 1: the smoothing then has the
- * effect of errors that are sqrt(2) times as large, and even rows that are unlikely to stop contribute. Later
- * levels of the search use more rows and less smoothing. The widths differ because large dominoes are hardly
- * affected by errors of a few mm. With equal widths, the search would give them as much spare energy as the
- * small dominoes, which need it. All steps of the search use the same random rows. Other random rows decide
- * whether a result is kept.
+ * fraction of random rows that do not fall (chance.h). Each margin is smoothed over a width that is a
+ * multiple of its standard deviation. At first the multiple is 1. This has the effect of errors sqrt(2) times
+ * as large, so that even rows that are unlikely to stop contribute. Later levels of the search use more rows
+ * and less smoothing. The margins need different widths, because errors of a few mm hardly affect large
+ * dominoes. With equal widths, the search would give large dominoes as much spare energy as small ones, which
+ * need it. All steps of the search use the same random rows. Other random rows decide whether a result is
+ * kept.
  *
  * The minimizer is BFGS from GSL. In an earlier version of this search, SLSQP from NLopt was slightly better
  * with the same number of runs: of rows of eleven dominoes, 7.2 % did not fall, instead of 7.6 %. But Debian
@@ -30,9 +30,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search. `rows` is the number of random rows, `width` is the width of the smoothing in
- * standard deviations of the margin, and `values` is how often the function and its gradient may be
- * evaluated. */
+/* The levels of the search. `rows` is the number of random rows. `width` is the width of the smoothing in
+ * standard deviations of the margin. The function and its gradient are evaluated at most `values` times. */
 static const struct level {
     size_t rows;
     double width;
@@ -43,7 +42,7 @@ enum { LEVELS = sizeof levels / sizeof *levels };
 /* After every CHECK evaluations, the best result so far is checked with other random rows. */
 enum { CHECK = 8 };
 
-/* A standard deviation of a margin that is smaller than this value is replaced by this value. */
+/* If the standard deviation of a margin is smaller than this value, this value is used instead. */
 #define SCATTER_LEAST 0.03
 
 /* The relative tolerance for computing margins. */
@@ -68,7 +67,7 @@ struct search {
     double *sorted;       /* the values of one margin in all random rows, in ascending order */
     gsl_vector *lowest_x; /* the variables with the lowest value of the function on the current level */
     double lowest;
-    size_t left;             /* the number of evaluations that are left on the current level */
+    size_t left;             /* evaluations that remain on the current level */
     double fails;            /* the smoothed fraction of failures for the best row so far */
     struct dom_study *study; /* two studies: of the original row, and of the best row so far */
     bool given_allowed;      /* true if the original row is within the limits */
@@ -102,9 +101,11 @@ static void level_set(struct search *s, const struct level *level)
 
 /* ---- The function that is minimized ---- */
 
-/* Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall, and sets its
- * gradient unless `gradient` is NULL. Unlike p, this logarithm still has a slope where almost all rows fall,
- * or almost none. When no evaluations are left, the result is infinite, which ends a line search. */
+/*
+ * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall, and sets its
+ * gradient unless `gradient` is NULL. Unlike p, this logarithm has a slope even where almost all rows fall,
+ * or almost none. When no evaluations are left, the result is infinite, which ends a line search.
+ */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
@@ -190,10 +191,12 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Compares the row that the variables x describe with the best row so far, and keeps the new row if two
- * conditions hold: its smoothed fraction of failures is smaller than that of the best row so far, and in the
- * study that decides, more of its random copies fall than of the original row. If the original row is outside
- * the limits, the second condition is dropped, and the first row within the limits is always kept. */
+/*
+ * Considers the row that the variables x describe as the new best row. Its smoothed fraction of failures must
+ * be smaller than that of the best row so far. In the study that decides, more of its random copies must fall
+ * than of the original row's. If the original row is outside the limits, the second condition is dropped, and
+ * the first row within the limits is always kept.
+ */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;
@@ -215,7 +218,7 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Runs the minimizer on one level. It stops where the function has a kink, and is then restarted until a
+/* Runs the minimizer on one level. The minimizer stops where the function has a kink. It is restarted until a
  * restart no longer helps. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)

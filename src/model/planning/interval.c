@@ -45,8 +45,8 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the p (the probability that a single row falls) for which binomial_tail returns TAIL. Bisection is
- * used, because the tail is almost constant where it is close to 0 or to 1. */
+/* Finds the probability p that a single row falls for which binomial_tail returns TAIL. Uses bisection,
+ * because the tail is almost constant where it is close to 0 or to 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
     /* 50 bisections give all digits of a root near 1. The smallest possible root, which occurs if one of 2^64

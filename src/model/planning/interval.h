@@ -6,10 +6,9 @@
 #include "numerics/api.h"
 
 /*
- * Each of `rows` rows falls with the probability `share`. A count k is unlikely if the probability of this
- * count, or of one farther from the expected count, is below 2.5 %. If `at_least` is true, returns the
- * smallest k with P(k or more rows fall) < 2.5 %. Otherwise returns the largest k with P(k or fewer rows
- * fall) < 2.5 %, or -1 if there is none.
+ * Each of `rows` rows falls with the probability `share`. If `at_least` is true, returns the smallest k with
+ * P(k or more rows fall) < 2.5 %. Otherwise returns the largest k with P(k or fewer rows fall) < 2.5 %, or -1
+ * if there is none.
  */
 double unlikely(double share, double rows, bool at_least);
 

@@ -5,8 +5,8 @@
 
 /* ---- Gaps ---- */
 
-/* The gap at which the row ends and this many gaps before it are tried. Earlier gaps hardly have an effect on
- * the domino at which the row ends. */
+/* The gap at which the row ends and this many gaps before it are tried. Earlier gaps hardly affect the domino
+ * at which the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Searches from the current gap towards the gap `end` for the first gap at which all dominoes fall. Returns
@@ -17,9 +17,11 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* If the gap is too wide for the previous domino to reach across, finds the range of gaps at which all
- * dominoes fall, beginning with the widest gap that the previous domino can reach across. Returns false if
- * the gap is not too wide, or if some domino does not fall at that widest gap. */
+/*
+ * If the previous domino cannot reach across the gap, finds the range of gaps at which all dominoes fall. The
+ * range begins with the widest gap within reach. Returns false if the gap is within reach, or if not all
+ * dominoes fall at the widest gap within reach.
+ */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -100,7 +102,7 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the angular velocity omega that just tips the first domino over its edge: I omega^2 / 2 = m g
+/* Returns the smallest angular velocity omega that tips the first domino over its edge: I omega^2 / 2 = m g
  * (sqrt(h^2 + d^2) - h) / 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
@@ -150,10 +152,11 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/* Raises *r in steps until the row no longer falls or, if `falls` is false, until the row falls. Sets *before
- * to the growth one step earlier. Returns false if *r reaches `highest` without such a change. Bisection from
- * the start could miss the first change: a row that does not fall at one growth may fall again at a larger
- * one. */
+/*
+ * `falls` tells whether the row falls at the growth *r. Raises *r in steps until this changes, and sets
+ * *before to the growth one step earlier. Returns false if *r reaches `highest` without a change. Bisection
+ * could miss the first change: a row that does not fall at one growth may fall at a larger one.
+ */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -166,9 +169,11 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds the smallest growth at which the row falls, and the largest growth up to which it still falls. A row
- * that stops at r = 1 may fall at a larger growth, because its gaps grow as well, and the first domino then
- * tips over before it hits the second. */
+/*
+ * Finds the smallest growth at which the row falls, and the largest growth up to which it falls. A row that
+ * stops at r = 1 may fall at a larger growth: its gaps are then wider, so the first domino tips over before
+ * it hits the second.
+ */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

@@ -19,7 +19,7 @@ struct shared {
     struct dom_compute compute;
     const struct dom_placement *placement;
     bool gaps;         /* true if the rows differ only in their gaps */
-    bool causes;       /* true if each row is also run without one kind of error, for each kind in turn */
+    bool causes;       /* true if each row is also run without each kind of error in turn */
     atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
     /* How many rows ended at each domino, or NULL if not requested. The layout is described at
@@ -50,8 +50,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i. If causes are wanted, also runs the row without one kind of error, for each kind in
- * turn. Adds the results to the counts. */
+/* Runs row number i. If causes are wanted, also runs it without each kind of error in turn. Adds the results
+ * to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -146,7 +146,7 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
     return status;
 }
 
-/* Runs the study, and copies its counts after its end or after an interrupt. */
+/* Runs the study. Copies its counts if it has ended or was interrupted. */
 static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *without, size_t *stops)
 {
     const struct dom_placement *p = s->placement;

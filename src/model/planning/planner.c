@@ -18,9 +18,8 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* Returns true if a computation that ended with this status should be tried again, and raises its tolerance.
- * Even where the arithmetic has too few digits for the usual tolerance, a few digits of a ratio can still be
- * found. */
+/* Raises the tolerance and returns true if a computation that ended with `status` should be tried again. Even
+ * where rounding errors exceed the usual tolerance, a few digits of a ratio can be found. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
@@ -60,8 +59,10 @@ dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
     return 0;
 }
 
-/* Called for each domino: records the smallest ratio of kinetic energy to barrier. The first domino does not
- * count, since its energy depends on the push. Returns false, which ends the run, if the ratio is too small.
+/*
+ * Called for each domino: records the smallest ratio of kinetic energy to barrier. The first domino does not
+ * count, since its energy depends on the push. Returns false to end the run if the ratio is too small and
+ * p->whole is false.
  */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {

@@ -15,8 +15,8 @@
  * domino. The search for the best separation starts with steps of COARSE/GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* The state of a search for a design. After an error, when the status is not DOM_OK, no further train or row
- * is computed, and every test fails. */
+/* The state of a search for a design. After an error `status` is not DOM_OK. Then no more trains or rows are
+ * computed, and every test fails. */
 struct planner {
     struct dom_train train;
     /* settings of the search, which computes in double even if the result has another precision */
@@ -28,7 +28,7 @@ struct planner {
     size_t room;
     enum dom_status status;
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole; /* if false, a run may end at the first domino whose ratio is below the required safety */
+    bool whole;      /* if `whole` is false, a run may end at the first domino with too little safety */
     /* number of the domino with the smallest ratio of kinetic energy to barrier in the last run */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of domino number `weakest` */
@@ -49,15 +49,15 @@ struct planner planner_make(const struct dom_train *train, const struct dom_wish
 
 dom_real separation(int k);
 
-/* Returns the growth at which the heights increase from the first height to the last in `steps` steps. */
+/* Returns the growth that leads from the first height to the last in `steps` steps. */
 dom_real growth(const struct planner *p, size_t steps);
 
 /* Returns the ratio of the kinetic energy of the endless train to its barrier, or 0 if the train has no
  * cycle. */
 dom_real train_ratio(struct planner *p, dom_real s, dom_real r);
 
-/* Writes the dominoes of a candidate row to p->domino, and enlarges this array if necessary. Returns false if
- * memory is exhausted. */
+/* Writes the dominoes of a candidate row to p->domino, and enlarges this array if necessary. Returns false
+ * and sets p->status if memory is exhausted, or if the walls do not fit into a domino. */
 bool row_write(struct planner *p, struct choice c);
 
 /* Returns the row whose dominoes row_write wrote last. */

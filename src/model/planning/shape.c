@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The limit of the hall is smooth: it narrows the gaps of a row a little even before the row is too long.
- * SHARP determines how little: a row that just fits gets gaps narrowed by the factor 2^(-1 / SHARP). */
+/* The limit of the hall is smooth, so gaps are narrowed a little even if the row is not too long. If the row
+ * exactly fills the hall, they are narrowed by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
@@ -103,8 +103,8 @@ bool shape_from_board(const struct shape *s, dom_real height)
     return s->limits->boards > 0 && !is_box;
 }
 
-/* Returns the thickness of the board that is closest to the given thickness. If a domino of this height is
- * not cut from a board, returns the given thickness itself, rounded to the grid if `final` is true. */
+/* Returns the thickness of a board that is closest to `thickness`. If a domino of this height is not cut from
+ * a board, returns `thickness`, rounded to the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -166,7 +166,7 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     }
     if (room <= 0 && gaps > 0)
         return false;
-    /* A smooth approximation to min(1, room / sum). Without a kink, the minimizer can follow the limit. */
+    /* This is min(1, room / sum) without its kink, so that the minimizer can follow the limit. */
     const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
     for (size_t k = 1; k < count; k++)
         d[k].gap *= narrower;

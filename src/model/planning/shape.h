@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shape of a row that is being improved: converts between the variables of the search and dominoes that
- * are within the limits. */
+/* Converts the variables of the search for a better row into dominoes that are within the limits. */
 #ifndef DOM_SHAPE_H
 #define DOM_SHAPE_H
 
@@ -11,9 +10,11 @@ struct shape {
     const struct dom_limits *limits;
 };
 
-/* Returns the number of variables. There is one for each gap: ln(gap / height of the domino before it). If
- * sizes may change, there is a second one for each gap: ln(growth from the domino before it to the domino
- * after it). Only the differences between these growths matter, since the last domino keeps its height. */
+/*
+ * Returns the number of variables. Each gap has one: ln(gap / height of the domino before it). If sizes may
+ * change, each gap has a second one: ln of the growth between the dominoes on its two sides. Only the
+ * differences between these growths matter, since the last domino keeps its height.
+ */
 size_t shape_variables(const struct shape *shape);
 
 /* Sets the variables x to those of shape->row. */
@@ -23,7 +24,7 @@ void shape_begin(const struct shape *shape, double *x);
 dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness, dom_real width);
 
 /* Returns true if a domino of this height must have the thickness of one of the boards. A box may have any
- * thickness, and so may all dominoes if no boards are given. */
+ * thickness. If no boards are given, so may every domino. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */

@@ -44,9 +44,11 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
         t->verdict.spare = recent->spare;
 }
 
-/* Returns true if the row is part of a train: all dominoes have the same proportions, and size and mass grow
- * by constant factors, so all cycles are alike. A row of boxes does not have the same proportions, because
- * all its walls have the same thickness. */
+/*
+ * Returns true if the row is part of a train: all dominoes have the same proportions, and sizes and masses
+ * grow by constant factors. All cycles are then alike. With walls, the proportions differ, because all walls
+ * have the same thickness.
+ */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -69,11 +71,10 @@ static bool is_train(const struct dom_row *row)
  * If the row is part of a train, runs only its first START dominoes. Returns true if these decide whether all
  * dominoes fall.
  *
- * The idea: a cycle hardly depends on the cycles before it, so the share of its kinetic energy that a domino
- * can spare approaches a limit, that of the endless train, and changes less and less from domino to domino.
- * If the share changed by the same amount at every remaining domino, and at least half of it would still be
- * left at the end, then all dominoes fall. The last of the START dominoes falls down to the floor, unlike all
- * others, so its share is tested, too.
+ * Each domino can spare a share of its kinetic energy. From domino to domino this share changes less and
+ * less, and approaches its value in the endless train. Suppose that it changed by the same amount at every
+ * remaining domino. If at least half of the share were left at the end of the row, all dominoes fall. The
+ * last of the START dominoes falls down to the floor, unlike the others, so its share is tested as well.
  */
 static bool start_decides(struct trial *t)
 {
@@ -136,9 +137,8 @@ void trial_end(struct trial *t)
  * result must be a point that was tested, and GSL computes only in double.
  *
  * Bisection alternates with the secant method, which is used if the spare energy is known at both ends of the
- * interval and has different signs there. The secant's point is shifted by half of the tolerance, away from
- * the end of the interval that is nearer to it. Without the shift, only that end would come close to the
- * edge.
+ * interval and has different signs there. The secant method's point is moved away from the nearer end of the
+ * interval, by half of the tolerance. Otherwise only that end would approach the edge.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -223,7 +223,7 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* If the gap is just as wide as the previous domino can reach, rounding must not make it wider. */
+        /* A gap that is as wide as the previous domino can reach must not be made wider by rounding. */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)
@@ -302,7 +302,7 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The steps are short at first and grow longer, so that small changes are tried, too. With an engine, each
+/* The steps are short at first and grow longer, so that small changes are also tried. With an engine, each
  * value is rounded to a few digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A series of trials. After an error, when the status is not DOM_OK, no more rows are run, and every trial
+/* A series of trials. After an error `status` is not DOM_OK. Then no more rows are run, and every trial
  * counts as a row that does not fall. */
 struct trial {
     struct dom_row row;
@@ -30,8 +30,8 @@ struct trial {
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
     enum dom_row_end ends;      /* how the row ended in the last run in which it did not fall */
-    /* The spare energy (margin / barrier) in the last run: that of the weakest domino if the row fell, or
-     * that of the domino at which the row stopped. NaN if the row ended in another way. */
+    /* The spare energy (margin / barrier) in the last run. If the row fell, it is that of the weakest domino.
+     * If the row stopped, it is that of the domino where it stopped. Otherwise it is NaN. */
     dom_real spare;
 };
 
@@ -54,14 +54,13 @@ typedef bool trial_test(dom_real x, void *trial);
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of a decimal digit of a number: of the first significant digit if `places` is 0,
- * and of the digit that many places later otherwise. */
+/* Returns the place value of a decimal digit of `value`: of the first significant digit if `places` is 0, or
+ * of the digit `places` places after it. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* trial_now returns the current value of the property t->of of domino t->k, and trial_change sets this
- * value. */
+/* trial_now returns the value of one property (t->of) of one domino (t->k). trial_change sets this value. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
@@ -77,12 +76,12 @@ dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 /* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* All dominoes must fall at the value `good`, but not at `bad`. Returns the last value on the way from `good`
- * to `bad` at which all dominoes still fall, rounded to a few digits, away from `bad`. */
+/* All dominoes must fall at the value `good`, but not at `bad`. Goes from `good` towards `bad` and returns
+ * the last value at which all dominoes fall. The result is rounded to a few digits, away from `bad`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Continues a search from `now` to `end` with step i, and returns the last value at which all dominoes still
- * fall. All dominoes must fall at `good`, the value of the step before. */
+/* Continues a search from `now` to `end`, beginning with step i. Returns the last value up to which all
+ * dominoes fall. They must fall at `good`, the value of step i - 1. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
 /* Searches from the current value towards `end` for a range of values at which all dominoes fall. Sets *to

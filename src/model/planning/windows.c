@@ -81,9 +81,11 @@ static struct range range_of(const struct trial *t)
     return (struct range){0, d[-1].height, DOM_ROW_MISSES};
 }
 
-/* Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
- * *beyond to how the row ends just beyond this value. The steps then continue to `end`, and *others is set to
- * true if the row falls again at a later step. */
+/*
+ * Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
+ * *beyond to how the row ends beyond this value. The steps then continue to `end`. If the row falls again at
+ * one of them, *others is set to true.
+ */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
     dom_real now = trial_now(t), edge = end, good = now;
@@ -207,8 +209,7 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can have an effect on a row that ends at domino `ends` (both counted
- * from 0). */
+/* Returns true if a change of domino k can affect a row that ends at domino `ends` (both counted from 0). */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;
