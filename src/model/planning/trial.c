@@ -18,11 +18,11 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* The spare energy of the last few dominoes that have fallen in a run. */
+/* The spare energy of the last few dominoes of a run, including the one at which the row stops. */
 enum { RECENT = 4 };
 struct recent {
     dom_real share[RECENT]; /* margin / kinetic energy of the last RECENT dominoes, beginning with the last */
-    dom_real spare;         /* margin / barrier of the last domino that has fallen */
+    dom_real spare;         /* margin / barrier of the last domino */
 };
 
 static bool recent_add(const struct dom_fall *fall, void *context)

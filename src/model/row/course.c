@@ -1,26 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with a change of a few neighbouring dominoes. The run of the
- * unchanged row makes most of the work of the other runs unnecessary.
+ * A row that is run many times, each time with a change of a few neighbouring dominoes. Most of the work is
+ * done only once, in the run of the unchanged row. The dominoes before the change fall as in the unchanged
+ * row, so a trial begins at the first head that can be affected. A trial may also end early, because the
+ * effect of a change decreases from head to head. There are two effects.
  *
- * The dominoes before the change fall as in the unchanged row, so a trial begins at the first head that can
- * be affected. A trial may also end early, because the effect of a change decreases from head to head. Where
- * the geometry is that of the unchanged row, the omegasq of the next head is gain omegasq + offset, because
- * the equation of motion is linear in omegasq. Let D be the relative deviation of omegasq from its value in
- * the unchanged row. At the next head this deviation is lambda D, with lambda = gain omegasq / (omegasq of
- * the next head), and lambda < 1 if a fall releases energy. There is a second effect: the changed dominoes
- * belong to the chains that lean on the next heads, and change the three numbers `need`, `gain` and `offset`
- * of these heads. This change is computed at each head (`off`). It decays from head to head like a geometric
- * series, so its values at two successive heads give an estimate of the sum of all further changes.
+ * First, omegasq deviates from its value in the unchanged row by a relative deviation D. Where the geometry
+ * is that of the unchanged row, the omegasq of the next head is gain omegasq + offset, because the equation
+ * of motion is linear in omegasq. So the deviation at the next head is lambda D, with lambda = gain omegasq /
+ * (omegasq of the next head). If a fall releases energy, lambda < 1.
+ *
+ * Second, the changed dominoes belong to the chains that lean on the next heads, and change the three numbers
+ * `need`, `gain` and `offset` of these heads. This change (`off`) is computed at each head. It decays from
+ * head to head like a geometric series, so two successive values give an estimate of the sum of all further
+ * changes.
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt a contact force is
  * linear in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of
  * the head, one barely fast enough and one with FAST times the omegasq, show how far this interval reaches.
+ *
  * Working backwards from the end of the row, the program finds for each head how far omegasq may deviate
- * (`below` and `above`) without any effect on the verdict: half of what the head itself allows, and no more
- * than what the next head allows, divided by lambda if lambda > 1. As soon as D and the sum of the further
- * changes together are smaller, the trial ends with the verdict of the unchanged row. Otherwise it continues
- * to the end of the row.
+ * (`below` and `above`) without changing the verdict. This is half of what the head itself allows, but no
+ * more than what the next head allows, divided by lambda if lambda > 1. As soon as D and the sum of the
+ * further changes together are smaller, the trial ends with the verdict of the unchanged row. Otherwise it
+ * continues to the end of the row.
  */
 #include "row/run.h"
 #include <stdlib.h>
@@ -35,7 +38,7 @@ struct mark {
     /* the smallest contact force of this head and all later heads, relative to the weight of the pushed
      * domino */
     real pushes;
-    /* true if all dominoes from this head on fall; false if the row ends like the unchanged row */
+    /* true if all dominoes from this head on fall; false if the row ends as the unchanged row does */
     bool falls;
 };
 
@@ -52,21 +55,23 @@ struct course {
  * factor. */
 #define FAST 1000
 
-/* A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
- * the smallest contact force. With friction the first limit is LEFT_MOST_LOCKING instead. This limit is tiny,
- * since no number tells how close a row is to locking. */
+/*
+ * A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
+ * the smallest contact force. With friction, LEFT_MOST_LOCKING replaces LEFT_MOST. It is tiny, because no
+ * number tells how close a row is to locking.
+ */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
-/* A change of less than NOISE times the tolerance is taken for a rounding error. */
+/* A change below NOISE times the tolerance counts as a rounding error. */
 #define NOISE 64
 
 /* The changes at successive heads count as decaying if each is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force during the fall of head k if its motion began with the given omegasq.
- * Returns a negative number if the row would then end at this head. */
+/* Returns the smallest contact force during the fall of head k if its motion begins with the given omegasq.
+ * Returns a negative number if the row then ends at this head. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -132,8 +137,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* For the mark of the head at which the row ends: sets how far omegasq may deviate so that the row still ends
- * there in the same way. */
+/* Completes the mark of the head at which the row ends: sets how far omegasq may deviate without changing how
+ * the row ends. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */

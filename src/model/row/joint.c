@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Describes a finite row as a chain in which each domino has its own size, weight and gap. The joint between
+/*
+ * Describes a finite row as a chain in which each domino has its own size, weight and gap. The joint between
  * a domino and its follower is described by the geometry of a train, with the r, s and d of these two
- * dominoes. As everywhere in the kernels, the unit of length is the height of the domino itself, and the unit
- * of energy is its m g h / 2. */
+ * dominoes. The unit of length is the height of the domino, and the unit of energy is its m g h / 2.
+ */
 #include "row/joint.h"
 #include "dynamics/walls.h"
 #include <string.h>
@@ -198,8 +199,9 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Not only the sizes of a domino, but also quantities that are computed from them must be in the range of the
- * precision. */
+/*
+ * The sizes of a domino, and quantities that are computed from them, must be in the range of the precision.
+ */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

@@ -6,10 +6,12 @@
 
 #include "dynamics/choose.h"
 
-/* A head reaches the next domino if the gap is not wider than the head is tall. Because of rounding errors,
- * the gap may exceed this limit by the fraction REACH_ROUNDED: if a row is part of a train with r = 1/s, the
- * gap and the height come from r, two powers and four products, and are rounded to the precision of the
- * kernel. Each of these steps has an error of half a unit or one unit in the last place. */
+/*
+ * A head reaches the next domino if the gap is not wider than the head is tall. In a row made from a train
+ * with r = 1/s, the two are equal except for rounding errors. So the gap may exceed the height by this
+ * fraction. The errors come from r, two powers, four products, and rounding to the precision of the kernel.
+ * Each of them is at most one unit in the last place.
+ */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* One domino, in SI units. */
@@ -37,9 +39,11 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
  * edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
-/* Finds the contact of domino k with domino k + 1 if one of them leans, and the tilt of domino k at this
- * contact. Returns false if it is not the upper edge of domino k that touches the back face of domino k + 1,
- * or if the two dominoes touch before domino k moves. */
+/*
+ * For dominoes k and k + 1, at least one of which leans: finds their contact, and the tilt of domino k at
+ * this contact. Returns false if the upper edge of domino k does not touch the back face of domino k + 1, or
+ * if the two dominoes touch before domino k moves.
+ */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 #endif

@@ -37,8 +37,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* the follower detaches at exactly this tilt, but because of a rounding error it counts as already
-         * detached */
+        /* the follower detaches at this very tilt, and counts as detached because of a rounding error */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
@@ -72,9 +71,11 @@ static real passage_size(const struct passage *s)
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
-/* Near the tilt `to` at which the head comes to rest, the slowness 1/omega grows like 1 / sqrt(to - theta).
- * The integral for the time therefore uses the variable x, with theta = to - (to - lo) x^2, because the time
- * until the head rests is a smooth function of x. Returns the integrand at x. */
+/*
+ * Near the tilt `to` at which the head comes to rest, the slowness 1/omega grows like 1 / sqrt(to - theta).
+ * So the integral for the time uses the variable x, with theta = to - (to - lo) x^2. The time until the head
+ * rests is a smooth function of x. Returns the integrand at x.
+ */
 static real slowness_to_rest(real x, void *context)
 {
     struct passage *s = context;
@@ -115,9 +116,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* Returns by how much the time from the beginning of the passage to the tilt `at` exceeds s->into. If the
- * passage ends at rest, `at` is the variable x of slowness_to_rest instead, and s->into is compared with the
- * time from x until the head rests. */
+/* Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
+ * rest, `at` is the variable x of slowness_to_rest, and the time is the one from x until the head rests. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -165,8 +165,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is not needed if no requested time falls in this passage. If the duration is unknown, it
-     * must be computed in any case, since the run ends with this passage. */
+    /* The series is not needed if no requested time falls in this passage. An unknown duration must be
+     * computed in any case, since the run ends with this passage. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -208,8 +208,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* p = ln tan(phi / 4) when the domino hits the next one, and the time before this hit for which p is
-     * sought */
+    /* p = ln tan(phi / 4) at the hit, and the time before the hit for which p is sought */
     real end, left;
 };
 
@@ -237,7 +236,7 @@ static real tipping_slowness(real p, void *context)
     return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
 }
 
-/* Returns by how much the time from p to the hit exceeds t->left. */
+/* Returns the time from p to the hit, minus t->left. */
 static real tipping_over(real p, void *context)
 {
     const struct tipping *t = context;
@@ -247,8 +246,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u at which a domino with rounded edges stands when the time `left`
- * remains until it hits the next domino. */
+/* Returns the angle phi beyond theta_u of a domino with rounded edges that will hit the next domino after the
+ * time `left`. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};

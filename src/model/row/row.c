@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of dominoes of any sizes. While domino k is the head, all dominoes before it lean on it in a
- * chain as in a train, but each has its own size, weight and gap. Energies, the law of motion and the
- * collision are those of a train. There are two differences: no cycle repeats, so each head begins with the
- * energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that lean
- * on it. As everywhere in the kernels, the units of length, energy and time are those of the current head:
- * its height, m g h / 2, and tau.
+ * A finite row of dominoes. Each domino has its own size, weight and gap. While domino k is the head, the
+ * dominoes before it lean on it in a chain, as in a train. Energies, the law of motion and the collision are
+ * those of a train, with two differences. No cycle repeats, so each head begins with the energy that the
+ * previous head leaves to it. And a domino that detaches takes along all dominoes that lean on it. The units
+ * of length, energy and time are those of the current head: its height, m g h / 2, and tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends inside the current segment. If `used_up` is true, it ends because
- * the kinetic energy does not suffice. Otherwise friction brings the head to rest or locks it. */
+/* Finds the tilt at which the motion ends inside the current segment. If `used_up` is true, the motion ends
+ * because the kinetic energy does not suffice. Otherwise friction brings the head to rest or locks it. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -52,8 +51,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes one segment and prepares the next. If the head has stopped in an earlier segment, the segment is
- * only computed to find how much more energy the head would have needed to reach the end. */
+/* Computes one segment and prepares the next. If the head has already stopped, only finds how much more
+ * energy it would have needed to pass this segment. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -89,9 +88,11 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/* Finds the inertia J of all moving dominoes just after head k has been hit. If the contacts have no closed
- * form, summing along the chain is expensive. J is then computed from the inertia ratio of the collision,
- * unless there is friction, which changes this ratio. */
+/*
+ * Finds the inertia J of all moving dominoes after the collision with head k. If the contacts have no closed
+ * form, summing along the chain is expensive, so J is computed from the inertia ratio of the collision. This
+ * is impossible with friction, which changes the ratio.
+ */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
     struct geometry geometry = run->geometry[k];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Functions that run a row, one head after the other. row.c implements them; sample.c, course.c and steady.c
- * use them, too. */
+ * also use them. */
 #ifndef DOM_RUN_H
 #define DOM_RUN_H
 
@@ -21,8 +21,8 @@ struct run {
     /* Inertia ratio of the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction. 0 if no
      * collision has taken place. */
     real inertia_ratio;
-    real time;           /* time of the run so far in s, or NaN if the time is unknown */
-    real carried;        /* kinetic energy just before the next collision, in J */
+    real time;           /* time since the start in s, or NaN if the time is unknown */
+    real carried;        /* kinetic energy before the next collision, in J */
     struct watch *watch; /* the times to report, or NULL */
     struct dom_verdict verdict;
 };
@@ -30,9 +30,9 @@ struct run {
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
 struct descent {
     struct segment st; /* the current segment */
-    size_t stay;       /* number of dominoes that still move after this segment */
+    size_t stay;       /* number of dominoes that move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    /* `stops` is true if the head comes to rest, and `locks` if friction locks it while it still moves */
+    /* `stops` is true if the head comes to rest, and `locks` if friction locks it while it is moving */
     bool stops, locks;
     bool forces; /* true if the smallest contact force is wanted, not only its sign */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */

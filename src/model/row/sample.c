@@ -31,9 +31,11 @@ struct random_row {
     const struct dynamics *begun;
 };
 
-/* Sums along a chain, for the motion of its head from one tilt to another. Rounding errors are not
- * compensated, since few digits are enough for the sign of a margin. H(theta) - H(0) is at most rise theta -
- * bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend). */
+/*
+ * Sums along a chain, for the motion of its head from one tilt to another. Rounding errors are not
+ * compensated, since a few digits are enough for the sign of a margin. H(theta) - H(0) is at most rise theta
+ * - bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend).
+ */
 struct glide {
     real J, dH;
     real rise;  /* dH/dtheta at the first tilt of the head */
@@ -99,8 +101,8 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
     return true;
 }
 
-/* Returns the state of domino j, which leans on `leader`, when the head is hit. It is taken from the stored
- * chain if j >= known. */
+/* Returns the state of domino j at the moment when the head is hit. Domino j leans on `leader`. If j >=
+ * known, the stored chain contains the state. */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;

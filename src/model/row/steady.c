@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A head can repeat the motion of the previous head only if all dominoes that matter are equal: the number of
- * equal dominoes behind the head must exceed the length of the longest pass along a chain by at least this
- * number. */
+/* A head repeats the motion of the previous head only if all dominoes that matter are equal. So the number of
+ * equal dominoes must exceed the length of the longest pass along a chain by at least this number. */
 enum { STEADY_MORE = 2 };
 
 /* If the dominoes at the end of a row are all equal, the geometry of this many of them is filled in before

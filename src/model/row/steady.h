@@ -11,8 +11,7 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* by how much the number of moving dominoes grows from head to head: 0 or 1 */
     size_t more;
-    /* true if the next head will move like the last one, provided that both it and the domino after it are
-     * equal to the last head */
+    /* true if the next head will move like the last one, as long as the next two dominoes are equal to it */
     bool found;
 };
 
@@ -32,9 +31,11 @@ KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct d
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
-/* Runs the last head of a row in which the previous heads repeat one motion, and their geometry was therefore
- * never filled in. The last head is computed as if the row ended at the last domino that has a geometry.
- * Returns false if this shorter row has too few equal dominoes at its end. */
+/*
+ * Runs the last head of a row whose previous heads repeat one motion, so that their geometry was never filled
+ * in. The last head is computed as if the row ended at the last domino that has a geometry. Returns false if
+ * this shorter row has too few equal dominoes at its end.
+ */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
 
