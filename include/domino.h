@@ -21,7 +21,8 @@
  * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
  * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance, but not
  * the error made when the parameters are rounded to the precision. A bound is NaN if compute.errors is not
- * set, or if no bound is known. None is known for the motion and the limits of trains with friction.
+ * set, or if no bound is known. No bounds are known for trains with rounded edges, or for the motion and the
+ * limits of trains with friction.
  *
  * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
  * header, declares the same functions, structures and lists for the widest floating-point type of the
@@ -29,9 +30,10 @@
  * differ only in the type of their parameters and results.
  *
  * Units: the head is the foremost falling domino and has number 0. The dominoes that push it, its followers,
- * have the numbers 1, 2, ..., counted backwards from the head. Lengths are in the height h of the head,
- * energies in m g h / 2 of the head, angles in radians from the vertical, and times in tau (1; a1), which
- * dom_scale_tau converts to seconds. Only struct dom_scale and rows are in metres, kilograms and seconds.
+ * have the numbers 1, 2, ..., counted backwards from the head. Lengths are in units of the height h of the
+ * head, energies in units of m g h / 2 of the head, and times in units of tau (1; a1), which dom_scale_tau
+ * converts to seconds. Angles are in radians from the vertical. Only struct dom_scale and rows are in metres,
+ * kilograms and seconds.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
  * range. With any status other than DOM_OK, only the error bounds on the result are written, unless the
@@ -100,7 +102,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, the equation
  * of motion is solved instead of (21; c3) and (24; c6).
  *
- * alpha: the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5. The
+ * alpha: the angle in radians at which the floor slopes down in the direction of the train, -1.5 ... 1.5. The
  * status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
  * walls: the thickness of the walls relative to the height, 1e-9 ... 1, for dominoes that are boxes made of
@@ -212,7 +214,7 @@ struct dom_contact_error {
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    /* Once the follower has detached, theta_1 is theta_f, the slope is 0, and the arms are NaN. */
+    /* If the follower has detached, theta_1 is theta_f, the slope is 0, and the arms are NaN. */
     dom_real theta_1; /* angle of the follower (12; b8) */
     dom_real slope;   /* d theta_1 / d theta (14; b10) */
     dom_real arm_a;   /* lever arm of the contact force on the leader, in h */
@@ -242,10 +244,8 @@ struct dom_link {
     struct dom_link_error error;
 };
 
-/*
- * Calls visit for the head, which leans at theta, and then for each follower that contributes at the
- * tolerance. visit returns false to end the walk early. The status is DOM_OK in that case, too.
- */
+/* Calls visit for the head, which leans at theta, and then for each follower whose contribution matters at
+ * the tolerance. visit returns false to end the walk early. The status is DOM_OK in that case, too. */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real theta, dom_visit *visit, void *context);
@@ -315,9 +315,9 @@ struct dom_barrier_error {
 };
 
 struct dom_barrier {
-    dom_real theta_m; /* the tilt where the barrier is highest, 0 <= theta_m <= theta_c */
-    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy,
-     * just after the collision, that carries the train through every tilt. */
+    dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
+    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy
+     * just after the collision with which the train passes every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -351,10 +351,10 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_c
                                struct dom_value *theta);
 
 /*
- * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. The
- * duration grows like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff.
- * The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL or DOM_STOPS if
- * there is no complete cycle.
+ * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. For a
+ * small margin, the duration grows like ln(1 / margin), and its relative error like kinetic / margin times
+ * the unit roundoff. The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL
+ * or DOM_STOPS if there is no complete cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -453,8 +453,8 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
 
 /*
  * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
- * the reaction force of the floor during the motion, or its impulse in the collision. A value is infinite if
- * a domino would be lifted off the floor.
+ * the reaction force of the floor during the motion, or its impulse in the collision. A coefficient is
+ * infinite if a domino would be lifted off the floor.
  */
 struct dom_floor {
     /* The coefficient needed during the motion, and the tilt of the head at that moment. */
@@ -492,18 +492,19 @@ struct dom_limit {
  * dom_train_reach if the margin never reaches 0. train->r is not used. If even equal dominoes do not keep
  * falling, the status is DOM_OK and `ends` is DOM_END_NONE. This function and the next two return
  * DOM_TOO_LONG if the computation would take more than a second or two in double precision. Without friction
- * the search uses bounds on the margin that cover every growth up to r_max; it can miss a dip of the margin
- * narrower than 1e-6 in ln r. The width is 1e-4 just before r_max, and larger if 1,500 intervals are not
- * enough. With friction, growths are only sampled.
+ * and with sharp edges, the search uses bounds on the margin that cover every growth up to r_max. It can
+ * still miss a dip of the margin that is narrower than 1e-6 in ln r, or narrower than 1e-4 just before r_max.
+ * After 1,500 intervals, wider dips can be missed as well. With friction or rounded edges, growths are only
+ * sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
- * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
- * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since r must be large enough
- * for domino 1 to tip over (5; b0), equal dominoes can fail where larger ones succeed. r_max is then the
- * upper end of the first interval of growths that succeed.
+ * Finds the largest growth of two dominoes (section "Two dominoes"). Domino 1 starts at the point of tipping
+ * over, and must carry domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since r
+ * must be large enough for domino 1 to tip over (5; b0), equal dominoes can fail although larger growths
+ * succeed. r_max is then the upper end of the first interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -520,8 +521,8 @@ struct dom_best {
 
 /*
  * Finds the best separation. train->s and train->r are not used. The status is DOM_NO_GROWTH if no separation
- * allows r > 1. Without friction, bounds rule out a larger growth at any other s, except in a peak of
- * r_max(s) narrower than 0.2 % of s. With friction, separations are only sampled.
+ * allows r > 1. Without friction and with sharp edges, bounds rule out a larger growth at any other s, except
+ * in a peak of r_max(s) narrower than 0.2 % of s. Otherwise, separations are only sampled.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);

@@ -244,7 +244,7 @@ struct dom_moment {
  * this state. A domino that has detached keeps the tilt that it had at that moment. visit returns false to
  * end the run. Times < 0 are allowed only if the first domino is tipped over its edge; otherwise, and for
  * NaN, the status is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later
- * times have no value. Other statuses are those of dom_row_run.
+ * times cannot be computed. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -285,7 +285,8 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* the current gap, in m */
-    /* Of all gaps, in m, at which the row falls, the one nearest to `gap`, rounded to seven digits. */
+    /* The new gap in m, rounded to seven digits: of all gaps at which the row falls, the one nearest to
+     * `gap`. */
     dom_real to;
     /* The other end of the interval, in m: all dominoes fall with any gap between `to` and `until`. */
     dom_real until;
@@ -314,8 +315,8 @@ struct dom_window {
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
     /* How the row ends at values just below and just above the window. DOM_ROW_FALLS if the window reaches
-     * the end of the range that is tried. If the row does not fall at the current value, both are always
-     * DOM_ROW_FALLS, which then says nothing. */
+     * the end of the range that is tried. If the row does not fall at the current value, `below` and `above`
+     * are always DOM_ROW_FALLS and say nothing. */
     enum dom_row_end below, above;
 };
 
@@ -329,11 +330,11 @@ struct dom_window {
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
  * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
  * times the current height, with the same density and lean, if the domino can stand on the slope. Thicknesses
- * are tried in the same way, if walls and rounded edges fit. The friction is tried from 0 to 2 or to 4 times
- * its present value, whichever is larger, but not above DOM_MU_HIGHEST. Leans are tried in both directions,
- * until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all dominoes
- * fall with low and with high. An interval narrower than a step, in which the row does not fall, can be
- * missed. With an engine, a window is searched in a quarter of the steps and has three digits. A value at
+ * are tried in the same way, if walls and rounded edges fit. Frictions are tried from 0 up to 2, or up to 4
+ * times the current friction if that is more, but not above DOM_MU_HIGHEST. Leans are tried in both
+ * directions, until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all
+ * dominoes fall with low and with high. An interval narrower than a step, in which the row does not fall, can
+ * be missed. With an engine, a window is searched in a quarter of the steps and has three digits. A value at
  * which the engine cannot decide how the row ends counts as outside the window. Calls progress, which may be
  * NULL, for each window. The statuses are those of dom_row_run.
  */
@@ -409,15 +410,16 @@ struct dom_design {
 
 /*
  * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs: kinetic
- * >= safety * barrier, in the endless train and at each domino of the row after the first. The largest growth
- * at which a train has this safety at any s gives the smallest number of dominoes. r is then reduced until
- * the last domino is exactly `height` tall, and s stays where that growth is largest, or as close to it as
- * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up
- * to 30 dominoes more. train->s and train->r are not used. The search computes in double, and tries
- * separations that are multiples of 0.001. A separation at which a train or a row cannot be computed is
- * skipped. If the wish has an engine, the row must also fall in the engine, which runs rows only at
- * separations that are 0.1 apart. The safety is still computed by the model. The status is DOM_BAD_HEIGHT,
- * DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside its range.
+ * >= safety * barrier, in the endless train and at each domino of the row after the first. The search first
+ * finds the separation s at which a train with this safety has the largest growth r. This growth gives the
+ * smallest number of dominoes. r is then reduced until the last domino is exactly `height` tall. s stays as
+ * it is, or as close to it as the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest
+ * row instead, which may have up to 30 dominoes more. train->s and train->r are not used. The search computes
+ * in double, and tries separations that are multiples of 0.001. A separation at which a train or a row cannot
+ * be computed is skipped. If the wish has an engine, the row must also fall in the engine, which runs rows
+ * only at separations that are 0.1 apart. The safety is still computed by the model. The status is
+ * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside
+ * its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);

@@ -48,12 +48,12 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "slope",
             .synonyms = "alpha hill incline ramp tilt downhill uphill",
-            .adds = "a floor that slopes, downhill where ALPHA > 0",
-            .help = "An upright domino stands only where |ALPHA| is below theta_u, the angle at which it "
-                    "tips over, tan theta_u = d. A slope of one degree changes r_max by 5 to 8 %. Tilts are "
+            .adds = "a sloping floor, downhill if ALPHA > 0",
+            .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
+                    "tips over (tan theta_u = d). A slope of one degree changes r_max by 5 to 8 %. Tilts are "
                     "measured from the normal of the floor. The potential energy of a domino is then "
-                    "h(theta) = cos(theta + alpha) + d sin(theta + alpha), which changes H, the fuel P, the "
-                    "barrier and the forces; with friction, C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d "
+                    "h(theta) = cos(theta + alpha) + d sin(theta + alpha). This changes H, the fuel P, the "
+                    "barrier and the forces. With friction, C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d "
                     "cos(theta_i + alpha)). 'fuel paper' cannot be combined with a slope: the paper's closed "
                     "form of the fuel does not include this effect.",
             .source = "the potential energy of a block on an inclined plane",
@@ -117,10 +117,10 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "the potential energy of a domino is h(theta) = 2 rho + l cos theta + (d - 2 rho) sin "
                     "theta. The moment of inertia is taken about the line of contact with the floor: J = sum "
                     "r^-(q+1)i i(theta_i) theta_i'^2, and in the collision the angular velocity is "
-                    "multiplied by (J(0) - i(0))/J(0). The head hits the next domino where rho theta_c + l "
-                    "sin theta_c = r s. No error bounds are known, and r_max is found from samples of the "
-                    "growth, as with friction. 'fuel paper' cannot be combined with rounded edges: the "
-                    "paper's closed form of the fuel does not include this effect.",
+                    "multiplied by (J(0) - i(0))/J(0). The head hits the next domino at the tilt theta_c, "
+                    "with rho theta_c + l sin theta_c = r s. No error bounds are known, and r_max is found "
+                    "from samples of the growth, as with friction. 'fuel paper' cannot be combined with "
+                    "rounded edges: the paper's closed form of the fuel does not include this effect.",
             .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
             .plan = "contacts by Newton's method, inertia i(theta)",
             .argument = {{.name = "RADIUS",
@@ -136,15 +136,15 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .synonyms = "file csv load measurements list finite spacing",
             .adds = "a finite row of dominoes, equal or not, instead of the endless train",
             .help = "With a number N, domino k is h r^(k-1) tall, the gap before it is s times its height, "
-                    "and q decides its mass. FILE is a csv file with a line for each domino and the columns "
-                    "height, thickness, gap and, if known, mass or density. Units are written in the first "
-                    "line, as in 'height (mm)', or in the cells. The row starts with a push ('effect push'), "
-                    "or with its first domino just tipping over. 'fall' runs the row. Domino j leans on k = "
-                    "j + 1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k. The energy "
-                    "is H = sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
-                    "collision is that of the train, computed with these sums. Where an upper edge would "
-                    "pass above the next domino, or a contact would have to pull, the model does not apply, "
-                    "and the output ends there with a message.",
+                    "and its mass follows from q. FILE is a csv file with a line for each domino and the "
+                    "columns height, thickness, gap and, if known, mass or density. Units are written in the "
+                    "first line, as in 'height (mm)', or in the cells. The row starts with a push ('effect "
+                    "push'), or with its first domino at the point of tipping over. 'fall' runs the row. "
+                    "Domino j leans on k = j + 1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos "
+                    "theta_k - d_k. The energy is H = sum m g (h cos theta + d sin theta)/2, the inertia is "
+                    "sum I theta'^2, and the collision is that of the train, computed with these sums. If an "
+                    "upper edge would pass above the next domino, or if a contact would have to pull, the "
+                    "model does not apply, and the output ends with a message.",
             .source =
                 "energy balance and collision of the paper, (19; c1) to (22; c4), with sizes for each domino",
             .plan = "for each head: kinetic energy compared with the maximum of H",
@@ -162,11 +162,11 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "push",
             .synonyms = "start finger kick speed velocity",
             .adds = "a push on the first domino, which then starts upright",
-            .help = "Without a push the first domino is let go where it just tips over its edge (tan theta_u "
-                    "= d), and the clock starts when it hits the second domino. With a push the first domino "
-                    "starts upright, and the clock starts with the push. A standard domino needs about 2.5 "
-                    "rad/s to tip over; with a weaker push the row stops at domino 1. If the first domino "
-                    "touches the second before it tips over, the row needs a push.",
+            .help = "Without a push the first domino is let go at the angle at which it begins to tip over "
+                    "(tan theta_u = d), and the clock starts when it hits the second domino. With a push the "
+                    "first domino starts upright, and the clock starts with the push. A standard domino "
+                    "needs about 2.5 rad/s to tip over; with a weaker push the row stops at domino 1. If the "
+                    "first domino touches the second before it tips over, the row needs a push.",
             .source = "energy of a single domino, (6; b2) and (9; b5)",
             .plan = "omega^2 of the first domino",
             .argument = {{.name = "OMEGA",
@@ -211,7 +211,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                           .optional = true},
                          {.name = "LIMITS",
                           .unit = "",
-                          .meaning = "whether errors are normal or uniform within limits",
+                          .meaning = "distribution of the errors: normal, or uniform within limits",
                           .lowest = 0,
                           .highest = 1,
                           .usual = 0,

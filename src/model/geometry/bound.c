@@ -15,7 +15,8 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    /* geometry_contact then computes the slope as 1 - r L x / Y, where an error of Y has little effect */
+    /* If 2 r L x <= Y, geometry_contact computes the slope as 1 - r L x / Y, and an error of Y has little
+     * effect. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;

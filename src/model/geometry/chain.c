@@ -38,7 +38,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* While the train is upright, the follower of domino b->i has already detached. The next to detach is
+    /* When the head is upright, the follower of domino b->i has already detached. The next to detach is
      * domino b->i itself, when its leader, domino b->i - 1, reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)

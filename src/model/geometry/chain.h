@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chain of followers at one tilt of the head. A pass visits the dominoes from the head on, to add up sums
- * such as (19; c1). It ends after geometry->n dominoes, or when the tail of the sums, which is bounded by a
- * geometric series, no longer matters at the tolerance.
+ * The chain of followers at one tilt of the head. A pass visits the dominoes one by one, starting at the
+ * head, and adds up sums such as (19; c1). It ends after geometry->n dominoes, or as soon as the tail of the
+ * sums no longer matters at the tolerance. The tail is bounded by a geometric series.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -10,7 +10,7 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Finds the sums of `change` in struct contact_law between two tilts of the head. */
+/* Calls the function `change` of struct contact_law for two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error);
 
@@ -28,11 +28,11 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
                                    size_t *domino);
 
 /*
- * Divides the motion of a train up to the tilt `end` into smooth pieces, each of which lies between two
- * successive elements of `edge`. The first edge is 0, or just above 0 if r s = 1, and the last is `end`. If a
- * domino detaches before `end`, there is an edge at that tilt, after which one domino fewer moves. Sets
- * *edges to the number of edges. Unless `moving` is NULL, sets *moving to the number of dominoes that move
- * between edge[0] and edge[1], or to CHAIN_ENDLESS if no domino detaches.
+ * Divides the motion of a train up to the tilt `end` into smooth pieces, and stores the tilts of the head at
+ * the ends of the pieces in `edge`. The first edge is 0, or just above 0 if r s = 1, and the last is `end`.
+ * If a domino detaches before `end`, the tilt at which it detaches is an edge, too, and beyond this edge one
+ * domino fewer moves. Sets *edges to the number of edges. Unless `moving` is NULL, sets *moving to the number
+ * of dominoes that move between edge[0] and edge[1], or to CHAIN_ENDLESS if no domino detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
- * theta is the tilt of its head. The follower of a domino at z is at f(z), which is a power series as well.
+ * theta is the tilt of its head. The follower of a domino at z is at f(z), which is also a power series.
  * Therefore
  *
  *     H(z) = h(z) + r^-q H(f(z)),
@@ -13,7 +13,7 @@
 #include "geometry/law.h"
 
 /* Finds the coefficients of f = (z - p) / (1 + z p), where p = tan((theta_1 - theta) / 2). Returns 1 - f'(0),
- * which is small where s is small. */
+ * which is small if s is small. */
 static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     real p[FAR_ORDER + 2];
@@ -27,8 +27,8 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Returns a factor that gives an upper bound on the omitted terms when it is multiplied by (z /
- * radius)^order. The factor is estimated from the last coefficients. */
+/* Returns a factor for bounds: the omitted terms are at most this factor times (z / radius)^order. It is
+ * estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Power series for the sums over the far followers of a domino, whose tilts are nearly theta_inf. */
+/* Power series for the far tail of a chain: the sums over followers whose tilts are nearly theta_inf. */
 #ifndef DOM_FAR_H
 #define DOM_FAR_H
 
 #include "geometry/sums.h"
 
-/* Makes the series geometry->far of a train, with the order that is cheapest for `passes` passes. The order
- * is 0, which means no series, if a domino detaches or if no series saves time. */
+/* Makes the series geometry->far of a train, with the order that is cheapest for `passes` passes. If a domino
+ * detaches, or if no series saves time, the order is 0, which means that there is no series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order. This factor times rest_H or rest_J bounds the omitted terms. Returns infinity
- * where the bounds do not hold. */
+/* Returns (z / radius)^order. The omitted terms are at most this factor times rest_H or rest_J. Returns
+ * infinity if z is too large for these bounds. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -29,9 +29,8 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if `rest`, a bound on the omitted terms of a series, is below the tolerance. `tail` is the
- * value of the series. It is added to the terms summed so far before the comparison, since the two may
- * cancel. */
+/* Returns true if `rest`, a bound on the omitted terms of a series, is below the tolerance. The value of the
+ * series, `tail`, is added to the terms summed so far before the comparison, because it may cancel them. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
@@ -54,7 +53,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* These two functions return H, up to a constant, and J, for the part of a train that begins with a domino at
+/* These two functions return H (up to a constant) and J of the part of a train that begins with a domino at
  * z. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * One domino that leans on the next: the geometry of section 2 and appendix A of the paper, in Cartesian
- * form. An angle theta is stored as a struct tilt, so that the loops down the train need no trigonometry and
- * no digits cancel: v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
+ * form. An angle theta is stored as a struct tilt, so the loops down the train need no trigonometry. Its
+ * member v = 1 - cos theta keeps its relative accuracy even if cos theta is nearly 1.
  */
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
@@ -39,10 +39,10 @@ struct far {
 };
 
 /*
- * The far tail of a train, in the sums A, B and C of struct equation_of_motion. Let domino i be the first
- * domino of the tail, at theta_inf - e, and let m = r^-(q+1)i S_i. The tail contributes m theta_i' A(e) to A,
- * m [theta_i'^2 B(e) + theta_i'' A(e)] to B, and r^-qi S_i C(e) to C. Each array holds a value and two
- * derivatives at theta_inf. For instance,
+ * The contributions of the far tail of a train to the sums A, B and C of struct equation_of_motion. Let
+ * domino i be the first domino of the tail, at the tilt theta_inf - e, and let m = r^-(q+1)i S_i. The tail
+ * contributes m theta_i' A(e) to A, m [theta_i'^2 B(e) + theta_i'' A(e)] to B, and r^-qi S_i C(e) to C. Each
+ * array holds the value of one of these functions at theta_inf, and its first two derivatives. For instance,
  *
  *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
  */
@@ -60,21 +60,21 @@ struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* 1 - 2 rho and d - 2 rho: the lengths of the flat parts */
     real rho_1, tall_1; /* rho and tall of the follower, relative to the height of this domino */
-    real roll;          /* the term of dh/dtheta that is due to a foot that rolls down a slope */
+    real roll;          /* the term that a foot rolling down a slope adds to dh/dtheta */
     struct {
         real c, x, y;
     } i;
 };
 
-/* A checked train with the quantities that are constant during a cycle, or one domino of a row with its
- * follower. */
+/* Describes a train that has been checked, with the quantities that are constant during a cycle. In a row,
+ * describes one domino with its follower. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
     real box;                      /* moment of inertia relative to that of a solid block: 1 without walls */
     const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;             /* solution of the equation of motion, or NULL if the law needs none */
+    struct flow *flow; /* solution of the equation of motion, or NULL if the law of motion needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     /* The work of the current search so far, and the limit of that work, both as a number of dominoes
@@ -84,7 +84,7 @@ struct geometry {
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s, which is >= 0: how far the head reaches beyond the next domino */
-    /* 1 - r^2 s^2. A follower detaches when v of its leader is leave_at / leave_by. */
+    /* 1 - r^2 s^2. A follower detaches when 1 - cos theta of its leader reaches leave_at / leave_by. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
@@ -92,7 +92,8 @@ struct geometry {
     real rq, rq_1; /* r^q and r^q - 1 */
     real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
-        real along, down; /* gravity along the floor and into the floor: 0 and 1, unless the floor slopes */
+        real along,
+            down; /* components of gravity along the floor and into the floor: 0 and 1 on a level floor */
     } g;
     struct {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta. On a level floor, x is d and y is 1. */
@@ -109,8 +110,8 @@ struct geometry {
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* the number of dominoes from this one to the end of the chain */
-    /* The geometry of the follower in a row. NULL in a train: it is self-similar, so this geometry holds for
-     * all of its dominoes. */
+    /* The geometry of the follower in a row. NULL in a train, which is self-similar: one geometry holds for
+     * all its dominoes. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
     /* The largest gap that a head reaches, relative to its height: 1 unless its edges are rounded. */
@@ -163,9 +164,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest tilt of the head that matters at the beginning of a cycle: theta_u, or the tilt at
- * which a follower that starts near pi/2 has clearly moved away from pi/2, whichever is smaller. With edges
- * of radius d/2, theta_u is 0 and is ignored.
+ * Returns the smaller of two tilts of the head: theta_u, and the tilt at which a follower that starts near
+ * pi/2 has clearly moved away from pi/2. Still smaller tilts do not matter at the beginning of a cycle. If
+ * theta_u is 0 (edges of radius d/2), returns the second tilt.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -185,8 +186,8 @@ KERNEL real geometry_rise_u(const struct geometry *geometry);
  * it hits the next domino (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts an angle to a tilt. The angle must be between the lean of the head, which is 0 in a train, and
- * theta_c. An angle that differs from theta_c only by rounding gives theta_c. */
+/* Converts an angle to a tilt. The angle must lie between the lean of the head (0 in a train) and theta_c. An
+ * angle that differs from theta_c only by rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /*
@@ -222,7 +223,7 @@ KERNEL real half_of_tilt(struct tilt t)
     return t.x / (1 + t.y);
 }
 
-/* Returns the tangent of half the difference of two tilts. If `from` is upright, no digits cancel. */
+/* Returns the tangent of half the angle from one tilt to another. If `from` is upright, no digits cancel. */
 KERNEL real half_turn(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
@@ -230,10 +231,10 @@ KERNEL real half_turn(struct tilt from, struct tilt head)
 }
 
 /*
- * The angle from a leader to its follower, with the arm of the contact force on the leader (table 1) and the
- * slope (34; A10). X and Y are accurate for all angles, from X near 0 to X near 1. Where Y - r L x would
- * cancel, the arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where
- * the follower is about to detach.
+ * The contact of a leader with its follower: the angle between them, the arm of the contact force on the
+ * leader (table 1), and the slope (34; A10). X and Y are accurate for all angles, from X near 0 to X near 1.
+ * If the difference Y - r L x would cancel, the arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2
+ * L d v. This difference cancels only when the follower is about to detach.
  */
 struct contact {
     real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
@@ -254,8 +255,8 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 
 /*
  * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). v' = 1 - y' is computed from the leader's
- * tilt, as a sum of terms of one sign. x' and y' are then computed from v', so that they remain the sine and
- * cosine of one angle along a long train.
+ * tilt, as a sum of terms that all have the same sign. x' and y' are then computed from v', so that they
+ * remain the sine and cosine of one angle along a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {

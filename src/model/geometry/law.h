@@ -18,7 +18,8 @@ struct rolling {
     real curve; /* d2 theta_1 / d theta2 */
 };
 
-/* The current domino of a walk down a chain, from the head on. With sharp edges only `link` is set. */
+/* The current domino of a walk down a chain, which starts at the head. With sharp edges only `link` is
+ * set. */
 struct walk {
     struct link link;
     struct rolling rolling;
@@ -52,11 +53,11 @@ enum pass {
 };
 
 struct contact_law {
-    /* True if the follower's tilt is given by a formula in its leader's tilt, without iteration. Error
-     * bounds, the bounds for strips of growths and the shortcuts for random rows exist only in this case. */
+    /* True if a formula gives the follower's tilt from its leader's tilt, without iteration. Error bounds,
+     * the bounds for strips of growths and the shortcuts for random rows exist only in this case. */
     bool closed_form;
-    /* The limit for the number of dominoes that one search visits in all its passes. It corresponds to about
-     * a second of work in double precision. */
+    /* One search may visit at most this many dominoes in all its passes. This takes about a second in double
+     * precision. */
     size_t work_most;
 
     /* ---- Preparing a train or a row ---- */
@@ -67,8 +68,8 @@ struct contact_law {
     /* Prepares the contact of a domino in a row with its follower. NULL if the contact needs no preparation
      * beyond joint_shape in row/joint.c. */
     void (*joint)(struct geometry *geometry, const struct geometry *follower);
-    /* Returns the tilt at which a head hits the next domino. `gap` is the gap between the two, relative to
-     * the height of the head. */
+    /* Returns the tilt at which a head hits the next domino. `gap` is the gap between these two dominoes,
+     * relative to the height of the head. */
     struct tilt (*hit)(const struct geometry *geometry, real gap);
 
     /* ---- One domino ---- */

@@ -150,25 +150,23 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * The test of pushes_between in sharp_change.c for rounded edges. Since the inertia i of a domino changes
- * with its tilt,
+ * The test of pushes_between in sharp_change.c, for rounded edges. The inertia i of a domino changes with its
+ * tilt, so a_k has i_k in its denominator, and
  *
- *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k,
+ *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k.
  *
- * and a_k has i_k in its denominator.
+ * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. Let p = 1 - step, Q = L - rho_1 turn and
+ * D = rho - rho_1 (`more` in the code). By the contact equation, -curve b is equal to
  *
- * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. With p = 1 - step, Q = L - rho_1 turn
- * and more = rho - rho_1, the contact equation turns -curve b into
+ *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x].
  *
- *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - more [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x],
- *
- * where the expression in square brackets is between -2 and 1.16. The first two terms are a weighted mean of
- * y Q and d. Where y Q < d/2, x is large, so p >= x (M - rho_1 turn)/b is large too. The lever arm of the
- * leader decreases by the same terms with p instead of p^2, so slope and turn decrease as well, and the
+ * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
+ * and d. If y Q < d/2, then x is large, and so is p, which is at least x (M - rho_1 turn)/b. The lever arm of
+ * the leader decreases by the same terms with p instead of p^2. So slope and turn decrease as well, and the
  * values at a and b bound every term.
  *
- * The condition for a is that of sharp edges, with R i/i_1 instead of R, and with a term for a foot that
- * rolls down a slope.
+ * The condition for a is the one for sharp edges, with two changes: R i/i_1 takes the place of R, and there
+ * is one more term for a foot that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
@@ -183,8 +181,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
-    /* Up to pi/2 the inertia is a concave function of the tilt. So it is smallest at one of the two ends, and
-     * its derivative decreases. */
+    /* Up to pi/2 the inertia is a concave function of the tilt. So it is smallest at one end of the interval
+     * of tilts, and its derivative decreases. */
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,

@@ -8,9 +8,9 @@
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. They grow where
- * a difference cancels: the arm a where the follower is about to detach, and the arm b where X < 0. The
- * second derivative of the contact is also a difference.
+ * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. They grow when
+ * the terms of a difference cancel. Such differences are the arm a when the follower is about to detach, the
+ * arm b if X < 0, and the second derivative of the contact.
  */
 struct rounding {
     real S, slope, second_derivative;

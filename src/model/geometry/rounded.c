@@ -84,8 +84,8 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
 
 /*
  * Returns the solution u of l sin u + c u = G for u near pi/2, from E = l + c pi/2 - G. The difference e =
- * pi/2 - u obeys l (1 - cos e) + c e = E, in which nothing cancels, whereas turn_solve would lose the digits
- * of cos u. Returns NaN if there is no solution.
+ * pi/2 - u obeys l (1 - cos e) + c e = E. No digits cancel in this form, whereas turn_solve would lose the
+ * digits of cos u. Returns NaN if there is no solution.
  */
 static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
 {
@@ -103,7 +103,7 @@ static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
     return *sine = *cosine = REAL_NAN;
 }
 
-/* Returns sin theta - theta cos theta, by a power series where the terms would cancel. */
+/* Returns sin theta - theta cos theta. Uses a power series if the two terms would cancel. */
 static real sine_excess(struct tilt t, real theta)
 {
     if (fabs(theta) > (real)0.25)
@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* In a train, geometry->n counts the dominoes from the head on. In a row, it counts them from this domino
-     * on. */
+    /* geometry->n is the number of dominoes up to the end of the chain. In a train they are counted from the
+     * head, in a row from this domino. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
@@ -254,9 +254,9 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /* ---- The shape of a train ---- */
 
 /*
- * Returns theta_inf, at which a follower leans as much as its leader: the right side of the contact equation
- * is 0. Up to pi/2 this side decreases and is concave, so Newton's method converges. It starts from the
- * tilt for sharp edges. *slope receives the slope of the follower at theta_inf.
+ * Returns theta_inf, the tilt at which a follower leans as much as its leader. There the right side of the
+ * contact equation is 0. Up to pi/2 the right side decreases and is concave, so Newton's method converges. It
+ * starts from the tilt for sharp edges. *slope receives the slope of the follower at theta_inf.
  */
 static real rounded_inf(const struct geometry *geometry, real *slope)
 {
@@ -278,10 +278,11 @@ static real rounded_inf(const struct geometry *geometry, real *slope)
 }
 
 /*
- * Finds the tilt of the leader at which a follower detaches: the root of the follower's slope, which
- * decreases and is negative at hi. Newton's method starts from the tilt for sharp edges and is kept inside a
- * bracket. The slope is NaN where there is no contact. Returns the tilt of the follower. This tilt has its
- * maximum there, so the last step changes it only by a term of second order.
+ * Finds the tilt of a leader at which its follower detaches, and returns the tilt of the follower. At this
+ * tilt the slope of the follower is 0. The slope decreases with the tilt of the leader, and is negative at
+ * hi; it is NaN if there is no contact. Newton's method starts from the tilt for sharp edges and is kept
+ * inside a bracket. When a follower detaches, its own tilt is at its maximum, so the last step changes this
+ * tilt only by a term of second order.
  */
 static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
@@ -312,8 +313,9 @@ static real beyond(const struct rounded *of, real sharp)
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino. `gap` is the gap between the two, and `left` is how
- * far the head could reach beyond the next domino, both relative to the height of the head. */
+/* Returns the tilt at which a head hits the next domino. `gap` is the gap between these two dominoes, and
+ * `left` is how far the head could reach beyond the next domino. Both are relative to the height of the
+ * head. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     real x = 1, y = 0;

@@ -94,10 +94,10 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  * Tests the contact of one domino with its follower while the domino moves from b to a. If every contact of a
  * chain passes the test, all contacts stay closed, for the following reason.
  *
- * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta'). Of
- * the torques on domino i and all dominoes behind it, the part that does not accelerate these dominoes is
- * balanced by the contact of domino i with its leader, so this part is the contact force times S_i b_i > 0.
- * With the acceleration of the whole chain it is the sum over k >= i of
+ * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta').
+ * Consider domino i and all dominoes behind it. A part of the torques on them does not accelerate them. The
+ * contact of domino i with its leader balances this part, so it is the contact force times S_i b_i > 0. With
+ * the acceleration of the whole chain it is the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
  *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
@@ -113,7 +113,7 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  *
  * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
  * term. The arm a of the contact, which must be positive, decreases as well, so it is tested at the end. None
- * of this holds while a leader still leans backwards, and the test then fails.
+ * of this holds while a leader leans backwards; the test then fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {

@@ -30,8 +30,8 @@ static void series_of(const real *node, const real *value, int n, real *series)
 
 /*
  * Returns true if the series has converged, that is, if its last terms are below the tolerance. Stores the
- * largest absolute value of these terms in *left. Terms never fall below the noise of the function values, or
- * below a few units of rounding.
+ * largest absolute value of these terms in *left. The tolerance is raised to the noise of the function
+ * values, and to a few units of rounding, because the terms do not fall below these.
  */
 static bool series_converged(const real *series, real tol, real noise, real *left)
 {
@@ -64,8 +64,8 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
-/* Computes one panel, at whose left end the solution is ln_G and v. Returns false if the panel is too wide
- * for its series to converge. If f fails, sets *status to NUM_NOT_FINITE and returns false as well. */
+/* Computes one panel. ln_G and v are the solution at its left end. Returns false if the panel is too wide for
+ * its series to converge. If f fails, sets *status to NUM_NOT_FINITE and also returns false. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
@@ -119,7 +119,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* If little would remain after this panel, include the remainder. */
+        /* If little of [lo, hi] would remain after this panel, the panel includes the remainder. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;

@@ -44,7 +44,8 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
         }
         a = next;
         fa = value;
-        /* Interpolation through a, b and c stays inside the bracket under the condition below. */
+        /* Interpolation through a, b and c stays inside the bracket if phi^2 < xi and (1 - phi)^2 < 1 -
+         * xi. */
         real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         t = (real)0.5;
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
@@ -121,8 +122,8 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Two levels may agree by chance although the nodes do not yet resolve f, so the unresolved part of f
-         * counts as well. */
+        /* Two levels may agree by chance although the nodes do not yet resolve f. Therefore `unseen`, the
+         * error due to the unresolved part of f, must be small, too. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
@@ -157,8 +158,8 @@ static real node_pair(struct span *s, real t, real *weight)
     return *weight * sum;
 }
 
-/* Returns the sum over the nodes at `first`, first + step, first + 2 step and so on, until the terms are too
- * small to matter. */
+/* Returns the sum of the terms at first, first + step, first + 2 step and so on. The sum ends when the terms
+ * are too small to matter. */
 static real node_sum(struct span *s, real first, real step)
 {
     real sum = 0, weight = 1;
@@ -314,8 +315,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Finds the integral of a Chebyshev series of n terms, times `half`, as a series of n + 1 terms whose value
- * at -1 is `start`. */
+/* Finds the integral of a Chebyshev series of n terms, and multiplies it by `half`. The result is a series of
+ * n + 1 terms whose value at -1 is `start`. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;

@@ -16,13 +16,13 @@ enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, 
 typedef real num_function(real x, void *context);
 
 /*
- * Finds the root of f between lo and hi, where f has different signs (zero counts as either sign), to the
- * relative tolerance tol of x. The method is inverse quadratic interpolation where that is safe, and
- * bisection otherwise (Chandrupatla, Advances in Engineering Software 28, 1997).
+ * Finds the root of f between lo and hi to the relative tolerance tol of x. At lo and hi, f must have
+ * different signs; zero counts as either sign. The method is inverse quadratic interpolation if that is safe,
+ * and bisection otherwise (Chandrupatla, Advances in Engineering Software 28, 1997).
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* Does the same as num_root, for a caller that already knows the values of f at both ends, or at least their
+/* Does the same as num_root, for a caller that already knows the values of f at lo and hi, or at least their
  * signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
@@ -45,8 +45,8 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
 /*
  * Finds the integral of a function that is smooth except for a peak like 1 / sqrt(width^2 + (x - peak)^2).
  * The peak may be outside the interval, and the width is NaN if it is unknown. The substitution x = peak +
- * width sinh u flattens the peak, so the rule of Clenshaw and Curtis (1960) converges fast however narrow the
- * peak is. If the rule does not converge, num_integral computes the pieces before and after the peak.
+ * width sinh u flattens the peak, so the rule of Clenshaw and Curtis (1960) converges fast even for a very
+ * narrow peak. If the rule does not converge, num_integral computes the pieces before and after the peak.
  */
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
@@ -95,7 +95,7 @@ enum { LINEAR_PANELS = 128 };
 
 struct num_rate {
     real p, c;
-    /* absolute rounding errors of p and c, where 0 stands for a few units of rounding */
+    /* absolute rounding errors of p and c; 0 means a few units of rounding */
     real p_noise, c_noise;
 };
 
