@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers with many rows that do not depend on each other, such as those of sweeps and of 'curve'. */
+/* Computes the rows of an answer in parallel, for example those of a sweep or of 'curve'. */
 #ifndef SHELL_POINTS_H
 #define SHELL_POINTS_H
 

@@ -16,7 +16,7 @@ enum {
     /* a worker's next block is at most this many times as large as its previous one, because later points
      * may take longer */
     GROWTH = 4,
-    WINDOW = 16, /* the maximum number of blocks that a worker computes before the output catches up */
+    WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
     BLOCK_MOST = 4096,
     THREADS_MOST = 256
 };
@@ -50,8 +50,8 @@ struct worker {
     double seconds;
 };
 
-/* Returns the number of points of the next block.  Towards the end the blocks get smaller, so that all
- * workers finish at about the same time. */
+/* Returns the number of points of the next block. Towards the end the blocks get smaller, so that all workers
+ * finish at about the same time. */
 static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
 {
     double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
@@ -87,7 +87,7 @@ static void pool_end(struct pool *p, struct workers_end end)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Writes all computed blocks that are next in the order of the points. */
+/* Writes the blocks in the order of the points, up to the first block that has not been computed yet. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;

@@ -41,7 +41,7 @@ struct workers_end workers_run(const struct workers *workers);
  * worker for each processor that this process may use. */
 unsigned workers_count(domq_real threads, size_t points);
 
-/* Runs tasks of the library.  This is a dom_parallel whose pool is a struct task_pool. */
+/* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */
 enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
 
 struct task_pool {

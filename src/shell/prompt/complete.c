@@ -10,12 +10,12 @@
 
 #include <readline/readline.h>
 
-/* One completion of the last word of a line. */
+/* What is known when the last word of a line is completed. */
 struct completion {
     struct session *session;
     const char *line;
     const char *word; /* the last word of the line, which may be empty */
-    /* The name at the end of `word`; in an expression an operator may come before the name. */
+    /* The name at the end of `word`. In an expression, `word` may have operators before it. */
     const char *name;
     struct offer offer; /* what the parser would accept at `name` */
     void (*emit)(const char *candidate, void *context);
@@ -27,9 +27,9 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* If `name` begins with the typed letters, emits the last word with its name completed to `name` and with
- * `more` appended. If `is_checked`, the candidate is emitted only if the parser accepts it, either by itself
- * or as the first value of a list. */
+/* If `name` begins with the typed letters, completes the last word with `name`, appends `more`, and emits the
+ * result. If `is_checked` is true, the parser must accept the result, alone or as the first value of a list.
+ * */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -42,9 +42,8 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/* Returns true if a name whose value has this unit may be the whole value of the argument. For an argument
- * without a unit, the name must be that of the argument's parameter, or must extend it by '_' and more
- * letters, as r_max extends r. */
+/* Returns true if a name whose value has this unit can be the argument by itself. If the argument has no
+ * unit, the name must be that of its parameter, or continue it with a '_', as r_max continues r. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
@@ -169,7 +168,8 @@ static void emit_files(const struct completion *c)
 
 /* ---- All candidates ---- */
 
-/* Returns the beginning of the last word, which is after a blank, or after a '"' that is not closed. */
+/* Returns the beginning of the last word. A word begins after a blank, after a ';', or after a '"' that is
+ * not closed. */
 static const char *last_word(const char *line)
 {
     const char *word = line + strlen(line), *quote = strchr(line, '"');

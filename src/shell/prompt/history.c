@@ -18,8 +18,8 @@
  * so that the file is not rewritten at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
-/* How long to wait, in seconds, for a lock that another session holds. After this time a line is appended
- * without the lock, but still as a whole. */
+/* How long to wait, in seconds, for a lock that another session holds. After this time, a line is appended
+ * without the lock. */
 #define LOCK_SECONDS 1.0
 
 /* The path of the history file, or "" if no history is kept. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt for commands from a person at a terminal, with history, completion, colours and hints. */
+/* The prompt at a terminal, with history, completion, colours and hints. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
@@ -34,11 +34,9 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
  */
 void history_load(struct session *session);
 
-/*
- * Adds a line to the history, and appends the line to the file immediately, so that it is not lost however
- * the session ends. A blank line, or a repetition of the line before, is not added. After the first failure,
- * which is reported, nothing more is written to the file.
- */
+/* Adds a line to the history, and appends it to the file immediately, so that it is kept even if the session
+ * crashes. Blank lines and repetitions of the previous line are not added. The first failure to write is
+ * reported, and from then on nothing is written to the file. */
 void history_keep(struct session *session, const char *text);
 
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */

@@ -26,7 +26,7 @@ static bool is_coloured, is_hinted;
 static char rest[HINT];
 
 /* Returns true if the terminal has colours, and Readline is in its ordinary editing mode, in which the screen
- * shows just the typed line. */
+ * shows only the typed line. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -51,8 +51,8 @@ static bool is_mapped(const struct session *session, int width, int height)
         if (*c < ' ' || *c > '~')
             return false;
     int begin = session->source.prompt_width;
-    /* The last condition excludes a cursor after the last column: terminals differ in whether it is then at
-     * the end of this row or at the beginning of the next. */
+    /* The last condition excludes a cursor beyond the last column, because some terminals put it at the end
+     * of the row, and others at the beginning of the next row. */
     return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
            rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
            !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
@@ -165,8 +165,8 @@ static void hint_show(struct session *session)
 void overlay_show(struct session *session)
 {
     bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    /* If only the first bytes of a key's sequence have been read, the key may be one that accepts the
-     * hint. */
+    /* A key may send several bytes. Until all of them have been read, the hint is kept, because the key may
+     * accept it. */
     if (!RL_ISSTATE(RL_STATE_MULTIKEY))
         *rest = '\0';
     if (!is_plain(session))
@@ -186,8 +186,7 @@ void overlay_remove(void)
 
 /* ---- Keys that accept a hint ---- */
 
-/* Inserts the first `bytes` bytes of the hint that comes from the history. Returns false if no such hint is
- * shown. */
+/* Inserts the first `bytes` bytes of the hint from the history. Returns false if no such hint is shown. */
 static bool rest_accept(size_t bytes)
 {
     if (!*rest || rl_point != rl_end)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt. Readline is used through its callback interface, and pselect waits for a key. Signals are
- * blocked except during this wait and while a command runs, so that no signal is missed. */
+ * blocked, except while pselect waits and while a command runs, so that no signal is missed. */
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
@@ -40,7 +40,7 @@ static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SI
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The earlier lines of a command that a backslash continues on the next line, or NULL. */
+/* The lines typed so far of a command that a backslash continues on the next line, or NULL. */
 static char *unfinished;
 
 static bool is_joined;  /* The running command was typed in several lines. */
@@ -106,8 +106,8 @@ static char *line_whole(struct session *session, char *text)
     return unfinished ? NULL : whole;
 }
 
-/* If the session is about to end with unsaved changes of the row, warns the user and keeps the session open.
- * Does so only once. */
+/* If the session is about to end with unsaved changes to the row, warns the user and keeps the session open.
+ * A second attempt to leave, directly after the warning, succeeds. */
 static void leave_warn(struct session *session)
 {
     if (has_warned || !row_unsaved(&session->state.scene))
@@ -268,8 +268,8 @@ void line_prompt(struct session *session)
     signals_end(&signals);
     if (ended) {
         fflush(session->output->out);
-        /* The terminal is restored, so that the signal may now take its default action and end the
-         * program. */
+        /* The terminal has been restored, so the signal may now take its default action and end the program.
+         * */
         raise(ended);
     }
 }
