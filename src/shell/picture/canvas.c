@@ -13,7 +13,7 @@ static const struct {
     /* the nearest of the 8 basic colours, by its number in escape sequences, or 0 for the default colour of
      * text */
     int of_8;
-    char letter; /* the character with which curves are drawn on a terminal without braille */
+    char letter; /* the character that draws a curve on a terminal without braille */
 } inks[INKS] = {
     [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
     [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
@@ -105,8 +105,8 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille no line is dashed,
- * because each curve is drawn with its own character. */
+/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille, no line is dashed,
+ * because each curve is drawn with a character of its own. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
@@ -231,8 +231,7 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. `now` is the ink that the terminal is using before the cell. Returns the ink that the
- * terminal is using after the cell. */
+/* Writes a cell. `now` is the terminal's ink before the cell. Returns the terminal's ink after the cell. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Pictures made of characters: lines of braille dots or of other characters, text, and shades, in colour if
- * the terminal has colours. A cell shows only what was drawn into it last, except that dots are added to the
- * dots that are already in the cell.
- */
+/* Pictures made of characters: text, shades, and lines of braille dots or of other characters. They are in
+ * colour if the terminal has colours. What is drawn into a cell replaces its content, except that new dots
+ * are added to old dots. */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
 
@@ -29,8 +27,8 @@ int ink_colour(enum ink ink);
 /* Returns the colour for a shade from 0 to 1 in the viridis palette, whose brightness increases steadily. */
 int shade_colour(double shade);
 
-/* Returns a round step for a ruler or an axis: the smallest number of the form 1, 2 or 5 times a power of ten
- * that is not below `least`. */
+/* Returns a round step for a ruler or an axis: the smallest number >= `least` that is 1, 2 or 5 times a power
+ * of ten. */
 double ruler_step(double least);
 
 /* Returns true if the name of the terminal, $TERM, begins with one of the names in this NULL-terminated list.
@@ -77,7 +75,7 @@ void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double 
 /* Writes a short sample of a curve with this ink and dash pattern, for a legend. */
 void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
 
-/* Writes text that starts in a cell. Characters outside the canvas are not drawn. */
+/* Writes text, starting in the given cell. Characters outside the canvas are not drawn. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
 /* Draws two shades in 0 .. 1 into the upper and lower half of a cell. A shade that is NaN is not drawn. */

@@ -88,15 +88,16 @@ void chart_scale(struct chart *c, double x, double y)
 
 /* ---- What the user chooses ---- */
 
-/* Applies the scale and the ends that the user has chosen for an axis. Returns NULL, or a message. */
+/* Applies the scale that the user has chosen for an axis, and checks the range. Returns NULL, or a message.
+ */
 static const char *axis_dress(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
     struct chart_axis *axis = k == 0 ? &c->x : &c->y;
     if (look->scale[k] != CHART_SCALE_USUAL && c->map.value &&
         axis->logarithmic != (look->scale[k] == CHART_LOG))
-        return "the cells of a map are spaced like its grid: write 'log' after the points of the grid, as in "
-               "'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax', instead of xscale or yscale";
+        return "the axes of a map have the scales of its grid; instead of xscale or yscale, write 'log' in "
+               "the grid, as in 'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax'";
     if (look->scale[k] != CHART_SCALE_USUAL)
         axis->logarithmic = look->scale[k] == CHART_LOG;
     if (axis->logarithmic && axis->low <= 0)
@@ -149,7 +150,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* A narrower range is treated as a single value, because the labels of the ticks could not show
+        /* A very narrow range is treated as a single value, because the labels of the ticks could not show
          * it. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
@@ -162,7 +163,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Returns the end of the axis in place of a coordinate that is infinite, or that is 0 on a logarithmic axis.
+/* Replaces a coordinate by an end of the axis if it is infinite, or if it is 0 and the axis is logarithmic.
  * Returns other coordinates unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
@@ -205,8 +206,8 @@ static bool range_choose(struct chart *c, int k)
     return overlaps || !c->map.value;
 }
 
-/* Returns true if a value is between the ends that the user has chosen for an axis, or if the user has chosen
- * none. */
+/* Returns true if a value is infinite, or if it is within the range that the user has chosen for an axis.
+ * Also returns true if the user has chosen no range. */
 static bool is_within(const struct chart *c, int k, double value)
 {
     const struct chart_look *look = &c->look;

@@ -39,7 +39,8 @@ struct chart_axis {
 };
 
 /* The values of a map, one for each cell of a grid, row by row, from the lowest row to the highest. At first
- * the axes end at the centres of the outermost cells; chart_fit moves the ends to the edges. */
+ * the axes end at the centres of the outermost cells. chart_fit moves the ends of the axes to the outer edges
+ * of these cells. */
 struct chart_map {
     double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
     int across, down;
@@ -114,16 +115,16 @@ void chart_scale(struct chart *chart, double x, double y);
 
 /*
  * Makes a chart ready to be drawn. Chooses the ends of each axis where they are given as NaN. Moves points at
- * infinity, and points at 0 on a logarithmic axis, to an end of the axis. Continues a curve of steps at its
- * last y where y is NaN. Removes curves without points, and events outside the x axis. Returns false if
- * nothing is left to show within the axes.
+ * infinity, and points at 0 on a logarithmic axis, to an end of the axis. In a curve of steps, replaces a y
+ * that is NaN by the previous y. Removes curves without points, and events outside the x axis. Returns false
+ * if nothing is left to show within the axes.
  */
 bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Applies what the user has chosen: texts, scales, and ends of the axes. Returns NULL, or a message if the
- * chart cannot be drawn with these choices. */
+/* Applies the texts and the scales that the user has chosen. Returns NULL, or a message if the chart cannot
+ * be drawn with what the user has chosen. */
 const char *chart_dress(struct chart *chart);
 
 /* Returns the sizes of the picture and of its font. A size that the user has not chosen has its usual
@@ -146,11 +147,9 @@ struct ticks {
 /* Chooses the ticks of an axis: about `most`, or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
-/*
- * The position of the name of an event: the position at which the name begins, as a fraction of the x axis,
- * and the row above the chart, counted from 0. Names that would overlap are in different rows. `letter` is
- * the width of a character, as a fraction of the x axis.
- */
+/* Where the name of an event is written: it begins at `from`, a fraction of the x axis, in the row `row`
+ * above the chart, counted from 0. Names that would overlap are in different rows. `letter` is the width of a
+ * character, as a fraction of the x axis. */
 struct event_spot {
     double from;
     int row;

@@ -21,7 +21,8 @@ static int columns_in(double width, double font)
     return columns > 16 ? columns : 16;
 }
 
-/* The width in characters of the line before a title in a legend, including the blanks around this line. */
+/* The width, in characters, of the sample line before a title in the legend, including the blanks around it.
+ */
 #define SAMPLE 9
 
 /* Returns how many characters of a title fit on a line of the legend in a picture of `columns` characters. */
@@ -30,7 +31,7 @@ static int legend_columns(const struct chart *c, int columns)
     return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns - SAMPLE;
 }
 
-/* Returns the number of columns of the legend, which depends on the longest title. */
+/* Returns the number of columns of the legend. Sets *longest to the length of the longest title. */
 static int legend_across(const struct chart *c, int columns, int *longest)
 {
     *longest = 0;
@@ -96,10 +97,8 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/*
- * Breaks a text into lines of roughly equal length, at most `most` characters each, and writes them as the
- * content of a double-quoted gnuplot string. Returns the number of lines.
- */
+/* Breaks a text into lines of roughly equal length, with at most `most` characters each. Writes the lines as
+ * the content of a double-quoted gnuplot string. Returns the number of lines. */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };
@@ -215,11 +214,9 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
     fprintf(out, "END\n");
 }
 
-/*
- * Writes the data of a map and the command that draws the map. If both axes are linear, the map is an image,
- * for which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes, which
- * overlap a little, because the background would shine through between boxes that only touch.
- */
+/* Writes the data of a map and the command that draws the map. If both axes are linear, the map is an image,
+ * for which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes. The boxes
+ * overlap a little, because the background would show between boxes that only touch. */
 static void map_script(const struct chart *c, FILE *out)
 {
     const struct chart_map *m = &c->map;
@@ -254,7 +251,8 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        double width, size; /* the line width, or 0 for the usual one; the point size, or 0 for no points */
+        /* the width of the line, or 0 for the usual width; the size of the points, or 0 for no points */
+        double width, size;
         bool dashed;
     } styles[] = {
         [CHART_LINE] = {"1:2 with lines", .dashed = true},

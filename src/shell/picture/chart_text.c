@@ -37,7 +37,7 @@ static double clamp(double value, double low, double high)
 }
 
 /* Clips a line in one dimension. *from and *to are the ends of the visible part, as fractions of the line.
- * They are moved so that start + fraction * change is in [low, high] for all fractions between them. */
+ * They are moved so that start + f * change is in [low, high] for all f in [*from, *to]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;

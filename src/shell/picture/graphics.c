@@ -104,7 +104,8 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* The font size depends on the size of the stage, or on the lines of text around a chart. */
+    /* The text of a stage scales with the picture. The text of a small chart is smaller, so that there is
+     * room for the curves. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,

@@ -52,7 +52,7 @@ enum {
     DRAWING_LEAST = 190,
     DRAWING_MOST = 400,
     NOTE = 108,     /* the width of the note above a table, in characters */
-    LEAST_LINES = 5 /* the minimum number of lines of a table at the end of a page */
+    LEAST_LINES = 5 /* a table begins on a page only if this many of its lines fit */
 };
 
 struct page {

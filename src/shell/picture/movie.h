@@ -23,9 +23,9 @@ struct movie {
  * reports a problem and returns false. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation whose frames are `delay` hundredths of a second apart. All frames have the size of the
- * picture of `stage`, whose caption must have as many lines as the captions of the frames. On failure, sets
- * *problem and returns false. */
+/* Begins an animation whose frames are `delay` hundredths of a second apart. `stage` determines the size of
+ * all frames, so its caption must have as many lines as the captions of the frames. On failure, sets *problem
+ * and returns false. */
 bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

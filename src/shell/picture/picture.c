@@ -52,7 +52,7 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
      * and its parent, which stops only after the command, would wait for it forever.
      */
     setpgid(0, 0);
-    /* The program must end when its parent ends, which may already have happened. */
+    /* The program must end when its parent ends. The parent may already have ended. */
     system_end_with_parent();
     if (getppid() != parent)
         _exit(127);
@@ -131,10 +131,8 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
     return true;
 }
 
-/*
- * Returns an error number if the end of the drawing was lost because the disk is full, and 0 otherwise.
- * Since gnuplot does not report this error, tests whether the disk has room for another block.
- */
+/* Returns an error number if the end of the drawing was lost because the disk is full, and 0 otherwise.
+ * gnuplot does not report this error, so the function tests whether the disk has room for another block. */
 static int drawing_error(FILE *drawing, long size)
 {
     int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
@@ -143,13 +141,12 @@ static int drawing_error(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /* gnuplot reads "-" byte by byte, but a file with a name in blocks. */
+    /* gnuplot would read a script named "-" byte by byte. It reads /dev/stdin in blocks. */
     char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
-    /* Before gnuplot reads the script, it tries the terminal type in the environment, and exits if this
-     * fails. */
+    /* gnuplot first tries the terminal type in GNUTERM, and exits if it cannot use this type. */
     setenv("GNUTERM", "unknown", 1);
     if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))
         return false;

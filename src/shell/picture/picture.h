@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs gnuplot, which draws pictures from scripts, and other programs that help with pictures. */
+/* Runs gnuplot and other programs that make pictures. */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
 
@@ -28,7 +28,7 @@ bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 /* Returns true if a program with this name is in one of the directories in PATH. */
 bool program_exists(const char *name);
 
-/* Opens a temporary file, which vanishes when it is closed. On failure, sets *problem and returns NULL. */
+/* Opens a temporary file, which is deleted when it is closed. On failure, sets *problem and returns NULL. */
 FILE *temporary_open(struct problem *problem);
 
 /* Runs a program with `in` as standard input and `out` as standard output. If the program fails, the message

@@ -93,8 +93,8 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
 /* Writes the gnuplot terminal setting for a chart. The extension of `path` selects the terminal. The font
- * 'sans' exists even on a minimal Debian system. In svg and png it is large enough to be read on a telephone,
- * which shrinks the picture. */
+ * 'sans' exists even on a minimal Debian system. In svg and png, the font is large enough to be read on a
+ * phone, which shrinks the picture. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look *chosen = &chart->look;

@@ -26,7 +26,7 @@ struct ending {
     const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
     enum ending_kind kind;
     const struct format *format; /* for ENDING_DATA: the format of the answer */
-    bool is_document;            /* for ENDING_SHEET: the file can be a text with formulas */
+    bool is_document;            /* for ENDING_SHEET: the file can be a document with formulas */
     bool is_script;              /* the script of the picture is written instead of the picture */
     const char *terminal;        /* the name of the gnuplot terminal that draws the picture, or NULL */
 };

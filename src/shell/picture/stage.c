@@ -6,7 +6,7 @@
 
 /* the maximum number of dominoes of a train, and extra room for the caller */
 enum { DOMINOES = 200, MORE = 32 };
-/* a domino that is smaller than this, relative to the head, would be a dot */
+/* the smallest domino that is drawn, relative to the head; a smaller one would be a dot */
 #define SMALLEST 0.01
 #define WIDEST   2.4 /* the width of a picture relative to its height; dominoes farther back are not drawn */
 /* the height of a picture relative to the head; if the next domino is taller, it is cut off */
@@ -35,7 +35,8 @@ void drawn_stand(struct drawn *k)
 enum { SILHOUETTE = 8 };
 typedef struct point silhouette[SILHOUETTE];
 
-/* Returns the silhouette of a tower with two square storeys and a lantern, or of a person. */
+/* Returns the silhouette of a tower with two square storeys and a lantern, or of a person. Returns NULL for a
+ * domino. */
 static const struct point *silhouette_of(const struct drawn *k)
 {
     static const silhouette tower = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},

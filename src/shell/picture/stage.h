@@ -27,8 +27,8 @@ struct point {
 enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
 /* Special values of drawn.number. NUMBER_NEXT is the domino in front of the head of a train, and NUMBER_NONE
- * is a domino without a label. NUMBER_TOWER and NUMBER_PERSON draw the silhouette of a tower or of a person,
- * with the height of the domino, instead of a domino. */
+ * is a domino without a label. NUMBER_TOWER and NUMBER_PERSON stand for a silhouette of a tower or a person,
+ * which is drawn instead of the domino. */
 enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4 };
 
 /* A domino on a stage. */
@@ -87,11 +87,12 @@ void drawn_stand(struct drawn *domino);
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
 /* Returns true if the shape of a domino covers a point. `up` is the height of the point as a fraction of the
- * domino's height, and `back` is its distance from the front as a fraction of the width. Silhouettes cover
- * only a part of their rectangle, and all other dominoes the whole rectangle. */
+ * domino's height. `back` is its distance from the front as a fraction of the thickness. A domino covers its
+ * whole rectangle, and a silhouette only a part of it. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
-/* Writes the text below a domino: its number, "next", "tower" or nothing. Returns the length of the text. */
+/* Writes the text below a domino: its number, "next", "tower", "person" or nothing. Returns the length of the
+ * text. */
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 
@@ -109,10 +110,10 @@ static inline bool drawn_marked(const struct drawn *domino)
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
 /*
- * Makes a stage with the train at one tilt, 0 <= theta <= theta_c: the next domino in front, the head, and
- * the followers as far as `behind` times the head's height behind the head. If `behind` is 0, as many
- * followers are drawn as fit into a picture. The stage has room for 30 more dominoes. The caller frees the
- * stage, even after an error.
+ * Makes a stage that shows the train at the tilt `theta`, where 0 <= theta <= theta_c: the next domino in
+ * front, the head, and the followers. The picture extends to `behind` times the head's height behind the
+ * head. If `behind` is 0, it shows as many followers as fit. The stage has room for 30 more dominoes. The
+ * caller frees the stage, even after an error.
  */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct domq_compute *compute, domq_real theta, double behind);
@@ -161,11 +162,9 @@ void sheet_follow(struct sheet *sheet, double at, double tall);
 /* Writes the gnuplot terminal setting for a file with this extension. */
 void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
 
-/*
- * Draws a dot of each colour into a corner and covers the dots with white, because a gif has only the colours
- * of its first frame. gnuplot omits a frame that is equal to the previous one. To avoid this, pass 0 and 1
- * alternately as `shift`: 1 makes the white slightly darker.
- */
+/* A gif has only the colours of its first frame, so this function draws a dot of each colour into a corner,
+ * and covers the dots with white. gnuplot omits a frame that is equal to the previous one. To avoid this,
+ * pass 0 and 1 alternately as `shift`: 1 makes the white slightly darker. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */

@@ -196,8 +196,8 @@ static struct measured height_of(const struct stage *stage, size_t k)
     return measured(stage->row[k].height, "m", 3);
 }
 
-/* Writes the text of the label with the height of a domino. For a marked domino, the label also says why the
- * domino is marked. Returns false if the neighbouring dominoes leave no room for the label. */
+/* Writes the label that shows the height of a domino and, for a marked domino, why it is marked. Returns
+ * false if the neighbouring dominoes leave no room for the label. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -240,7 +240,7 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* Writes the size of the gap before a domino into the gap if it is wide enough, rotated by 90 degrees if
+/* If the gap before a domino is wide enough, writes the size of the gap into it, rotated by 90 degrees if
  * necessary. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
@@ -278,10 +278,8 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
     }
 }
 
-/*
- * Writes numbers, heights and gaps where there is room: first those of marked dominoes, then those of other
- * dominoes from the front, where a growing row has its largest dominoes, and then the gaps.
- */
+/* Writes numbers, heights and gaps where there is room. Marked dominoes come first. Then come the other
+ * dominoes from the front, where a growing row has its largest dominoes. The gaps come last. */
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
     struct labels l = {.script = script, .sheet = v};
@@ -314,8 +312,8 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push on the back of a domino as an arrow perpendicular to the back, with its number at the tail.
- */
+/* Draws the push on the back of a domino as an arrow perpendicular to the back, with the size of the push at
+ * the tail. */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,

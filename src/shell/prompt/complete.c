@@ -29,7 +29,7 @@ static bool accepted(const struct completion *c, const char *word)
 
 /* If `name` begins with the typed letters, completes the last word with `name`, appends `more`, and emits the
  * result. If `is_checked` is true, the parser must accept the result, alone or as the first value of a list.
- * */
+ */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];

@@ -269,7 +269,7 @@ void line_prompt(struct session *session)
     if (ended) {
         fflush(session->output->out);
         /* The terminal has been restored, so the signal may now take its default action and end the program.
-         * */
+         */
         raise(ended);
     }
 }
