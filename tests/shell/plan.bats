@@ -81,3 +81,12 @@ END
     same 'a changed width' '0.5 0.416667 0.5 0.5 ' "$(proportions 'effect row 4; change 2 width 30 mm')"
     same boxes '0.5 0.5 0.5 0.5 ' "$(proportions 'set q hollow; effect row 4; effect walls 2 mm 10 cm')"
 }
+
+@test "plan: a guide for dominoes that lean says how far their tops are off plumb" {
+    leans='set r 1.2; effect row 3; change 2 lean -2 mm; change 3 lean 1 mm'
+    same csv 'lean 0 -0.002 0.001' "$("$DOMINO" -e "set output csv; $leans; plan" | tail -n 4 | cut -d, -f14 | paste -sd ' ' -)"
+    "$DOMINO" -e "$leans; plan > lean.txt; plan > lean.svg"
+    same text 'lean 0.0 -2.0 1.0' "$(sed -n '/^For the hall/,/^$/p' lean.txt | awk 'NR > 2 && NF { print $NF }' | paste -sd ' ' -)"
+    grep -q '>-2.0<' lean.svg
+    run ! grep -q lean <<<"$("$DOMINO" -e 'effect row 3; plan')"
+}

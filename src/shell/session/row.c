@@ -165,7 +165,7 @@ domq_real scene_row_measure(const struct scene *scene, const struct scene_row *r
                             enum row_measure measure)
 {
     struct measured_domino d = {row->domino[k], row->width[k]};
-    return measure == MEASURE_LEAN                             ? d.domino.height * quad(sin)(d.domino.lean)
+    return measure == MEASURE_LEAN                             ? lean_offset(&d.domino)
            : measure == MEASURE_RADIUS && d.domino.radius == 0 ? scene->train.rho * d.domino.height
                                                                : *row_measure_at(&d, measure);
 }

@@ -167,6 +167,11 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     return problem_no_answer(problem, "%s", dom_status_text(status));
 }
 
+domq_real lean_offset(const struct domq_domino *domino)
+{
+    return domino->height * quad(sin)(domino->lean);
+}
+
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE])
 {
     domq_real lean[2], limit;
@@ -177,7 +182,7 @@ bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message
     snprintf(
         message, LEAN_MESSAGE,
         "with its top %s off plumb this domino falls over by itself; the most this domino can lean%s is %s",
-        measured(domino->height * quad(sin)(domino->lean), "m", 4).text, alpha != 0 ? " on this slope" : "",
+        measured(lean_offset(domino), "m", 4).text, alpha != 0 ? " on this slope" : "",
         measured(domino->height * quad(sin)(limit), "m", 4).text);
     return false;
 }

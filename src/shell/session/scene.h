@@ -128,6 +128,9 @@ domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_rea
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
 domq_real scene_mass(const struct scene *scene);
 
+/* Returns how far the top of a domino is off plumb in m. The result is negative if it leans backwards. */
+domq_real lean_offset(const struct domq_domino *domino);
+
 /* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
  * radians. Otherwise returns false, and writes a message about how far the domino can lean. */
 enum { LEAN_MESSAGE = 400 };

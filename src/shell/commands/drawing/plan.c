@@ -24,6 +24,7 @@ const struct column plan_columns[] = {
     {"thickness_high", "m", "the largest such thickness", 0},
     {"width", "m",
      "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
+    {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -182,7 +183,7 @@ static void plan_rows(const struct plan *p, struct answer *a)
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
                      cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
                      cell_real(thickness->low), cell_real(thickness->high), cell_real(scene->width[k]),
-                     cell_real(d->mass));
+                     cell_real(lean_offset(d)), cell_real(d->mass));
     }
 }
 
@@ -200,6 +201,8 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         return false;
     if (!has_masses)
         answer_leave_out(a, "mass");
+    if (!plan_has_leans(&p))
+        answer_leave_out(a, "lean");
     p.guide.title = title ? *title : NULL;
     p.guide.stage = &p.row.stage;
     caption_write(&p);

@@ -42,15 +42,27 @@ static struct guide_table *table_add(struct plan *p, const char *title, const ch
     return table->line ? table : NULL;
 }
 
+#define TAPE                                                                                                 \
+    "In mm, on a tape whose zero is at the back of domino 1. All dominoes fall if the back of a single "     \
+    "domino is between 'least' and 'most', and nothing else changes."
+
+bool plan_has_leans(const struct plan *p)
+{
+    bool has_leans = false;
+    for (size_t k = 0; k < p->row.run.scene.row.count; k++)
+        has_leans = has_leans || p->row.run.scene.domino[k].lean != 0;
+    return has_leans;
+}
+
 bool plan_tape_table(struct plan *p)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    struct guide_table *table =
-        table_add(p, "For the hall: where the dominoes stand",
-                  "In mm, on a tape whose zero is at the back of domino 1. All dominoes fall if the back of "
-                  "a single domino is between 'least' and 'most', and nothing else changes.",
-                  scene->row.count);
-    static const char *const head[] = {"domino", "back", "least", "most", "front", "gap"};
+    const bool has_leans = plan_has_leans(p);
+    struct guide_table *table = table_add(
+        p, "For the hall: where the dominoes stand",
+        has_leans ? TAPE " 'lean' is how far the top is off plumb; a negative lean is backwards." : TAPE,
+        scene->row.count);
+    const char *const head[] = {"domino", "back", "least", "most", "front", "gap", has_leans ? "lean" : NULL};
     if (!table)
         return false;
     memcpy(table->head, head, sizeof head);
@@ -61,6 +73,8 @@ bool plan_tape_table(struct plan *p)
         mm(line->cell[4], (domq_real)p->back[k] + scene->domino[k].thickness, 0);
         if (k > 0)
             mm(line->cell[5], scene->domino[k].gap, 0);
+        if (has_leans)
+            mm(line->cell[6], lean_offset(&scene->domino[k]), 0);
     }
     return true;
 }

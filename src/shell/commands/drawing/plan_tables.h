@@ -21,6 +21,9 @@ struct plan {
 /* Returns the window of domino k, counted from 0, for its place, height or thickness. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
+/* Returns true if a domino of the row leans. */
+bool plan_has_leans(const struct plan *plan);
+
 /* Each of these functions adds a table to the guide of a plan, and returns false if memory runs out. */
 bool plan_tape_table(struct plan *plan);
 bool plan_size_table(struct plan *plan, bool has_masses);

@@ -52,7 +52,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
                 cell_count((domq_real)k + 1), cell_real(d->height),
                 cell_real(d->thickness),      cell_real(d->gap),
                 cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
-                cell_real(d->radius),         cell_real(d->height * quad(sin)(d->lean)),
+                cell_real(d->radius),         cell_real(lean_offset(d)),
                 cell_real(scene.width[k])};
             for (int i = 1; i < 9 && !writes; i++)
                 answer_largest(a, row_columns[i].key, cells[i].number);
