@@ -10,8 +10,8 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* Calls X(name) for each function that is looked up in the library. The library's getters are not among
- * these, since members are read directly from its structs. */
+/* Calls X(name) for each function that is looked up in the library. Getters are not looked up, since members
+ * are read directly from the library's structs. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Ends the iterations of the engine's solver once they have converged. Chipmunk makes a fixed number of
- * iterations in each step. In each iteration it calls a function of every constraint, and it reads the number
- * of iterations again. Therefore a constraint is added that applies no impulse, but observes how much the
- * velocities of the boxes still change, and ends the loop by lowering the number of iterations.
+ * Ends the iterations of the engine's solver when they have converged. Chipmunk makes a fixed number of
+ * iterations in each step. But in each iteration it calls a function of every constraint, and reads the
+ * number of iterations again. So a constraint is added that applies no impulse. It observes how much the
+ * velocities of the boxes change, and ends the loop by lowering the number of iterations.
  */
 #include "world.h"
 #include <math.h>
@@ -27,9 +27,11 @@ static double motion_change(const struct motion *a, const struct motion *b)
     return fmax(fmax(fabs(a->v.x - b->v.x), fabs(a->v.y - b->v.y)), fabs(a->turns - b->turns));
 }
 
-/* Called in each iteration. Estimates how much all further iterations together would still change the
- * velocities, supposing that the changes form a geometric series. Ends the loop if this is only a small
- * fraction of the change of the velocities in the whole step. */
+/*
+ * Called in each iteration. Estimates how much all further iterations together would change the velocities,
+ * supposing that the changes form a geometric series. Ends the loop if this is a small fraction of the change
+ * of the velocities in the whole step.
+ */
 static void each(cpConstraint *watch, double dt)
 {
     struct world *w = watch->userData;

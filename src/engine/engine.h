@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A row of boxes in a rigid-body engine. The code in this folder has no equations specific to dominoes. Boxes
- * with a size, a mass and a moment of inertia stand on hinges, or on a floor with friction; they collide, and
- * gravity pulls them.
- */
+/* A row of boxes in a rigid-body engine. Boxes with a size, a mass and a moment of inertia stand on hinges,
+ * or on a floor with friction. They collide, and gravity pulls them. Nothing here is specific to dominoes. */
 #ifndef ENGINE_H
 #define ENGINE_H
 
@@ -29,8 +26,8 @@ struct engine_row {
     double slope;  /* angle by which the floor descends in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
-    /* Friction coefficient of the floor; if it is infinite, each foot is a hinge or, if its edges are
-     * rounded, rolls. */
+    /* Friction coefficient of the floor. If it is infinite, feet with sharp edges turn on hinges, and feet
+     * with rounded edges roll. */
     double feet;
     double radius; /* radius of rounded edges, relative to the height */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
@@ -55,37 +52,39 @@ struct engine_grain {
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box that is
+    /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a box that is
      * released instead of hit. */
     double time;
-    /* Time at which the box hits the next one, or comes to rest on the floor; NaN if the box does neither, or
+    /* Time at which the box hits the next one, or comes to rest on the floor. NaN if the box does neither, or
      * was released instead of hit. */
     double until;
-    double omega;   /* angular velocity just after the hit; 0 if the box has hardly moved */
-    double kinetic; /* kinetic energy of all boxes just after the hit */
-    /* Distance that the foot has slid by the end of the run; negative if it has slid backwards. */
+    double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
+    double kinetic; /* kinetic energy of all boxes after the hit */
+    /* Distance that the foot slides until the end of the run; negative if it slides backwards. */
     double slid;
 };
 
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* True if the first box, tipped over its edge, would already touch the second. The row is not run in this
-     * case. */
+    /* True if the first box touches the second while it is being tipped over its edge. The row is not run in
+     * this case. */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
-    double zero;    /* time from the start of the run to the zero point of all other times */
+    double zero;    /* zero point of all other times, measured from the start of the run */
     /* The deepest penetration of one box into another, relative to the height of the rear box. */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
     /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the second
      * of these hits. */
     double gain;
-    /* How much the foremost boxes slowed down. The angular velocity of the foremost box is divided by the
-     * largest one that this box has had since it was hit, and this is the smallest of these ratios. A row
-     * that almost stops has a small ratio. The ratio is 0 if the foremost box had a contact that was not
-     * between the tip of one box and the back face of the next. */
+    /*
+     * How much the foremost box slowed down: the smallest ratio of its angular velocity to the largest
+     * angular velocity that it had after it was hit. The ratio is small if the row almost stops. It is 0 if
+     * the foremost box had any contact other than that between the tip of one box and the back face of the
+     * next.
+     */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
      * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */
@@ -146,7 +145,8 @@ struct engine_settled {
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
-/* The resolution with which engine_settle starts. It is also good enough for a rough answer. */
+/* The resolution with which engine_settle starts if times are requested. It is good enough for a rough
+ * answer. */
 extern const struct engine_grain engine_coarsest;
 
 /*

@@ -14,17 +14,17 @@
  * the hit they stay short for a while: the engine starts each step from the impulses of the step before,
  * scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
  */
-/* Rate at which the drift of a hinge is made to decay, in 1 / sqrt(height / g) of the foremost box. */
+/* Rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box. */
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
-/* A box counts as stopped once it has rested for this time, in sqrt(height / g). */
+/* A box counts as stopped after it has rested for this time, in sqrt(height / g). */
 static const double hinged_rest = 0.1, any_rest = 3;
 /* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need only a
- * twentieth of these. */
+ * twentieth of this number. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
@@ -73,8 +73,8 @@ static double time_to_hit(const struct world *w)
 /* Records how far hinges have drifted, and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
-    const double left =
-        exp(-hinge_rate / unit); /* the fraction of a drift that remains after one unit of time */
+    /* the fraction of a drift that remains after one unit of time */
+    const double left = exp(-hinge_rate / unit);
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
         const double drift = cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height;
@@ -131,9 +131,11 @@ static double to_balance(const struct world *w, size_t k)
     return atan2(cpvcross(arm, gravity), -cpvdot(arm, gravity));
 }
 
-/* Returns true once the head lies on the floor, or has rested for so long that it has stopped for good. If
- * `verdict_only` is true, also returns true when the last box is past its balance point and still
- * accelerates, since the verdict is then certain. */
+/*
+ * Returns true if the head lies on the floor, or if it has rested for so long that it has stopped for good.
+ * If `verdict_only` is true, also returns true if the last box is past its balance point and accelerates,
+ * because the verdict is then certain.
+ */
 static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;

@@ -21,15 +21,16 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
 }
 
 /*
- * Returns true if the verdict of the first run is certain: either all boxes fall, and none has slowed down to
- * less than half of its largest angular velocity, or the foremost box has stopped far from its balance.
+ * Returns true if the verdict of the first run is certain. If all boxes fall, none of them may have slowed
+ * down to half of its largest angular velocity. If not all fall, the foremost box must have stopped far from
+ * its balance.
  *
  * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges, which
  * were run again with finer steps. Whenever all boxes fell and none slowed down to less than 0.41 times its
- * largest angular velocity, all boxes fell with finer steps, too. In 1,400 rows the foremost box stopped
+ * largest angular velocity, all boxes also fell with finer steps. In 1,400 rows the foremost box stopped
  * after less than a quarter of the way to its balance; only one of these rows fell with finer steps. On
  * hinges a stop is never certain: the run ends soon after the foremost box has turned back, although the box
- * behind it may still push it over.
+ * behind it may push it over later.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {

@@ -8,7 +8,7 @@
 static const double parallel = 0.999;
 /* Friction coefficient of a floor on which rounded feet roll without slipping. */
 static const double rough = 1000;
-/* Angle in rad by which a released box starts beyond the tilt at which it balances on its edge. */
+/* A released box starts this far, in rad, beyond the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
 
 /* The engine measures angles anticlockwise, from x to y, whereas boxes fall clockwise, towards positive x. */

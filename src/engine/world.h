@@ -6,7 +6,7 @@
 #include "chipmunk.h"
 #include "engine.h"
 
-/* The number of boxes, counted back from the head, whose penetration and drift are recorded. */
+/* Penetration and drift are recorded for this many boxes, counted back from the head. */
 enum { FOREMOST = 4 };
 
 /* The velocity of the centre of a box, and the speed of its upper and lower ends relative to the centre. */
@@ -43,16 +43,19 @@ struct world {
     double change;             /* the largest change of a velocity in the last iteration */
 };
 
-/* Creates a world with the first box, which is pushed or tips over. world_free frees the world and must be
- * called after an error, too. */
+/* Creates a world with the first box, which is pushed or tips over. Call world_free afterwards, even after an
+ * error. */
 enum engine_status world_make(struct world *world);
 void world_free(struct world *world);
 
 /* Adds the next box in its upright position. */
 void world_stand(struct world *world);
 
-/* These functions make the solver iterate in each step until its impulses have converged. converge_begin is
- * called once there is a box, converge_step before each step, and converge_end before the boxes are freed. */
+/*
+ * These functions make the solver iterate in each step until its impulses have converged. Call converge_begin
+ * after the first box has been added, converge_step before each step, and converge_end before the boxes are
+ * freed.
+ */
 void converge_begin(struct world *world);
 void converge_step(struct world *world);
 void converge_end(struct world *world);

@@ -186,7 +186,7 @@ static void run_sources(int argc, char **argv, struct session *session)
             run_file(session, optarg);
     }
     for (; !is_over(session) && optind < argc; optind++)
-        run_file(session, argv[optind]); /* the arguments after "--" are files, too */
+        run_file(session, argv[optind]); /* the arguments after "--" are also files */
 }
 
 /* Runs the start-up file. This happens only at the prompt, so that scripts do not depend on the file. */
@@ -238,8 +238,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* With these signals ignored, a pipe without a reader and an exceeded file size limit become errors of
-     * write(2), which are reported. */
+    /* SIGPIPE and SIGXFSZ are ignored. A pipe without a reader, or a file that exceeds its size limit, then
+     * becomes an error of write(2), which is reported. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
@@ -257,8 +257,8 @@ int main(int argc, char **argv)
         run_sources(argc, argv, &session);
     } else if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
-        session.errors =
-            0; /* errors at a prompt do not affect the exit status, because the user has already seen them */
+        /* The user has already seen the errors at a prompt, so they do not affect the exit status. */
+        session.errors = 0;
     } else if (!is_over(&session))
         run_file(&session, "-");
     session_close(&session);

@@ -7,13 +7,13 @@
  *
  * Monotonicity. If a domino has the tilt theta, its follower has the tilt theta_1(theta, r) = theta + asin X,
  * where X = r (L cos theta - d). theta_1 increases with theta up to min(theta_leave, theta_inf). At larger
- * theta the follower has detached, and keeps its tilt. So the tilt of the follower is F(theta, r) = max of
- * theta_1(t, r) over all t <= theta. F increases with theta, as every running maximum does. F also increases
- * with r, because theta_1(t, r) does for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(...
- * theta)) increases with both theta and r.
+ * theta the follower has detached, and keeps its tilt. So the tilt of the follower is F(theta, r), the
+ * maximum of theta_1(t, r) over all t <= theta. F increases with theta, as every running maximum does. F also
+ * increases with r, because theta_1(t, r) does for every t <= theta_inf, where X >= 0. Therefore theta_i =
+ * F(F(... theta)) increases with both theta and r.
  *
- * A box is the set of all tilts and growths in two intervals. For every chain in the box, the chain at its
- * lower corner is a lower bound, and the chain at its upper corner is an upper bound.
+ * A box consists of an interval of tilts and an interval of growths. Every chain in a box lies between the
+ * chain at the lower corner of the box and the chain at its upper corner.
  */
 #ifndef DOM_PROOF_CHAIN_H
 #define DOM_PROOF_CHAIN_H

@@ -30,7 +30,7 @@ struct proof {
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
-/* Returns true after an interrupt. It must be called often enough: one pass along a long train takes a few
+/* Returns true after an interrupt. Call this function often, since one pass along a long train takes a few
  * milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
@@ -38,9 +38,11 @@ bool proof_interrupted(const struct proof *proof);
  * tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
-/* Tries to prove that the train keeps falling at all growths from *done to r_high, in strips (intervals of
- * growths) that are not narrower than `finest`, from the lowest strip upwards. *done is set to the largest
- * growth up to which the proof succeeded. If a strip fails, *stop is set to its upper end. */
+/*
+ * Tries to prove that the train keeps falling at all growths from *done to r_high. Goes upwards in strips
+ * (intervals of growths) that are at least `finest` wide. *done is set to the largest growth up to which the
+ * proof succeeded. If a strip fails, *stop is set to its upper end.
+ */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
 /* Tries to prove that the train stops at every growth from r_low to r_high, because it has too little kinetic

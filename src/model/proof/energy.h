@@ -9,7 +9,7 @@
 
 enum { LINKS_MOST = 20000 };
 
-/* Domino i of the train while the head is upright; theta_i0 is its tilt. */
+/* Domino i while the head of the train is upright; theta_i0 is the tilt of domino i. */
 struct link {
     struct span g;      /* h(theta_i0) - 1 */
     struct span slide;  /* dh(theta_i0)/dr */
@@ -22,9 +22,9 @@ struct upright {
     struct growth growth;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
     int n;             /* sums run over dominoes 0 ... n - 1; bounds on the remainders are added */
-    /* true if all dominoes from n on stay at theta_f during the cycle; remainders are then 0 */
+    /* true if domino n and all later ones stay at theta_f during the cycle; remainders are then 0 */
     bool exact_end;
-    double g_last; /* lower bound on h - 1 for all dominoes from n on */
+    double g_last; /* lower bound on h - 1 for domino n and all later ones */
     /* upper bound on the sum of (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)) over i >= n */
     double drop_rest;
     double slide_rest;                 /* upper bound on the sum of -r^(-q i) dh(theta_i0)/dr over i >= n */

@@ -10,8 +10,8 @@
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth at which the margin is 0, between `low`, a growth at which the train keeps falling,
- * and `high`, a growth at which it stops. */
+/* Estimates the growth at which the margin is 0. The train keeps falling at the growth `low`, and stops at
+ * the growth `high`. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -84,9 +84,10 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Estimates the root between *done and `high`, and tries to prove that the train keeps falling at all growths
- * up to just below the root, and stops just above it. Returns false if this fails; limit->outcome is the
- * reason. If the reason is OUTCOME_REFUTED, the train stops at a smaller growth, which is stored in *stop.
+ * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling at
+ * all growths up to a number slightly below the root, and that it stops at a number slightly above the root.
+ * Returns false if a proof fails; limit->outcome is the reason. If the reason is OUTCOME_REFUTED, the train
+ * stops at a smaller growth, which is stored in *stop.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

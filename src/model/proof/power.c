@@ -39,7 +39,7 @@ static struct span log_of(double x)
 {
     int n;
     double m = 2 * frexp(x, &n);                                                 /* exact */
-    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is exact, too */
+    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is also exact */
     return span_add(span_times(span_of(n - 1), log_2()), twice_atanh(t));
 }
 

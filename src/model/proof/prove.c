@@ -240,8 +240,8 @@ enum { POWERS_MOST = 100000 };
 
 /*
  * Only bounds on first * r^n are known. If `surely` is true, returns the smallest n for which first * r^n is
- * certainly at least `height`; otherwise the smallest n for which it may be. Returns INFINITY if no such n is
- * below POWERS_MOST.
+ * certainly at least `height`. Otherwise returns the smallest n for which first * r^n may be at least
+ * `height`. Returns INFINITY if no such n is below POWERS_MOST.
  */
 static double count_until(struct span first, double r, double height, bool surely)
 {

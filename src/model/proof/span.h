@@ -18,7 +18,7 @@
 #include <stdbool.h>
 
 #ifdef __FAST_MATH__
-#error "A proof needs every rounding step exactly as it is written: compile without -ffast-math."
+#error "A proof depends on the rounding of every operation: compile without -ffast-math."
 #endif
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
@@ -46,8 +46,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* If a number is known to be >= 0, least_0 raises a negative lower bound on it to 0. If a number is known to
- * be <= 1, most_1 reduces a larger upper bound on it to 1. NaN becomes 0 or 1. */
+/* For a number that is known to be >= 0, least_0 raises a negative lower bound to 0. For a number that is
+ * known to be <= 1, most_1 lowers a larger upper bound to 1. NaN becomes 0 in least_0, and 1 in most_1. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;

@@ -17,8 +17,8 @@ static struct span least_zero(struct span a)
     return (struct span){least_0(a.lo), a.hi};
 }
 
-/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r. The tilt theta_i changes with r,
- * too: dtheta_i/dr = shift. */
+/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r. It takes into account that the tilt
+ * theta_i also changes with r: dtheta_i/dr = shift. */
 static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
                              struct span shift)
 {
@@ -117,9 +117,11 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
     u->kinetic_by_r = span_over(span_sub(w->fuel_by_r, span_mul(u->kinetic, E_by_r)), E);
 }
 
-/* Finds K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1 just tips over its
- * edge, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f = r k^2/(1 + k) of this
- * energy, with k = r^-(q+1) and df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)). */
+/*
+ * Finds K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1 tips over its edge
+ * from rest, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f = r k^2/(1 + k) of
+ * this energy, with k = r^-(q+1) and df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
+ */
 static void kinetic_of_pair(struct upright *u, struct span hit)
 {
     const struct growth *g = &u->growth;
@@ -206,10 +208,12 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         }
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
-        /* Stop when the tilts hardly grow any more from domino to domino, since further dominoes would not
-         * make the remainder smaller. In a narrow interval of growths this test must be strict enough to stop
-         * only chains whose growth is lost in rounding: if equal dominoes stand close together, their tilts
-         * approach the limit slowly. */
+        /*
+         * Stop when the tilts hardly grow any more from domino to domino, since further dominoes would not
+         * make the remainder smaller. If equal dominoes stand close together, their tilts approach the limit
+         * slowly. So in a narrow interval of growths, this test must only stop chains in which the increase
+         * of the tilts is lost in rounding.
+         */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
         if (!shape->pair && w.domino.v.lo > shape->v_top.hi &&

@@ -89,9 +89,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /*
- * Finds the inertia J of all moving dominoes after the collision with head k. If the contacts have no closed
- * form, summing along the chain is expensive, so J is computed from the inertia ratio of the collision. This
- * is impossible with friction, which changes the ratio.
+ * Finds the inertia J of all moving dominoes after head k has been hit. If the contacts have no closed form,
+ * summing along the chain is expensive, so J is computed from the inertia ratio of the collision. This is
+ * impossible with friction, which changes the ratio.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
