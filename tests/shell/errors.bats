@@ -81,7 +81,7 @@ END
     all_wrong <<'END'
 7|set s 1e5000|^set: s.*too large
 8|set s -1e5000|^set: s.*too large
-7|set s 1e-5000|^set: s.*too small
+7|set s 1e-5000|^set: s.*too close to 0
 13|set h 1e4900/1e-90|^set: h.*not a finite number
 8|set s 1/0|^set: s.*division by zero
 9|set s 1 / (2 - 2)|^set: s.*division by zero

@@ -214,7 +214,7 @@ END
 9|print 10^5000|^print:.*finite
 11|print (-8)^0.5|^print:.*finite
 7|print 1e5000|^print:.*too large
-11|print 1 + 1e-5000|^print:.*too small
+11|print 1 + 1e-5000|^print:.*too close to 0
 7|print sin()|^print:.*sin takes 1 value
 7|print sin(1,2)|^print:.*sin takes 1 value
 7|print atan2(1)|^print:.*atan2 takes 2 values
@@ -319,7 +319,7 @@ END
     for line in 'r == 2' '2 < 1 or 3 < 2' 'not 2' '(1 > 2 and 1/0)' 'if(1 < 2, 0, 1)' '0 and 1/0'; do
         same "$line" 0 "$("$DOMINO" -n -e "$line")"
     done
-    wrong 'print 1 < 2 < 3' "join several by 'and'"
+    wrong 'print 1 < 2 < 3' "join comparisons with 'and'"
     wrong 'print 1 m < 2' 'a length and a plain number cannot be compared'
     wrong 'if(1 m, 1, 0)' 'a length is not a condition'
     wrong 'if(1, 2)' "'if' takes a condition and two values"

@@ -138,11 +138,11 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     [[ $(screen) == 'The first five minutes'* ]]
     [ "$(screen | wc -l)" -eq 24 ]
     sleep 1.5 # long enough for a progress sign, which comes after a second
-    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    see_last '-- more -- (Enter: next page; q and Enter: end)'
     press Enter
     see '^  goto PLACE '
     hides 'The first five minutes'
-    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    see_last '-- more -- (Enter: next page; q and Enter: end)'
     press C-c
     see_last "$prompt"
     ask 'print 6*7'
@@ -150,7 +150,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     modes | diff "$BATS_TEST_TMPDIR/before" -
     type_in 'help; print 8*8'
     press Enter
-    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    see_last '-- more -- (Enter: next page; q and Enter: end)'
     press q Enter
     see '^64$'
     see_last "$prompt"
@@ -160,7 +160,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     press Enter
     type_in help
     press Enter
-    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    see_last '-- more -- (Enter: next page; q and Enter: end)'
     press Enter
     see "'apropos WORD' finds one\\."
     see_last "$prompt"

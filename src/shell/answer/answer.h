@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A command names the columns of its answer and then passes the rows, which consist of cells. A format writes
- * each row at once, so a long curve appears while it is computed. Sentences are written only for people, and
- * not for programs. */
+ * each row immediately, so a long curve appears while it is computed. Sentences are written only for people,
+ * and not for programs. */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -30,7 +30,7 @@ struct layout {
     bool letters;     /* the terminal can show Greek letters */
     bool bold;        /* the terminal has colours */
     int width;        /* the width of the terminal in columns, or 0 if there is no terminal */
-    /* bit i is set if column i has error bounds, which csv and json write as another column */
+    /* bit i is set if column i has error bounds, which csv and json write as a column of their own */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
@@ -89,7 +89,7 @@ struct failure {
     const char *command; /* the name of the command, or NULL if no command was recognised */
     const char *text, *source;
     long line;
-    int column; /* counted from 1, or 0 for an error in the line as a whole */
+    int column; /* the column of the error, counted from 1; 0 for an error in the line as a whole */
 };
 
 /* An output format. A member is NULL if its function would do nothing. */

@@ -27,8 +27,8 @@ struct measure measure_of(const char *unit, domq_real largest);
 /* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Returns a text such as "4.8 cm" or "11 %", with `digits` significant digits, or more if there are more
- * digits before the decimal point, as in 1234 %. */
+/* Formats a value for people, as in "4.8 cm" or "11 %". The result has `digits` significant digits, or more
+ * if there are more digits before the decimal point, as in 1234 %. */
 struct measured {
     char text[CELL_TEXT];
 };

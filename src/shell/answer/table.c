@@ -14,7 +14,7 @@ enum {
     NUMBER_MARGIN = 6, /* the width that a number needs besides its digits, for "-0." or "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* if a last column of words has less room than this, the words go below their row */
+    WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
     WORDS_SHORT = 12,   /* up to this width, a last column of words needs only its own width */
     WORDS_INDENT = 8,   /* the indentation of words below their row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */

@@ -29,7 +29,7 @@ enum argument_kind {
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
-    /* Arguments that the function `parse` of struct argument parses: */
+    /* Arguments that are parsed by a function of their own (argument.parse): */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
     ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
     ARGUMENT_WORDS,   /* all remaining words and values of the command */
@@ -69,9 +69,10 @@ struct arguments {
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* the column of each argument in the typed line, for messages */
-    /* The parameter that was named by an ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL. */
+    /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;
-    /* The variable that was named by an ARGUMENT_PARAMETER, by an ARGUMENT_TOPIC or in 'let', or NULL. */
+    /* The variable that was named as an ARGUMENT_PARAMETER, as an ARGUMENT_TOPIC or in 'let'. NULL if there
+     * is none. */
     const struct variable *variable;
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
@@ -124,7 +125,7 @@ struct command {
 
 struct command_group {
     const char *title;
-    const struct command *commands; /* an array whose last element has a NULL name */
+    const struct command *commands; /* the commands of the group; the name of the last element is NULL */
 };
 
 /*
@@ -147,8 +148,8 @@ const char *command_keys(const void *command, int k);
  * names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
-/* Returns topic number k, counted from 0, of those that have this word as a synonym, or NULL. For example,
- * 'growth' is a synonym of r, and 'speed' of several topics. */
+/* Of the topics that have this word as a synonym, returns number k, counted from 0, or NULL if there are
+ * fewer. For example, 'growth' is a synonym of r, and 'speed' of several topics. */
 const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */

@@ -13,7 +13,7 @@
 /* ---- Answers ---- */
 
 #define TRAIN_NOTE                                                                                           \
-    "about the endless train with these parameters, and not about the row: 'fall' runs the row."
+    "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
 
 /* Tells the user that the answer is about the endless train, and not about the row of the scene. This note
  * goes below the answer, or to standard error if the answer is a picture in a file. */
@@ -23,7 +23,7 @@ static void train_note(const struct session *session, struct answer *answer)
         scene_has_engine(&session->state.scene)
             ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
               "'fall' and 'rowmax' run the row in the rigid-body engine.)"
-            : "(This answer is " TRAIN_NOTE ")";
+            : "(" TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
     if (answer->path && ending_of(answer->path)->kind == ENDING_SHEET)
@@ -136,9 +136,9 @@ static bool run_paged(struct session *session, const struct command *c, const st
 /* Returns a list of the file extensions that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
-    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
-           : c->writes == WRITES_CHARTS ? ".svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
-           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or for the data .csv or .json"
+           : c->writes == WRITES_CHARTS ? ".svg, .png, .pdf, .tex, .gp or .txt, or for the data .csv or .json"
+           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or for the data .csv or .json"
            : c->picture            ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf, .tex or .gp"
            : c->columns || c->runs ? ".csv, .json or .txt"
                                    : ".txt";

@@ -35,9 +35,9 @@ const struct parameter *parameter_parse(struct reader *reader, const char *form)
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes the value of an item and checks it against the item's argument. Stores the value in
- * *number, and with its unit in *quantity, which may be NULL. On failure, sets *problem and returns false.
- * If `text` is not NULL, the column of the problem is that of the value in this text. */
+/* Computes the value of an item and checks it against the item's argument. Stores the value in *number and,
+ * with its unit, in *quantity, which may be NULL. On failure, sets *problem and returns false. If `text` is
+ * not NULL, the column of the problem is that of the value in this text. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 

@@ -7,7 +7,7 @@
 struct lookup {
     const struct query *query;
     const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
-    struct problem *problem;         /* tells why a command has no answer */
+    struct problem *problem;         /* receives the reason why a command has no answer */
 };
 
 /* `cells` is a row of the answer of the command t->refers. Stores the number of cell t->index in *result. On

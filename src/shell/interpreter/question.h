@@ -15,10 +15,10 @@ struct question {
     int key;   /* index of the requested column of the answer, or -1 for the whole answer */
     int count; /* number of arguments */
     struct item item[ARGUMENTS_MAX];
-    /* The parameter that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
+    /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;
-    /* The variable that the user has named, as an ARGUMENT_PARAMETER or ARGUMENT_TOPIC or in 'let'. May be
-     * NULL. */
+    /* The variable that was named as an ARGUMENT_PARAMETER, as an ARGUMENT_TOPIC or in 'let'. NULL if there
+     * is none. */
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
@@ -26,17 +26,17 @@ struct question {
     const char *name; /* the text of the question as typed, for messages */
 };
 
-/* Parses the command at the position of the reader, and its arguments. On failure, sets *problem and
+/* Parses the command at the reader's position, and its arguments. On failure, sets the reader's problem and
  * returns false. */
 bool command_parse(struct reader *reader, struct question *question);
 
 /* Parses the arguments of question->command, up to the end of the command, a '>' or one of the reader's
- * `stops`. On failure, sets *problem and returns false. */
+ * `stops`. On failure, sets the reader's problem and returns false. */
 bool question_parse(struct reader *reader, struct question *question);
 
 /* Parses a question that is an argument of another command: COMMAND, COMMAND.KEY, or an expression, which
  * becomes a question of the command 'print'. If `is_number` is true, the answer must be a single number. On
- * failure, sets *problem and returns false. */
+ * failure, sets the reader's problem and returns false. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
 /* A names_list of the commands that question_parse_any accepts. */

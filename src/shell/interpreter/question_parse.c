@@ -184,7 +184,8 @@ static bool check_wrong(const struct reader *r, const struct command *c)
     return true;
 }
 
-/* Parses "with NAME VALUE ..." if this text is next. On failure, sets *problem and returns false. */
+/* Parses "with NAME VALUE ..." if this text is next. On failure, sets the reader's problem and returns false.
+ */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))

@@ -31,8 +31,8 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* May be NULL. Has one element for each byte of the line, which is set to true if the byte belongs to a
-     * command's name. */
+    /* An array with one element for each byte of the line, or NULL. An element is set to true if its byte
+     * belongs to a command's name. */
     bool *is_command;
 };
 
@@ -48,7 +48,7 @@ struct reader {
     bool unresolved;     /* names in expressions are left to be resolved later */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */
-    struct offer *offer; /* for a line that is only previewed; otherwise NULL */
+    struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
 };
 
 /* Returns reader->offer if the reader is at the cursor, and NULL otherwise. */

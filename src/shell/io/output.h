@@ -32,8 +32,8 @@ struct output {
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_head)(const char *line);
-    /* Frees everything but the struct. If `keep` is true, first writes the text of a file to its target.
-     * Returns NULL, or the reason why the text could not be written. */
+    /* Frees everything except the struct itself. If `keep` is true, first writes the text of a file to its
+     * target. Returns NULL, or the reason why the text could not be written. */
     const char *(*pop)(struct output *output, bool keep);
 
     /* The members below describe the text. They are used only at the level that finally receives the text

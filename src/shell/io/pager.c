@@ -14,7 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* A text that does not fill the screen within this time is shown as it arrives, without a pager. */
+/* Text that does not fill the screen within this time is shown as it arrives, without a pager. */
 #define HOLD_SECONDS 0.5
 
 /* The prompt of the program less. In its syntax, '?e' tests for the end of the text, and ':' separates the
@@ -34,7 +34,7 @@ struct pager {
     FILE *to; /* memory while the state is HELD; later the terminal, or the pipe to the pager program */
     char *text, *messages;
     size_t text_size, messages_size;
-    double begun;      /* the time at which the first text arrived, or 0 */
+    double begun;      /* when the first text arrived, as a time of terminal_clock; 0 before that */
     int width, height; /* the size of the terminal */
     int rows;          /* the number of terminal rows that the current page fills so far */
     double screens;    /* a text of at least this many screens is paged */
@@ -71,7 +71,8 @@ static const char *line_next(const char *line, const char *end)
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If the program in $PAGER does not exist, the program less or, without less, cat shows the text. */
+    /* If the program in $PAGER does not exist, the text is shown by the program less or, failing that, by
+     * cat. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
@@ -100,7 +101,7 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the pager program with a pipe, which passes text to the program from now on. Returns false on
+/* Starts the pager program. From now on, all text goes through a pipe to this program. Returns false on
  * failure, or if the terminal is not capable enough for the program less. */
 static bool program_open(struct pager *p)
 {
@@ -157,7 +158,7 @@ static bool page_wanted(const struct pager *p)
 {
     char answer[256] = "";
     ssize_t n = 0;
-    fputs("-- more -- (Enter: next page; q, Enter: end) ", p->to);
+    fputs("-- more -- (Enter: next page; q and Enter: end) ", p->to);
     fflush(p->to);
     if (io_wait(STDIN_FILENO, false, NULL, p->interrupt))
         n = read(STDIN_FILENO, answer, sizeof answer);

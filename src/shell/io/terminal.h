@@ -19,9 +19,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If the stream `from` has represented standard output until now, makes the stream `to` represent standard
- * output: text written to `to` then counts as shown on the terminal of standard output. 'log', 'tee' and the
- * pager use such streams, which pass their text on. */
+/* Passes on the role of standard output. If the stream `from` has stood for standard output, the stream `to`
+ * does so from now on: text written to `to` counts as shown on the terminal. 'log', 'tee' and the pager use
+ * such streams. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
@@ -36,15 +36,15 @@ int terminal_columns(const char *text);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, shows a line there, such as "3 s; ^C stops it", and updates it every
- * second. */
+/* If standard error is a terminal, shows there how long the command has been running, as in "3 s; ^C stops
+ * it". The line is updated every second. */
 void progress_begin(void);
 
-/* Clears the line of progress_begin. */
+/* Clears the line that progress_begin has shown. */
 void progress_end(void);
 
-/* Tells which fraction of the work is done. The line then shows "12 %, 3 s left" instead. With a fraction of
- * 1, it shows only the seconds again. */
+/* Sets the fraction of the work that is done. The progress line then shows the fraction and the time left, as
+ * in "12 %, 3 s left". With a fraction of 1, it shows only the elapsed time. */
 void progress_show(double fraction);
 
 /* A callback of type dom_progress, which calls progress_show with done / of. */

@@ -56,12 +56,12 @@ struct csv_file {
     /* What is known about '.', or about ',', as the decimal mark, from the numbers read so far. */
     struct csv_mark {
         bool is_used;
-        /* there is a number in which this character can only be the decimal mark */
+        /* in some number, '.' (or ',') can only be the decimal mark */
         bool is_clear;
-        /* The position of the first number in which this character could also be a thousands separator.
+        /* The position of the first number in which the '.' (or ',') could also be a thousands separator.
          * at.line is 0 if there is no such number. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits before and after the character in the number at `at` */
+        char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
     } point, comma;
 };
 

@@ -46,15 +46,16 @@ struct csv_column {
 struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
-    /* the line with the names may be missing if the file has all columns of the kind, in the same order */
+    /* the first line, with the names, may be missing if the file has all columns of the kind, in the same
+     * order */
     bool headless;
     size_t rows_most; /* the maximum number of rows */
     /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind to try, or NULL. The kinds are tried in turn. A kind fits if the file has all its required
-     * columns. If no kind fits, messages are about the first kind. */
+    /* Another kind of table to try, or NULL. The kinds are tried in turn, until the file has all columns that
+     * a kind requires. If no kind fits, messages are about the first kind. */
     const struct csv_kind *otherwise;
 };
 

@@ -66,7 +66,7 @@ struct tree {
 /* Why an expression cannot be parsed, resolved or evaluated. */
 struct expression_error {
     const char *at; /* the position of the error in the expression */
-    bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
+    bool of_value;  /* the error depends on the values of parameters, and need not occur with other values */
     bool names_function; /* the message already names the 'let' function that has the error */
     /* "" if the error has already been reported as a struct problem */
     char message[EXPRESSION_MESSAGE];

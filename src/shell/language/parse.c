@@ -98,7 +98,7 @@ static struct tree *parse_number(struct parse *p)
 {
     const char *begin = p->end;
     if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
-        return parse_fail(p, "is not a decimal number");
+        return parse_fail(p, "this is not a decimal number");
     struct tree *t = make_node(p, TREE_NUMBER, begin);
     if (!t)
         return NULL;
@@ -106,8 +106,8 @@ static struct tree *parse_number(struct parse *p)
     errno = 0;
     t->value.value = quad_read(begin, &stop);
     if (errno == ERANGE)
-        return parse_fail(p, quad(fabs)(t->value.value) > 1 ? "is too large for a number"
-                                                            : "is too small for a number");
+        return parse_fail(p, quad(fabs)(t->value.value) > 1 ? "this number is too large"
+                                                            : "this number is too close to 0");
     p->end = stop;
     return parse_unit(p, t);
 }
@@ -299,8 +299,8 @@ static struct tree *parse_chain(struct parse *p, enum level least)
             break;
         if (before && before->level == LEVEL_COMPARE && op->level == LEVEL_COMPARE) {
             p->end = at;
-            return parse_fail(p,
-                              "a comparison has two values; join several by 'and', as in '1 < r and r < 2'");
+            return parse_fail(
+                p, "a comparison has two values; join comparisons with 'and', as in '1 < r and r < 2'");
         }
         p->end = skip_blanks(at + strlen(op->text));
         struct tree *right = parse_chain(p, op->level + 1);

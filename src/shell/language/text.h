@@ -58,8 +58,8 @@ const char *text_quote(const char *c);
  */
 const char *text_end(const char *c, const char *ends);
 
-/* Returns true if the line ends with a backslash, and so continues on the next line. Removes this
- * backslash. */
+/* If the line ends in a backslash, and so continues on the next line, removes the backslash and returns true.
+ */
 bool text_continues(char *line);
 
 /* Converts a position in text->line to its column in the line as it was typed. Columns count from 1. */
