@@ -28,7 +28,7 @@ domino 3: gap 20 to 22 cm
 END
 )
     same 'without masses' 'domino 3: mass 1.1 times as large as before' "$("$DOMINO" -e 'effect row 4; change 3 mass +10 %')"
-    same 'many' "and 36 more; 'row' lists the row" "$("$DOMINO" -e 'set r 1; effect row 49; change all gap 2 cm' | tail -n 1)"
+    same 'many' "and 36 more; 'row' lists all dominoes" "$("$DOMINO" -e 'set r 1; effect row 49; change all gap 2 cm' | tail -n 1)"
     same 'for programs' '{"command":"change"}' "$("$DOMINO" -e 'set output json; effect row 4; change 2 gap 1 cm' | tail -n 1)"
 }
 
@@ -88,7 +88,7 @@ change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, 
 change 2 height|X is missing
 change 2 height 3 s|the height is a length, not a time; enter one such as '48 mm'
 change 5-2 gap 1 cm|'5-2' names no dominoes
-change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; with '%' it is a share of the gap
+change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; to change the gap by a percentage, write for example '+10 %'
 change 2 mass 20 g|the masses of this row are not known; enter the mass of its first domino with 'set mass'
 change 2 gap -20 cm|domino 2: gap = -0.1712 m is negative
 END

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands fall and verdict. Both run the row of the scene once; fall lists the dominoes, and verdict
- * prints only the result. */
+/* The commands 'fall' and 'verdict'. Both run the row of the scene once. 'fall' lists the dominoes, and
+ * 'verdict' prints only the result. */
 #include "commands/rows/rows.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -8,18 +8,19 @@
 const struct column fall_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"height", "m", "height of the domino", 6},
-    {"hit", "s", "time at which the domino is hit; the clock starts with the push, or with the first hit", 7},
+    {"hit", "s",
+     "time at which the domino is hit, counted from the push or, without a push, from the first hit", 7},
     {"falls", "s", "time at which the domino hits the next one, or lies on the floor", 7},
     {"omega", "rad/s", "angular velocity of the domino just after it is hit", 6},
     {"kinetic", "mgh/2",
-     "kinetic energy of all moving dominoes just after this hit; in J if masses are known", 9},
+     "kinetic energy of all moving dominoes just after this domino is hit; in J if masses are known", 9},
     {"barrier", "mgh/2", "energy that is needed to tip this domino over", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
-    {"energy", "share", "kinetic / barrier; at 100 % the domino just tips over", 6},
+    {"energy", "share", "kinetic / barrier; the domino tips over if this is at least 100 %", 6},
     {"floor", "", "friction that feet need while this domino falls (only with 'effect floor')", 5},
     {"floor_hit", "",
      "friction that feet need at the moment when this domino is hit (only with 'effect floor')", 9},
-    {"slid", "m", "how far the foot of the domino has slid (negative: backwards) (only with 'effect feet')",
+    {"slid", "m", "how far the foot of the domino has slid, backwards if negative (only with 'effect feet')",
      7},
     {NULL, NULL, NULL, 0},
 };
@@ -70,15 +71,15 @@ static void all_fall_say(struct answer *a, const struct falling *f)
                    fall.text);
 }
 
-/* Returns why the row ends before its last domino. */
+/* Returns a phrase that says why the row ends early, such as "friction locks it". */
 static const char *end_reason(const struct row_run *run)
 {
     const struct domq_verdict *v = &run->verdict;
     if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
         return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
-        return "its energy is too small, and at a larger tilt friction would lock the row, so no amount of "
-               "energy is enough";
+        return "its energy is too small, and more energy would not help, because friction would lock the row "
+               "at a larger tilt";
     return dom_row_end_text(v->end);
 }
 
@@ -122,11 +123,11 @@ static void engine_say(struct answer *a, const struct row_run *run)
     if (is_slippery(&run->scene))
         slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
-        answer_say(a,
-                   "Chipmunk %s, a rigid-body engine, ran the row with %g time steps in a time of sqrt(h/g). "
-                   "With half as "
-                   "many steps the verdict is the same, and times agree within %.2g %%.",
-                   engine_version(), s->grain.steps, 100 * s->change);
+        answer_say(
+            a,
+            "Chipmunk %s, a rigid-body engine, ran the row with %g time steps per time unit, sqrt(h/g). With "
+            "half as many steps the verdict is the same, and times agree within %.2g %%.",
+            engine_version(), s->grain.steps, 100 * s->change);
 }
 
 /* ---- The run ---- */
@@ -145,7 +146,7 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Stores the last domino that was hit, and updates the largest friction that a foot needs. */
+/* Stores a hit as the last one so far, and updates the friction that feet need. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
@@ -189,13 +190,13 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
-    if (answer_for_people(a)) /* sentences give the result, so the row is not printed */
+    if (answer_for_people(a)) /* sentences show the result, so no table is printed */
         answer_keep(a, cells);
     else
         answer_row(a, cells, falls ? NULL : reason);
 }
 
-/* Runs the row, and prints the answer to 'fall' if `listed` is true, or the answer to 'verdict' otherwise. */
+/* Runs the row. If `listed` is true, prints the answer of 'fall', and otherwise the answer of 'verdict'. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};
@@ -229,7 +230,8 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
         return row_status(query, problem, status);
     return known ||
            problem_no_answer(problem, "there is no verdict after domino %zu: %s%s", v->domino,
-                             dom_row_end_text(v->end), leans ? "" : "; 'set method engine' includes it");
+                             dom_row_end_text(v->end),
+                             leans ? "" : "; the rigid-body engine includes it: 'set method engine'");
 }
 
 bool run_fall(const struct query *query, struct answer *a, struct problem *problem)

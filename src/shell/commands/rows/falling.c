@@ -126,9 +126,8 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     if (status == DOM_NO_LEAN && engine)
         return problem_no_answer(
             problem,
-            "a domino of this row leans, but the rigid-body engine, which is used because %s, needs upright "
-            "dominoes; turn the engine off, or enter a row whose file has "
-            "no 'lean' column",
+            "a domino of this row leans, but the rigid-body engine needs upright dominoes (the engine runs "
+            "this row because %s); turn the engine off, or enter a row whose file has no 'lean' column",
             scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
         return problem_no_answer(
@@ -139,7 +138,8 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         return query_status(query, problem, status);
     if (engine)
         return problem_no_answer(
-            problem, "in double precision the size or the mass of a domino of this row is rounded to 0");
+            problem,
+            "the size or the mass of a domino in this row is so small that double precision rounds it to 0");
     return problem_no_answer(
         problem,
         "the dominoes of this row become larger or smaller than %s precision can represent; "

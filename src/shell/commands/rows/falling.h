@@ -10,9 +10,9 @@
 /* The row of the scene and the result of running it. Do not copy this struct: the engine has a pointer to the
  * report inside it. */
 struct row_run {
-    struct scene_row scene; /* includes the report of the engine, if the engine runs the row */
+    struct scene_row scene;
     struct domq_verdict verdict;
-    struct domq_fall *fall; /* filled by row_run: an element for each domino that was hit, in order */
+    struct domq_fall *fall; /* row_run stores an element for each domino that is hit, in order */
     size_t hits;
     bool timeless; /* a domino almost stops, so later times cannot be computed */
 };
@@ -30,14 +30,14 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
  * tipped until it falls by itself. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
-/* A callback of domq_row_rmax, whose context is a scene. Fills in the row that the scene would have if its
- * growth were r, including the values that the user has changed. */
+/* A callback for domq_row_rmax; the context is a scene. Fills in the row of this scene, but with the growth
+ * r. Measurements that the user has changed stay changed. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */
 
-/* Returns a cell with a number for a narrow column. The cell has no error bound and, in tables, this many
- * digits. */
+/* Returns a cell for a narrow column. A table shows the value with this many digits, and without an error
+ * bound. */
 struct cell cell_narrow(domq_real value, int digits);
 
 /* Rounds a positive number up or down to this many significant digits. Other numbers are returned unchanged.
@@ -61,7 +61,7 @@ domq_real fall_share(const struct domq_fall *fall);
 /* Prints which domino has the least energy to spare, if this is known. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict);
 
-/* Returns true if a computation about the row of the scene ended with DOM_OK. Otherwise reports why it
+/* Returns true if the status is DOM_OK. Otherwise reports why a computation about the row of the scene
  * failed, and returns false. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 

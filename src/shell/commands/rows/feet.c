@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds how much friction the floor must have so that no foot slips, in a train for 'slip' and in a row for
- * 'fall'. */
+/* Finds how much friction the floor must have so that no foot slips: in a train for 'slip', and in a row for
+ * 'fall' and 'verdict'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
@@ -25,35 +25,37 @@ void feet_add(struct feet *feet, const struct domq_fall *f)
     needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-/* Returns a phrase such as "of domino 2, while domino 3 falls". */
-static struct words foot_words(const struct slip *slip, bool hit)
+/* Returns a phrase such as "while domino 3 falls". The domino of the foot is called "this domino". */
+static struct words slip_words(const struct slip *slip, bool hit)
 {
     struct words words;
-    char head[40] = "it";
+    char head[40] = "this domino";
     if (slip->head != slip->domino)
         snprintf(head, sizeof head, "domino %zu", slip->head);
-    snprintf(words.text, sizeof words.text, "of domino %zu, %s %s %s", slip->domino, hit ? "when" : "while",
-             head, hit ? "is hit" : "falls");
+    snprintf(words.text, sizeof words.text, "%s %s %s", hit ? "when" : "while", head,
+             hit ? "is hit" : "falls");
     return words;
 }
 
 static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_real floor)
 {
-    const char *begin = hit ? "At the moment of a hit," : "While dominoes fall,";
-    if (n->most.head == 0)
+    const struct slip *most = &n->most, *first = &n->first;
+    if (most->head == 0)
         return;
-    if (isfinite(n->most.needs))
-        answer_say(a, "%s feet need a friction of up to %s: the foot %s.", begin,
-                   measured(n->most.needs, "", 4).text, foot_words(&n->most, hit).text);
+    if (isfinite(most->needs))
+        answer_say(a, "%s feet need a friction of up to %s (the foot of domino %zu, %s).",
+                   hit ? "At the moment of a hit," : "While dominoes fall,",
+                   measured(most->needs, "", 4).text, most->domino, slip_words(most, hit).text);
     else
-        answer_say(a, "%s the foot %s, is lifted off the floor, and no friction can prevent this.", begin,
-                   foot_words(&n->most, hit).text);
-    if (n->first.head == 0)
+        answer_say(a, "The foot of domino %zu is lifted off the floor %s, and no friction can prevent this.",
+                   most->domino, slip_words(most, hit).text);
+    if (first->head == 0)
         answer_say(a, "On a floor with a friction of %.4g, no foot slips %s.", (double)floor,
                    hit ? "at a hit" : "while dominoes fall");
-    else if (isfinite(n->first.needs))
-        answer_say(a, "On a floor with a friction of %.4g, the foot %s, is the first to slip; it needs %s.",
-                   (double)floor, foot_words(&n->first, hit).text, measured(n->first.needs, "", 4).text);
+    else if (isfinite(first->needs))
+        answer_say(
+            a, "On a floor with a friction of %.4g, the foot of domino %zu slips first: %s, it needs %s.",
+            (double)floor, first->domino, slip_words(first, hit).text, measured(first->needs, "", 4).text);
 }
 
 /* Prints how slipping feet affect the answer. `in_motion` is true if feet slip while dominoes fall, and false
@@ -80,8 +82,8 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
         return;
     slip_matters_say(a, in_motion);
     answer_say(a,
-               "'effect floor off; effect feet %.4g' runs the row on this floor, with feet that slip, in a "
-               "rigid-body engine.",
+               "Enter 'effect floor off; effect feet %.4g' to run the row on this floor in a rigid-body "
+               "engine, in which feet can slip.",
                (double)feet->floor);
 }
 
@@ -112,7 +114,8 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
                    floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
     if (!floor->on)
-        answer_say(a, "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
+        answer_say(a, "'effect floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
+                      "feet slip in a row.");
     else
         answer_say(a, "On a floor with a friction of %.4g, %s while dominoes fall, and %s in a collision.",
                    (double)floor->value[0], slips ? "feet slip" : "no foot slips",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command mend, which finds the smallest change of a single gap that saves a row. */
+/* The command 'mend', which finds the smallest change of a single gap that saves a row. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -15,7 +15,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns true if the first domino does not even tip over. No change of a gap helps then. */
+/* Returns true if the first domino does not tip over. A stronger push may then save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
@@ -32,7 +32,7 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
                       ? "The row needs a push: its first domino touches the second before it tips over."
                       : "The row needs a stronger push: with this push, its first domino does not tip over.");
     if (isnan(push))
-        answer_say(a, "No push is enough to save this row; enter 'effect push on', and then 'mend' again.");
+        answer_say(a, "No push is enough to save this row; enter 'effect push on' and then 'mend' again.");
     else
         answer_say(a, "With 'effect push %.4g' all fall.", (double)push);
     return DOM_OK;
@@ -59,7 +59,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
                measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-/* Prints the changes that were found, and sentences on how to make the smallest one. */
+/* Prints a table of the changes that were found, and says how to make the smallest one. */
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Studies of random rows that are computed in parts. A study counts how many random rows fall, and such
- * counts can be added. Each part of a study writes the counts for some blocks of 100 rows. The command pool
- * reads the blocks of all parts, adds them up, and prints the answer that 'placement' would have printed.
+ * Computes a study of random rows in parts. A study counts how many of its rows fall, so the counts of its
+ * parts can be added. Each part writes counts for blocks of 100 rows. The command 'pool' reads the blocks of
+ * all parts, adds their counts, and prints the answer that 'placement' would have printed.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
@@ -31,7 +31,7 @@ static const struct column block_columns[] = {
     {"rows", "", "number of rows in this block", 4},
     {"fall", "", "number of rows in this block that fall completely", 4},
     {"unknown", "", "number of rows in this block that the model cannot decide", 7},
-    {"stops", "", "dominoes at which other rows stop, each with the number of rows", 20},
+    {"stops", "", "each domino at which rows stop, with the number of rows that stop there", 20},
     {"errors", "", "the errors of the rows", 20},
     {"without", "", "for each error: how many rows fall without the error, and where they stop with it", 20},
     {NULL, NULL, NULL, 0},
@@ -94,9 +94,9 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes for each kind of error how many rows fall without it, and where these rows stop with it. For
- * example, "gap:98 gap@5:1" means that 98 rows fall if the gaps have no errors, and that one of these 98
- * stops at domino 5 if the gaps have errors. */
+/* For each kind of error, writes how many rows fall without errors of this kind, and where these rows stop
+ * with such errors. For example, "gap:98 gap@5:1" means that 98 rows fall if the gaps have no errors, and
+ * that one of these 98 stops at domino 5 if the gaps have errors. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -236,8 +236,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Parses an entry such as "5:12" at *text, adds its count to the list `stops`, and moves *text past the
- * entry. Returns the count, or 0 if the entry is wrong. */
+/* Parses an entry such as "5:12" at *text: adds 12 to the count of domino 5 in `stops`, and moves *text past
+ * the entry. Returns the number that was added, or 0 if the entry is wrong. */
 static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
 {
     unsigned long domino, count;
@@ -328,8 +328,8 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes how many rows of the study are missing, or "" if none is. Sets *problem and returns false if the
- * file has the same row of the study twice. */
+/* Writes to `missing` how many rows of the study are missing, or "" if none are. Sets *problem and returns
+ * false if the file has the same row of the study twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

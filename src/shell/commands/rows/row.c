@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands row, rowmax, change and place, and the table of all commands about a row. */
+/* The commands 'row', 'rowmax', 'change' and 'place', and the table of all commands about a row. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "interpreter/question.h"
@@ -18,7 +18,7 @@ static const struct column row_columns[] = {
     {"gap", "m", "clear distance to the domino before it", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {"relative", "", "mass divided by the mass of the first domino, if masses are not known", 0},
-    {"radius", "m", "radius of the edges, if the file has radii; used with 'effect edges'", 0},
+    {"radius", "m", "radius of the edges, if the file has radii; used only with 'effect edges'", 0},
     {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
     {"width", "m", "width of the domino, if not all dominoes are half as wide as they are tall", 0},
     {NULL, NULL, NULL, 0},
@@ -102,24 +102,24 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
         answer_say(a,
-                   "All dominoes fall if r is at least %.6g; with a smaller r the row ends earlier, as 'set "
-                   "r 1; fall' shows.",
+                   "All dominoes fall if r is between %.6g and r_max; with a smaller r the row ends early, "
+                   "as 'set r 1; fall' shows.",
                    (double)growth.r_min);
     return more;
 }
 
 /* ---- change and place: parsing ---- */
 
-/* An element of a linked list: dominoes with successive numbers, or a single domino whose number is an
- * expression. */
+/* An element of the linked list of dominoes that are to be changed: a range such as 3-7, or a single domino
+ * whose number is an expression. */
 struct selected {
     struct row_range range;
-    struct item item; /* the expression; item.argument is NULL if there is none */
+    struct item item; /* the number as an expression; item.argument is NULL for a range */
     struct selected *next;
 };
 
 struct change_parsed {
-    struct selected *first; /* NULL stands for all dominoes */
+    struct selected *first; /* the list of dominoes; NULL stands for all dominoes */
     int count;
     struct item value;
     bool is_set;   /* a '=' precedes the value */
@@ -198,7 +198,7 @@ static bool change_parse_value(struct reader *r, struct question *q)
 /* A bound change. */
 struct changing {
     struct row_change change;
-    int ranges; /* number of ranges; 0 stands for all dominoes */
+    int ranges; /* the number of ranges; 0 stands for all dominoes */
     struct row_range range[];
 };
 
@@ -223,11 +223,10 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
         return problem_error(problem, "the %s is %s, not %s; enter one such as '%s'", name,
                              expression_kind(wanted), expression_kind(*value), expression_example(wanted));
     if (is_relative && is_bare)
-        return problem_error(
-            problem,
-            "a change of the %s by %s needs a unit, as in '%+.4g %s'; with '%%' it is a share "
-            "of the %s, as in '+10 %%'",
-            name, quad_text(value->value, 10), (double)value->value, unit, name);
+        return problem_error(problem,
+                             "a change of the %s by %s needs a unit, as in '%+.4g %s'; to change the %s by a "
+                             "percentage, write for example '+10 %%'",
+                             name, quad_text(value->value, 10), (double)value->value, unit, name);
     change->how = is_relative ? CHANGE_BY : CHANGE_TO;
     change->is_bare = is_bare;
     return true;
@@ -261,7 +260,7 @@ static bool change_bind(const struct question *q, const struct query *query, str
 
 enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
 
-/* Prints what has changed in domino k, counted from 1. */
+/* Prints the old and the new measurement of domino k, counted from 1. */
 static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
                        domq_real from, domq_real to)
 {
@@ -292,11 +291,11 @@ static void changes_say(const struct query *query, struct answer *a, const struc
             } else
                 more++;
     if (more > 0)
-        answer_say(a, "and %zu more; 'row' lists the row", more);
+        answer_say(a, "and %zu more; 'row' lists all dominoes", more);
     a->wrote_text = true;
 }
 
-/* Returns an array with one measurement, such as the height, of each domino of a row, which the caller frees.
+/* Returns an array that holds one measurement of each domino, such as its height. The caller frees the array.
  * On failure, sets *problem and returns NULL. */
 static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
                                 struct problem *problem)
@@ -362,26 +361,27 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help = "For each gap up to the domino at which the row ends, 'mend' finds the nearest value at which "
-             "all dominoes fall, and lists the smallest change first. If the row needs a push, the answer "
-             "says so. The search tries 40 smaller and 40 larger values of each gap and then bisects; it can "
-             "miss a range of gaps that is narrower than one step.",
+     .help =
+         "Tries the gap after the domino at which the row ends, and the 30 gaps before it. For each gap, "
+         "'mend' finds the nearest value at which all dominoes fall, and lists the smallest change first. If "
+         "the row needs a push, the answer says so. The search tries 40 smaller and 40 larger values of each "
+         "gap and then bisects; it can miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how far each domino may be off while all still fall",
-     .help =
-         "Finds windows for the place of each domino, for the gap before it, for its height and thickness "
-         "and for the friction between dominoes. All dominoes fall with every value in a window, if the rest "
-         "of the row stays as it is. A place is measured along a tape from the back of domino 1; when a "
-         "place changes, only that domino moves. When a gap changes, all dominoes after it move with it. A "
-         "domino whose height changes keeps its density and the angle of its lean. A domino that is not set "
-         "up plumb leans about its front edge, and a window says how far its top may be off, backwards or "
-         "forwards. With rounded edges, and in the engine, the program does not compute how far a domino may "
-         "lean. The dominoes with the tightest limits are marked. If the row does not fall, the windows show "
-         "which single changes save it. The search takes the same steps as 'mend'.",
+     .help = "A window is a range of values: all dominoes fall with every value in it, if the rest of the "
+             "row stays as it is. This command finds windows for the place of each domino, for the gap "
+             "before it, for its height, thickness and lean, and for the friction between dominoes. A place "
+             "is measured along a tape from the back of domino 1; when a place changes, only that domino "
+             "moves. When a gap changes, all dominoes after it move with it. A domino whose height changes "
+             "keeps its density and the angle of its lean. A domino that is not set up plumb leans about its "
+             "front edge; the window for its lean says how far its top may be off plumb, backwards or "
+             "forwards. With rounded edges, and in the engine, the program does not compute how far a domino "
+             "may lean. The dominoes with the tightest limits are marked. If the row does not fall, the "
+             "windows show which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",
      .rows = true,
@@ -392,15 +392,14 @@ const struct command row_commands[] = {
                   {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another property of dominoes",
-     .help =
-         "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
-         "thickness, width, gap (the gap before the domino), mass, radius (of the edges) or lean (how far "
-         "the top is off plumb, or an angle; a negative lean is backwards). X is the new value. An X with a "
-         "sign is added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in "
-         "'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes "
-         "taller, thicker or wider keeps the gaps beside it and its density, so it becomes heavier; its "
-         "other sizes stay the same. The change lasts until another row is entered; 'save FILE' and 'row > "
-         "FILE.csv' keep it.",
+     .help = "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
+             "thickness, width, gap (the gap before the domino), mass, radius (of the edges) or lean (how "
+             "far the top is off plumb, or an angle; a negative lean is backwards). X is the new value. An X "
+             "with a sign is added to the old value, as in 'change 4 gap +1 cm', or changes it by a "
+             "percentage, as in 'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. "
+             "A domino that becomes taller, thicker or wider keeps the gaps beside it and its density, so it "
+             "becomes heavier; its other sizes stay the same. The change lasts until another row is entered; "
+             "'save FILE' and 'row > FILE.csv' keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,
@@ -419,7 +418,8 @@ const struct command row_commands[] = {
     {.name = "row",
      .synonyms = "list export csv spacing",
      .summary = "the dominoes of the row",
-     .help = "'row > hall.csv' writes a file that 'effect row hall.csv' reads: its first line has the units.",
+     .help = "'row > hall.csv' writes a file that 'effect row hall.csv' can read. The first line of the file "
+             "has the units.",
      .example = "effect row 3; row",
      .see = "effect fall",
      .rows = true,
@@ -427,10 +427,10 @@ const struct command row_commands[] = {
     {.name = "rowmax",
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
-     .help =
-         "The row is the one that 'effect row N' makes from s, d, q and h, and 'effect push' starts it. If "
-         "the first domino just tips over, or its push is weak, the row can stop at the second domino. "
-         "Otherwise the answer for a long row approaches the largest growth of the endless train, 'rmax'.",
+     .help = "The row is the one that 'effect row N' makes from s, d, q and h, and 'effect push' starts it. "
+             "If the first domino is tipped over without a push, or with a weak one, the row can stop at the "
+             "second domino. Otherwise, the longer the row, the closer the answer comes to 'rmax', the "
+             "largest growth of the endless train.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .echo = "s",

@@ -15,15 +15,16 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* The friction that the floor must have so that the foot of `domino` does not slip while `head` falls, or
- * when it is hit. `domino` is often not the head itself. */
+/* How much friction a foot needs. On a floor with less friction than `needs`, the foot of `domino` slips
+ * while the domino `head` falls or when `head` is hit. `needs` is infinite if the foot is lifted off the
+ * floor. Dominoes are counted from 1; `head` is 0 if no foot was found. */
 struct slip {
-    domq_real needs;     /* the friction that is needed; infinite if the domino is lifted off the floor */
-    size_t domino, head; /* numbers of dominoes, from 1; head is 0 if no foot slips */
+    domq_real needs;
+    size_t domino, head;
 };
 
-/* The friction that the feet of a row need while dominoes fall and at the moment of a hit, and the friction
- * of the floor on which they stand. */
+/* The friction of the floor, and the friction that the feet of a row need: `motion` is about falling
+ * dominoes, and `hit` about the moment at which one is hit. */
 struct feet {
     domq_real floor;
     struct needs {
@@ -31,9 +32,8 @@ struct feet {
     } motion, hit;
 };
 
-/* feet_begin takes the friction of the floor from the scene. The caller then calls feet_add for each domino
- * that is hit and, at the end, feet_say, which prints how much friction the feet of a row of `count`
- * dominoes need. */
+/* feet_begin takes the friction of the floor from the scene. feet_add is called for each domino that is hit.
+ * At the end, feet_say prints how much friction the feet of a row of `count` dominoes need. */
 struct feet feet_begin(const struct query *query);
 void feet_add(struct feet *feet, const struct domq_fall *fall);
 void feet_say(struct answer *a, const struct feet *feet, size_t count);
@@ -48,12 +48,14 @@ struct study {
     bool causes; /* the rows were also run with each error left out in turn */
     struct domq_study counts;
     size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
-    /* The number of dominoes in the row, and the lists of stops that domq_placement_causes fills in. */
+    /* `count` is the number of dominoes in the row. `stops` counts the rows that stop at each domino, in the
+     * order that domq_placement_causes describes. */
     size_t count, *stops;
 };
 
-/* Sets up the row many times with the errors of the scene, and writes these errors to `error`. If the scene
- * has no errors, study->rows is 0. On failure, sets *problem and returns false. */
+/* Sets up the row of the scene many times with random errors, and counts how many of these rows fall. Writes
+ * the sizes of the errors to `error`. If the scene has no errors, study->rows is 0. On failure, sets *problem
+ * and returns false. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_error error[DOM_ERROR_COUNT]);
 
@@ -62,7 +64,7 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
-/* Returns a list with a count for each domino: how many rows stop at this domino because of one kind of
+/* Returns an array in which element k is the number of rows that stop at domino k + 1 because of this kind of
  * error. */
 size_t *study_stops(const struct study *study, int kind);
 
@@ -81,11 +83,12 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* The windows of all dominoes, for each kind of window in the order of enum dom_window_of. The friction
-     * between dominoes has a single window, which is the first element. */
+    /* kind[K] is an array with the window of each domino, where K is an enum dom_window_of. The friction
+     * between dominoes has a single window, the first element of its array. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* The number of the domino with the tightest limits for each kind of window, or 0 if there is no window.
-     * If the row does not fall, the number of the domino that needs the smallest change. */
+    /* For each kind of window, the number of the domino with the tightest limits, or 0 if it was not looked
+     * for. If the row does not fall, only the element for leans is set: to the domino whose lean needs the
+     * smallest change. */
     size_t first[WINDOW_KINDS];
     bool falls;
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands placement and budget, and the table of all commands about rows with random errors. */
+/* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -12,7 +12,7 @@
 struct trials {
     struct scene_row scene;
     struct domq_placement placement;
-    bool has_errors; /* an effect with errors is on */
+    bool has_errors; /* an effect that describes random errors is on */
     struct task_pool pool;
 };
 
@@ -97,8 +97,8 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 if the share is a whole number of rows out of 100, or else 1000 if it is a whole number of
- * rows out of 1000. Otherwise returns 0. */
+/* Returns 100 if the share is a whole number of hundredths, 1000 if it is only a whole number of thousandths,
+ * and 0 otherwise. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -107,8 +107,8 @@ static int rows_of(domq_real share)
     return 0;
 }
 
-/* Returns a phrase such as "95 of 100" or "999 of 1000". If neither form is exact, returns a phrase such as
- * "99.95 % of the". */
+/* Returns a phrase such as "95 of 100" or "999 of 1000". For a share that needs more digits, returns a phrase
+ * such as "99.95 % of the". */
 static struct words share_words(domq_real share)
 {
     struct words words;
@@ -133,7 +133,8 @@ struct budget_call {
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns the size of an error with its unit or, for a budget of all errors, the factor for all errors. */
+/* Returns the size of an error with its unit. For a budget of all errors, returns the factor that multiplies
+ * them. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
@@ -160,8 +161,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Runs a study with the error size of the budget, rounded to two digits. Prints how precise the row must be,
- * and how many rows then fall. */
+/* Rounds the error size of the budget to two digits, and runs a study with this size. Prints how precise the
+ * row must be, and how many rows then fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
@@ -205,20 +206,20 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
     bool others = false;
     for (int k = 0; k < DOM_ERROR_COUNT && call->kind < DOM_ERROR_COUNT; k++)
         others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
+    if (!others)
+        return problem_no_answer(problem, "even without random errors, the row does not fall; 'mend' looks "
+                                          "for a change that saves it");
     return problem_no_answer(problem,
-                             others
-                                 ? "even without the error of the %s, fewer rows fall than P asks for; "
-                                   "enter a smaller P, or make the other errors smaller"
-                                 : "even with an exact %s, the row does not fall; 'mend' finds a change that "
-                                   "saves it",
-                             call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
+                             "even without the error of the %s, fewer rows fall than P asks for; enter a "
+                             "smaller P, or make the other errors smaller",
+                             error_names(NULL, (int)call->kind));
 }
 
 /* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
 static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
                          struct problem *problem)
 {
-    struct scene with = *query->scene; /* the dominoes still belong to query->scene */
+    struct scene with = *query->scene; /* this copy shares the dominoes of query->scene */
     if (kind == DOM_ERROR_COUNT)
         return t->has_errors ||
                problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
@@ -267,9 +268,8 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_text(call.share, 10));
-    if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
-                     false /* no progress is shown, because the number of studies is not known in advance */,
-                     &t))
+    /* No progress is shown, because the number of studies is not known in advance. */
+    if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000, false, &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
     enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,
@@ -298,13 +298,13 @@ const struct command study_commands[] = {
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
      .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene: "
-             "first enter 'effect placement 1 mm' for errors of the gaps, or another error, such as 'effect "
+             "first enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
              "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also "
              "run without each of them, with the same random numbers for the others, and the answer says "
-             "which error costs most, and where rows stop because of it. With the same 'seed', row number i "
-             "is always the same, with any number of 'threads'. ^C ends the study, and the answer is then "
-             "about the rows that have been run. With 'domino --shard 2/7' the answer is the second of seven "
-             "parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
+             "which error makes the most rows fail, and where they stop because of it. With the same 'seed', "
+             "row number i is always the same, with any number of 'threads'. ^C ends the study, and the "
+             "answer is then about the rows that have been run. With 'domino --shard 2/7' the answer is the "
+             "second of seven parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -313,10 +313,11 @@ const struct command study_commands[] = {
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "the answer of 'placement', from the parts of a study",
-     .help = "FILE, or '-' for standard input, has the outputs of 'domino --shard I/N' with 'set output csv' "
-             "and 'placement' for all I, concatenated in any order. The answer is the same as that of the "
-             "undivided study, digit for digit. If rows are missing, the answer says so. It is an error if a "
-             "row occurs twice, or if blocks come from different studies.",
+     .help =
+         "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N, and collect "
+         "the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The answer is the "
+         "same as that of the undivided study, digit for digit. If rows are missing, the answer says so. It "
+         "is an error if a row occurs twice, or if blocks come from different studies.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
@@ -330,12 +331,12 @@ const struct command study_commands[] = {
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps, or E, must be for rows to fall with probability P",
-     .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
-             "rows if ROWS is left out). The random rows are the same at every sigma. The answer includes "
-             "the 95 % interval of the share. The errors of the scene other than those of gaps stay as they "
-             "are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and 'budget "
-             "0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends the "
-             "search, and the answer is then the best estimate so far.",
+     .help = "Sets up ROWS random rows (1000 if ROWS is left out), and finds the standard deviation of the "
+             "gaps, sigma, at which the share P of these rows falls. The answer includes the 95 % interval "
+             "of sigma. The random numbers are the same at every sigma. All other errors of the scene stay "
+             "as they are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and "
+             "'budget 0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends "
+             "the search, and the answer is then the best estimate so far.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",

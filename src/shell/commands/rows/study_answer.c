@@ -86,13 +86,13 @@ static size_t cause_stops(const struct study *s, int kind)
 static void causes_say(struct answer *a, const struct study *s)
 {
     static const char *const names[] = {
-        [DOM_ERROR_gap] = "the errors of the gaps",
-        [DOM_ERROR_place] = "the errors of the places",
-        [DOM_ERROR_height] = "the errors of the heights",
-        [DOM_ERROR_thickness] = "the errors of the thicknesses",
-        [DOM_ERROR_mass] = "the errors of the masses",
+        [DOM_ERROR_gap] = "the errors in the gaps",
+        [DOM_ERROR_place] = "the errors in the places",
+        [DOM_ERROR_height] = "the errors in the heights",
+        [DOM_ERROR_thickness] = "the errors in the thicknesses",
+        [DOM_ERROR_mass] = "the errors in the masses",
         [DOM_ERROR_lean] = "the leans",
-        [DOM_ERROR_radius] = "the errors of the radii",
+        [DOM_ERROR_radius] = "the errors in the radii",
         [DOM_ERROR_friction] = "the unknown friction",
         [DOM_ERROR_slope] = "the unknown slope",
         [DOM_ERROR_floor] = "the unknown friction of the floor",

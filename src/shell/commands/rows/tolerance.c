@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command tolerance, which finds how far the position, the size and the lean of each domino in a row may
- * deviate while all dominoes still fall. */
+/* The command 'tolerance'. For each domino of a row, finds how far its position, its size and its lean may
+ * deviate so that all dominoes still fall. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -30,11 +30,10 @@ const struct column tolerance_columns[] = {
     {"lean_high", "m", "the largest lean at which all fall (negative: backwards)", 9},
     {"friction_low", "", "the smallest friction between dominoes at which all fall", 8},
     {"friction_high", "",
-     "the largest friction between dominoes at which all fall; the search ends at 2, or at 4 times the "
-     "present friction",
+     "the largest friction between dominoes at which all fall; the search ends at 2 or at 4 times the "
+     "present friction, whichever is larger",
      8},
-    {"first", "",
-     "whether this domino has the tightest limits of all: in its 'place', its 'height' or 'both'", 6},
+    {"first", "", "in what this domino has the tightest limits of all: 'place', 'height' or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -66,8 +65,7 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     return first;
 }
 
-/* Converts a window of lean angles into a window of the distance by which the top of the domino is off plumb.
- */
+/* Converts the window of a lean from angles to distances: how far the top of the domino is off plumb. */
 static void lean_to_top(struct domq_window *lean, domq_real height)
 {
     lean->now = height * quad(sin)(lean->now);
@@ -178,7 +176,8 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now.text);
+        answer_say(a, "No other friction between the dominoes saves this row; the friction is %s now.",
+                   now.text);
     else if (!w->falls)
         answer_say(a, "All would fall if the friction between the dominoes were %s; it is %s now.", range,
                    now.text);
@@ -230,18 +229,21 @@ static void heights_say(struct answer *a, const struct windows *w)
         passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
     }
     if (open > 0)
-        answer_say(a, "%zu window%s of heights end%s at 4 times the height: taller dominoes are not tried.",
+        answer_say(a,
+                   "%zu window%s of heights end%s at 4 times the present height, because taller dominoes are "
+                   "not tried.",
                    open, open == 1 ? "" : "s", open == 1 ? "s" : "");
     if (passing > 0)
         answer_say(a,
                    "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
                    "domino, so that its face would strike that domino. The model does not include this "
-                   "contact, so the row may also fall with taller dominoes; 'set method engine' includes it.",
+                   "contact, so the row may also fall with taller dominoes. The rigid-body engine includes "
+                   "it: 'set method engine'.",
                    passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
-/* Writes the command that puts a domino into the middle of its window, for a row that falls. Only this domino
- * moves, so the gaps on both sides of it change. */
+/* For a row that falls, prints the command that moves domino k to the middle of its window. No other domino
+ * moves, so the gaps on both sides of domino k change. */
 static void place_change_say(struct answer *a, const struct windows *w, size_t k)
 {
     const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
@@ -250,16 +252,16 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
     char after[2 * CELL_TEXT] = "";
     if (k < w->count)
         snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
-    answer_say(a, "'change %zu gap %c%s%s' moves the domino to the middle.", k, by < 0 ? '-' : '+',
-               shift.text, after);
+    answer_say(a, "'change %zu gap %c%s%s' moves the domino to the middle of this range.", k,
+               by < 0 ? '-' : '+', shift.text, after);
 }
 
 static const char *const size_names[] = {
     [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
 
-/* Writes the 'change' command that puts the gap, height or thickness of domino k into the middle of its
- * window. If the row does not fall, the command goes only a third of the way into the window, as 'mend' does,
- * because a smaller change is better. */
+/* Prints a 'change' command that sets the gap, height or thickness of domino k to the middle of its window.
+ * If the row does not fall, the command goes only a third of the way into the window, as 'mend' does, to keep
+ * the change small. */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
     const struct domq_window *of = &w->kind[kind][k - 1];
