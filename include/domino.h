@@ -125,7 +125,7 @@ struct dom_train {
     X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
-/* The height of the head and gravity, in SI units. */
+/* The height of the head, and the acceleration of gravity, in SI units. */
 struct dom_scale {
     dom_real h, g;
 };
@@ -212,7 +212,7 @@ struct dom_contact_error {
     dom_real theta_1, slope, arm_a, arm_b;
 };
 
-/* A domino at tilt theta and the follower that leans on it. */
+/* The contact of a domino at the tilt theta with the follower that leans on it. */
 struct dom_contact {
     /* If the follower has detached, theta_1 is theta_f, the slope is 0, and the arms are NaN. */
     dom_real theta_1; /* angle of the follower (12; b8) */

@@ -41,7 +41,7 @@ extern "C" {
     X(BAD_GAP, "a gap is outside its range")                                                                 \
     X(BAD_MASS, "a mass is outside its range")                                                               \
     X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
-    X(BAD_LEAN, "a lean is outside its range: a domino that leans more falls over when it is set up")        \
+    X(BAD_LEAN, "a lean is too large: a domino that leans that far falls over when it is set up")            \
     X(BAD_ERROR, "the size of an error is outside its range")                                                \
     X(BAD_ROWS, "the number of rows is 0, or smaller than the number counted as fallen or unknown")          \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
@@ -59,9 +59,9 @@ extern "C" {
       "the radius of the edges is too large: it must be at most half of the thickness, rho <= d/2")          \
     X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \
     X(NO_MARGIN,                                                                                             \
-      "the margin is 0 within rounding errors, so that times cannot be computed; use a slightly smaller r")  \
+      "the margin is 0 within rounding errors, so times cannot be computed; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
-    X(TOO_LONG, "more dominoes contribute to the answer than can be computed")                               \
+    X(TOO_LONG, "the answer depends on more dominoes than can be computed")                                  \
     X(UNDERFLOW, "r^(2q+1) is outside the range of the precision; use a smaller r or q")                     \
     X(NO_PRECISION, "this machine does not support the requested precision")                                 \
     X(NO_METHOD, "the requested method cannot compute this answer")                                          \

@@ -64,9 +64,10 @@ enum dom_window_of {
 };
 
 /*
- * The errors that a row may have once it is set up: X(name, unit, meaning). If the unit is "", the error is
- * relative to the value, except that an error of a friction is added to the coefficient. The kind `friction`
- * and all kinds after it describe one unknown value of the whole row, so all dominoes share one error.
+ * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
+ * error is relative to the value, except that errors of friction are added to the coefficient. The kind
+ * `friction` and all kinds after it describe one unknown value of the whole row, so all dominoes share one
+ * error.
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
@@ -91,7 +92,7 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback for progress reports: `done` of the `of` parts of a long computation are complete. */
+/* A callback for progress reports: `done` out of `of` parts of a long computation are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
@@ -394,7 +395,7 @@ struct dom_wish {
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
  * `needs` are NaN or 0. */
 struct dom_design {
-    /* s is the gap of each domino divided by its height, a multiple of 0.001; r is the growth */
+    /* s, a multiple of 0.001, is the gap of each domino divided by its height; r is the growth */
     dom_real s, r;
     /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
     size_t steps;
@@ -426,10 +427,10 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 
 /*
  * Does what dom_design_find does, for a row that can be built: the sizes and gaps of all dominoes except the
- * first are multiples of the grid, and thicknesses are those of boards if any are given. The row has the
- * safety and fits into the hall of the wish after it has been rounded; the results about the endless train
- * are those before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits
- * are not used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ * first are multiples of the grid, and thicknesses are those of boards if any are given. The rounded row
+ * still has the safety of the wish and fits into its hall; the results about the endless train are those
+ * before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not
+ * used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -446,8 +447,8 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design);
 
-/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first domino has
- * the mass 1. `limits` may be NULL. */
+/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The mass of the first
+ * domino is 1 kg. `limits` may be NULL. */
 enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
                                     const struct dom_limits *limits, const struct dom_design *design,
                                     struct dom_domino *domino);
@@ -488,13 +489,12 @@ struct dom_study {
 };
 
 /*
- * Counts how many rows fall. Unless `stops` is NULL, writes how often a row ended at each domino to stops[0]
- * ... stops[row->count - 1], not counting the unknown rows. The result does not depend on
- * placement->parallel. Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After
- * DOM_INTERRUPTED the counts are those of the rows that were run, if there are any. The status is
- * DOM_BAD_ERROR if the size of an error is not a finite number >= 0, and DOM_NO_LEAN for errors of leans if
- * the edges are rounded or an engine runs the row. Other statuses are those of dom_row_run and of
- * placement->parallel.
+ * Counts how many rows fall. Unless `stops` is NULL, writes to stops[0] ... stops[row->count - 1] how often a
+ * row ended at each domino, not counting the unknown rows. The result does not depend on placement->parallel.
+ * Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the
+ * counts are those of the rows that were run, if there are any. The status is DOM_BAD_ERROR if the size of an
+ * error is not a finite number >= 0, and DOM_NO_LEAN for errors of leans if the edges are rounded or an
+ * engine runs the row. Other statuses are those of dom_row_run and of placement->parallel.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
@@ -525,9 +525,9 @@ struct dom_budget {
 
 /*
  * Finds the size of one kind of error at which the whole row falls with the given probability, 0 <
- * probability < 1; the other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor by
+ * probability < 1. The other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor by
  * which all errors are multiplied. Errors of gaps and places are tried up to the widest gap of the row,
- * relative errors and errors of frictions up to 1, errors of angles up to the steepest slope on which the row
+ * relative errors and errors of friction up to 1, errors of angles up to the steepest slope on which the row
  * stands, errors of the push up to the push itself, and factors up to 64. The status is DOM_STOPS if too few
  * rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and `low`
  * are the largest sigma at which enough of these rows are known to fall, and `high` is the smallest at which

@@ -104,7 +104,7 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
-/* Adds the contributions of the domino of `a`, and of all dominoes behind it, to the sums. Returns H. */
+/* Adds the contributions of domino a, and of all dominoes behind it, to the sums. Returns H. */
 KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
                                 const struct link *a, const struct link *b, real t)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * One domino that leans on the next: the geometry of section 2 and appendix A of the paper, in Cartesian
- * form. An angle theta is stored as a struct tilt, so the loops down the train need no trigonometry. Its
+ * form. An angle theta is stored as a struct tilt, so the loops down the train need no trigonometry. The
  * member v = 1 - cos theta keeps its relative accuracy even if cos theta is nearly 1.
  */
 #ifndef DOM_GEOMETRY_H

@@ -53,8 +53,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from theta'' of its leader, by the derivative of (14; b10). The follower's
- * cosine Y y - X x is not used, because its digits cancel near pi/2. */
+/* Returns theta'' of a follower from theta'' of its leader, by the derivative of (14; b10). Does not compute
+ * the follower's cosine as Y y - X x, because the digits of this difference cancel near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain of dominoes with rounded edges (rounded.h). No error bounds are known for them. */
+/* The passes down a chain of dominoes with rounded edges (rounded.h). No error bounds are known for these
+ * passes. */
 #include "geometry/far.h"
 #include "geometry/rounded.h"
 
@@ -114,14 +115,14 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 }
 
 /*
- * Returns the difference between the tilts of the followers of a and b; `apart` is the difference between the
+ * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
  * tilts of a and b themselves. Let D be the difference between the turns of a and b. Subtracting their
  * contact equations gives
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
- * where every term of R has the small factor `by`. The computed difference of the turns is too inaccurate to
- * serve as D, and is used only for the factor tan(D/2) / D.
+ * where every term of R has the small factor apart.by. The difference D of the computed turns would be too
+ * inaccurate, and is used only for the factor tan(D/2) / D.
  */
 static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {

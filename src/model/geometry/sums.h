@@ -22,7 +22,7 @@ struct sums {
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms, increased where an arm b is a difference that cancels. The
+    /* Sums of the absolute values of all terms, increased if an arm b is a difference that cancels. The
      * rounding errors are estimated from these sums. */
     real A_size, B_size, C_size;
     /* True if no acceleration satisfies the equation of motion (Painleve): A <= 0, or the arm b of a follower

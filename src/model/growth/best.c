@@ -9,11 +9,13 @@
  */
 #include "growth/limit.h"
 
-#define BEST_RATIO    ((real)0.9) /* ratio of one sample of s to the next larger one */
-#define BEST_PATIENCE 8 /* sampling ends after this many successive samples without a larger r_max */
+/* The ratio of one sample of s to the next larger one. */
+#define BEST_RATIO ((real)0.9)
+/* Sampling ends after this many successive samples without a larger r_max. */
+#define BEST_PATIENCE 8
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* width of the narrowest interval of s until a growth above 1 has been found */
+/* The width of the narrowest interval of s until a growth above 1 has been found. */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
@@ -118,8 +120,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the width of the narrowest interval. This width increases as the work approaches its limit, so that
- * the search comes to an end. */
+/* Returns the relative width below which intervals of s are not bisected. This width increases as the work
+ * approaches its limit, so that the search comes to an end. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -184,8 +186,9 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes more samples near the best one, in smaller and smaller steps. This is done where no bounds are known.
- * If the train stops at every sample, the steps cover all s from the reach at r = 1 down to 0.5. */
+/* Takes more samples near the best one, in smaller and smaller steps. This replaces the exclusion of
+ * intervals if no bounds are known. If the train stops at every sample, the steps cover all s from the reach
+ * at r = 1 down to 0.5. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -241,8 +244,8 @@ static real top_slope(real s, void *context)
 /*
  * Finds the factor for slope_step at which the nine-point rule has the smallest error. If a follower begins
  * to detach at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is
- * better. The error is estimated as the difference between the results with two steps, plus the rounding
- * error, which is inversely proportional to the step.
+ * better. The error is estimated as the difference between the results with two different steps, plus the
+ * rounding error, which is inversely proportional to the step.
  */
 static void search_step(struct search *b)
 {
@@ -424,7 +427,7 @@ static enum dom_status search_all(struct search *b, bool *smooth)
 }
 
 /* The best separation of the double kernel is refined within this relative distance. The distance exceeds the
- * error of that separation, but r_max hardly changes over it. */
+ * error of that separation, but r_max hardly changes within it. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */

@@ -79,7 +79,7 @@ static real root_next(const struct root_search *s, const struct margin_context *
         return root_inside(s, r * exp(at[2].value / s->slope));
     bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
     if (s->known == 1 && !high && !low)
-        /* margin_share is tanh(ln(K / B) / 2), so f gives ln(K / B) */
+        /* f, the margin_share, is tanh(ln(K / B) / 2), so it gives ln(K / B) */
         next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 / margin_falls(c, r));
     if (s->known > 1)
         next = root_line(&at[1], &at[2]);
@@ -280,12 +280,11 @@ static real down_first(real whole)
 }
 
 /*
- * Looks for growths below `root` at which the margin is positive, and stores the smallest of them in *down:
- * between *down and `root` the margin is positive. `root` is the reach if the margin is positive even there.
- * If no strip shows that the margin is positive, *down is `root`. Takes strip after strip downwards from
- * `root`, without computing any margin. Over the first strip the bounds show that the margin decreases. Each
- * later strip starts from two bounds at its upper end, which follow from the strips above it: a lower bound
- * on the margin, and an upper bound on the barrier.
+ * Shows that the margin is positive at growths just below `root`, which is the reach if the margin is
+ * positive even there. Works downwards from `root` to `from`, strip by strip, without computing any margin.
+ * *down receives the growth down to which this succeeds, or `root` if it fails at once. Over the first strip,
+ * the bounds show that the margin decreases. Each later strip uses two bounds at its upper end, which follow
+ * from the strips above it: a lower bound on the margin, and an upper bound on the barrier.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {

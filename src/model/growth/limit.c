@@ -88,8 +88,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1 the fuel P has a closed form, and K = P T. P times the first term of T, which is 1 with sharp
-     * edges, is a lower bound on K. */
+    /* At r = 1 the fuel P has a closed form, and K = P T. T is at least its first term, which is 1 with sharp
+     * edges. So P times this term is a lower bound on K. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),

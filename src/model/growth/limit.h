@@ -5,8 +5,8 @@
  * the margin in each of them (strip.h). It goes past a strip only if the bounds show that the margin is
  * positive there, or if the strip is too narrow to divide. For other trains, and for pairs, probe.c relies on
  * samples: it adds a sample wherever the curvature of the margin leaves room for a sign change between two
- * samples. For an endless train without friction, it first finds a root near an estimate. Its samples then
- * only have to look for a smaller root.
+ * samples. If the endless train has no friction, probe.c finds a root near an estimate first, so that its
+ * samples only have to look for a smaller root.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H

@@ -11,8 +11,8 @@
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/* Follows the maximum of H that is found first to the root. There, another search checks that this maximum is
- * the highest. If it is not, the root is found again with a search for all maxima at every r. */
+/* Follows the maximum of H that is found first to the root. Another search at the root checks that this
+ * maximum is the highest. If it is not, the root is found again with a search for all maxima at every r. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
 {
