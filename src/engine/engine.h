@@ -80,10 +80,9 @@ struct engine_fall {
      * of these hits. */
     double gain;
     /*
-     * How much the foremost box slowed down: the smallest ratio of its angular velocity to the largest
-     * angular velocity that it had after it was hit. The ratio is small if the row almost stops. It is 0 if
-     * the foremost box had any contact other than that between the tip of one box and the back face of the
-     * next.
+     * The smallest ratio of the angular velocity of the foremost box to the largest one that it has had since
+     * it was hit. A row that almost stops has a small ratio. The ratio is 0 if the foremost box had any
+     * contact other than that of one box's tip with the next box's back face.
      */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which

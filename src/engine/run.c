@@ -33,7 +33,7 @@ struct run {
     const struct engine_grain *grain;
     double unit;         /* sqrt(height / g) of the head */
     double dt, whole;    /* the length of the current step, and of the longest step */
-    int calm;            /* number of steps that must still be short because of the last hit */
+    int calm;            /* number of further steps that must be short because of the last hit */
     double work;         /* number of steps so far */
     double rest, most;   /* how long the head has rested, and its largest tilt */
     double fastest;      /* the largest angular velocity of the head since it was hit */
@@ -85,8 +85,8 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Records the angular velocity of a box that was just hit, and the increase in energy since the
- * previous hit. */
+/* Records the angular velocity of the head after it is hit, and the increase in energy since the previous
+ * hit. */
 static void note_state(struct run *r)
 {
     struct world *w = &r->world;

@@ -138,8 +138,8 @@ static void turn(struct world *w, double tilt, double spin)
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }
 
-/* Starts the first box. Without a push, the box starts slightly beyond the tilt at which it balances on its
- * edge, and with the velocity of a motion that grows like exp(rate t). */
+/* Starts the first box. Without a push, it starts slightly beyond the tilt at which it balances on its edge.
+ * Its velocity is that of a motion that grows like exp(rate t). */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;

@@ -5,7 +5,7 @@
 header.py SONAME 'COMPILER AND FLAGS' HEADER > _api.py
 
 The headers are the only description of structures and functions, so that a change in them cannot be forgotten here.
-Declarations that this reader does not understand end it with an error.
+The program ends with an error if it cannot read a declaration.
 """
 
 import re
@@ -81,7 +81,7 @@ def arguments(text, callbacks, structs):
 
 def main(soname, compiler, header):
     text = declarations(compiler, header)
-    print('"""The structures and functions of libdomino: made of its headers by header.py."""\n')
+    print('"""The structures and functions of libdomino, generated from its headers by header.py."""\n')
     print("from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint,")
     print("                    c_ulong, c_void_p)")
     print(f'from enum import IntEnum\n\nSONAME = "{soname}"\n')

@@ -21,10 +21,10 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 
 static const char help[] =
     "\n"
-    "Calculates how far a row of dominoes, each r times as large as the one before, can grow.\n"
-    "Without -e, -f or FILE it reads commands from standard input: at a prompt on a terminal,\n"
-    "otherwise one command a line.  -e, -f and FILE stop at the first error, but standard input\n"
-    "goes on.\n"
+    "Calculates how far a row of dominoes can grow, each r times as large as the one before.\n"
+    "Without -e, -f or FILE, domino reads commands from standard input, at a prompt if it is a\n"
+    "terminal.  An error ends -e, -f and FILE; after an error on standard input, the next line\n"
+    "is read.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
@@ -37,7 +37,7 @@ static const char help[] =
     "  -h, --help              print this help\n"
     "  -V, --version           print the version, and what this program was built with\n"
     "\n"
-    "Exit status: 0, or 1 after an error in a command, or 2 for wrong options.\n"
+    "Exit status: 0 without errors, 1 after an error in a command, 2 for wrong options.\n"
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {

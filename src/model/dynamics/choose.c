@@ -36,7 +36,7 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
-        far_make(geometry, 16); /* about 16 passes down the chain follow */
+        far_make(geometry, 16); /* 16 is about the number of passes that a train needs */
     return status;
 }
 

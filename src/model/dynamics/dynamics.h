@@ -97,8 +97,8 @@ struct dynamics {
     /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
-    /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
-     * *slowness is NaN if the energy does not suffice to reach end - by. */
+    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by`, where `end` is the tilt at which the energy is used
+     * up. *slowness is NaN if the energy does not suffice to reach `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
      * receives the number of dominoes that contribute. */

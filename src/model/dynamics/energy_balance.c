@@ -44,8 +44,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
     real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = geometry->upright * (1 + f->inertia_ratio);
-    /* (24; c6), with its denominator r^q J(0) - J(0) + 1 written as r^q + T (r^q - 1), in which all terms
-     * have the same sign. */
+    /* This is (24; c6). Its denominator r^q J(0) - J(0) + 1 is written as r^q + T (r^q - 1), in which all
+     * terms have the same sign. */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
                            .J0 = J0,
@@ -69,7 +69,9 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
     real J0 = launch->J0, kinetic = launch->kinetic;
     if (error) {
         real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
-        /* Rounding errors of the powers in the denominator, and of the operations after them. */
+        /*
+         * This covers the rounding errors of the powers in the denominator, and of the operations after them.
+         */
         real powers = 12 * UNIT;
         real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
                           size * (e.inertia_ratio / f.inertia_ratio + powers);
@@ -140,7 +142,8 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    /* At the start of the motion, rounding may put end - by slightly below the initial tilt of the head. */
+    /* At the start of the motion, rounding may put the tilt `end - by` slightly below the initial tilt of the
+     * head. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);

@@ -18,7 +18,7 @@
 /* The results of one pass down the chain, with the head at theta_c. */
 struct fuel {
     real exact, paper;  /* the fuel (25; c7) from the energy balance, and from the paper's closed form */
-    real inertia_ratio; /* J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
+    real inertia_ratio; /* inertia ratio J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
 };
 
 /* Returns true if the paper's closed form of the fuel is valid, that is, on a level floor and with sharp

@@ -158,7 +158,7 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
             break;
         enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
         if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
-            break; /* so close to the pole, panels have no significant digits left */
+            break; /* panels this close to the pole have no significant digits */
         if (solver != NUM_OK && c.status != DOM_LOCKS)
             return model_status(c.status, solver);
     }
@@ -327,8 +327,8 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* Finds whether the motion slows down before it locks. Since w' = 2 (C - B w) / A and A -> 0, the sign of C
- * decides. */
+/* Finds whether the motion slows down before it locks. This depends on the sign of C, because w' = 2 (C - B
+ * w) / A and A -> 0. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};

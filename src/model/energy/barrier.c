@@ -63,7 +63,7 @@ struct top {
     /* tan of half the angle by which the head leans backwards at the start. Because p may be 0 inside the
      * bracket, changes of p are measured relative to |p| plus this value. */
     real backwards;
-    real height; /* estimated height of the top, whose error is of third order in the last step */
+    real height; /* estimated height of the top; its error is of third order in the last step */
     real moved;  /* relative change of p in the last step of the search */
 };
 
@@ -212,7 +212,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
         barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);
     barrier_sample(c, hi, tol, &last, b);
     if (c->status == DOM_OK && last.slope > 0)
-        c->status = barrier_try(c, hi, b); /* H still increases at the end of the piece */
+        /* H increases up to the end of the piece, so the maximum may be there */
+        c->status = barrier_try(c, hi, b);
     return c->status;
 }
 

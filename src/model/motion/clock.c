@@ -8,7 +8,7 @@ struct clock {
     int pieces;
     struct tick {
         struct num_series series;
-        real begins; /* the time at which the head reaches lo */
+        real begins; /* time at which the head reaches the tilt lo */
         /* True if the train stops at the end of this piece. In this case the variable of the series is x of
          * slowness_before, which is 0 at the stop. */
         bool before;
@@ -122,7 +122,7 @@ static enum dom_status tilt_search(struct motion *m, real time, real *at)
     return DOM_NOT_CONVERGED;
 }
 
-/* Finds the tilt at a given time from the clock, or, if the clock has no pieces, from integrals. */
+/* Finds the tilt at a given time. Uses the clock if it has pieces, and integrals otherwise. */
 static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
 {
     *at = 0;

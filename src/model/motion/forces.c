@@ -254,14 +254,16 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples. The minimum is then found to 1/1000 of the distance between two samples. */
+/*
+ * The number of samples in a search. Between two samples, the minimum is found to 1/1000 of their distance.
+ */
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
  * enough. */
 #define LEAST_LONG 100000
 #define LEAST_TOL  ((real)1e-3 / LEAST_SAMPLES)
 
-/* Finds the smallest force over [lo, hi], where forces do not jump. */
+/* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */
 static enum dom_status least_over(struct least_context *c, real lo, real hi)
 {
     real value[LEAST_SAMPLES + 1], at;

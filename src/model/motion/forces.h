@@ -34,13 +34,15 @@ struct hinge_load {
     const struct link *link;
     real size;                 /* height relative to the head's */
     bool leaned;               /* true if a follower leans on this domino */
-    real force, impulse;       /* exerted by the follower, normal to the back face */
+    real force, impulse;       /* force and impulse of the follower, normal to the back face */
     real x, z;                 /* force of the floor at the hinge */
     real impulse_x, impulse_z; /* impulse of the floor at the hinge in the collision */
 };
 
-/* Finds the forces on at most `shown` dominoes and visits these dominoes from the head down. The visitor
- * returns false to end the walk. Returns DOM_NO_MEMORY if the list of dominoes cannot be allocated. */
+/*
+ * Finds the forces on at most `shown` dominoes and visits these dominoes, beginning with the head. The
+ * visitor returns false to end the walk. Returns DOM_NO_MEMORY if the list of dominoes cannot be allocated.
+ */
 typedef bool hinge_load_visit(const struct hinge_load *hinge_load, void *context);
 KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
                                    const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
@@ -75,7 +77,7 @@ KERNEL real forces_needed(real x, real z);
 struct required_friction {
     real motion, theta; /* largest ratio during the motion, and the tilt of the head then */
     size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
-    real hit;           /* the largest ratio in the collision */
+    real hit;           /* largest ratio |R_x| / R_z in the collision */
     size_t hit_domino;
 };
 

@@ -43,7 +43,7 @@ KERNEL real slowness_before(real x, void *context)
     return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 
-/* Adds the time from m->smooth to `to`, a tilt before the stop. */
+/* Adds the time between the tilts m->smooth and `to`, which is before the stop. */
 static enum dom_status motion_time_before(struct motion *m, real to, real *time)
 {
     real part = 0, far = sqrt((m->end - m->smooth) / m->end);

@@ -6,7 +6,7 @@
 
 #include "motion/segment.h"
 
-/* The motion of the head from upright to theta_c, and the launch that begins it. */
+/* The motion of the head from its upright position to theta_c, and the launch that begins it. */
 struct cycle {
     struct segment segment;
     struct launch launch, launch_error;
@@ -46,7 +46,7 @@ struct motion {
     real end; /* last tilt: theta_c, or where the train comes to rest */
     real tol; /* tolerance of times; larger than requested if the margin is small */
     bool stops;
-    real smooth, root, span; /* set by motion_time for slowness_before */
+    real smooth, root, span; /* motion_time sets `smooth`, `root` and `span` for slowness_before */
     struct room room;        /* memory for the computation of forces */
 };
 

@@ -25,8 +25,8 @@ struct budget {
     int answers;
 };
 
-/* Finds the fraction of the rows that fall at a given sigma. The random numbers are the same for every sigma,
- * so two studies differ only in the size of their errors. */
+/* Finds the fraction of the rows that fall if the errors have the size `sigma`. The random numbers are the
+ * same for every sigma, so two studies differ only in the size of their errors. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)

@@ -33,7 +33,7 @@
 #define SURE 1e-3
 
 /* A change of a gap or a size changes the margins of later dominoes less and less. A run ends when the change
- * of a margin is below this fraction of the largest one. */
+ * of a margin is below this fraction of the largest change. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -92,8 +92,8 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     return DOM_OK;
 }
 
-/* Finds the margin of reach of each domino: how far the domino before it reaches beyond the gap between the
- * two, as a fraction of the height of the domino before it. */
+/* Finds the margin of reach of each domino: 1 - gap / height, where `gap` is the gap before the domino, and
+ * `height` is the height of the previous domino. */
 static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;

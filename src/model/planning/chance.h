@@ -23,8 +23,8 @@ enum dom_status chance_find(const struct chance *chance, const struct dom_domino
 
 /*
  * Finds the margins of each random row, as 2 * count numbers per row. The first `count` numbers are the
- * energy margins ln(kinetic / barrier) of the dominoes. The others are the margins of reach: how far the
- * domino before a gap reaches beyond the gap, as a fraction of that domino's height.
+ * energy margins ln(kinetic / barrier) of the dominoes. The others are the margins of reach: 1 - gap /
+ * (height of the domino before the gap).
  */
 enum dom_status chance_margins(const struct chance *chance, const struct dom_domino *domino, double *margin);
 

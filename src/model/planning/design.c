@@ -9,7 +9,7 @@
 #include <string.h>
 
 /*
- * A search begins with the smallest number of dominoes that may suffice, and tries at most MORE larger
+ * A search begins with the smallest number of dominoes that may suffice, and tries at most MORE further
  * numbers. The search for the shortest row ends when LONGER successive numbers have not given a shorter row.
  * If an engine runs the rows, LONGER_IN_ENGINE numbers are enough.
  */

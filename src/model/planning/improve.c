@@ -104,7 +104,7 @@ static void level_set(struct search *s, const struct level *level)
 /*
  * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall, and sets its
  * gradient unless `gradient` is NULL. Unlike p, this logarithm has a slope even where almost all rows fall,
- * or almost none. When no evaluations are left, the result is infinite, which ends a line search.
+ * or almost none. When all evaluations have been used up, the result is infinite, which ends a line search.
  */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
@@ -162,9 +162,11 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 
 /* ---- The search ---- */
 
-/* Sets the width of the smoothing for each margin from the standard deviation of the margin. This is
- * estimated from the median and a lower quantile, since only small margins matter for the rows that do not
- * fall. */
+/*
+ * Sets the width of the smoothing for each margin from the standard deviation of the margin. The standard
+ * deviation is estimated from the median and a lower quantile, since a row stops only where margins are
+ * small.
+ */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
     const size_t rows = s->chance.placement.rows, margins = 2 * s->shape.row->count;
@@ -193,9 +195,9 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 
 /*
  * Considers the row that the variables x describe as the new best row. Its smoothed fraction of failures must
- * be smaller than that of the best row so far. In the study that decides, more of its random copies must fall
- * than of the original row's. If the original row is outside the limits, the second condition is dropped, and
- * the first row within the limits is always kept.
+ * be smaller than that of the best row so far. In the study that decides, it must also fall more often than
+ * the original row. If the original row is outside the limits, the second condition is dropped, and the first
+ * row within the limits is always kept.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {

@@ -45,7 +45,7 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the probability p that a single row falls for which binomial_tail returns TAIL. Uses bisection,
+/* Finds p, the probability that a single row falls, such that binomial_tail returns TAIL. Uses bisection,
  * because the tail is almost constant where it is close to 0 or to 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {

@@ -117,7 +117,7 @@ static void batch_run(size_t index, void *context)
     draw_end(&b.draw);
 }
 
-/* A dom_parallel without a thread pool, which runs one task after the other. */
+/* A dom_parallel that runs one task after the other, without a thread pool. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;

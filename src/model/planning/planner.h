@@ -11,8 +11,8 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations, relative to the height, are multiples of 1/GRID, which is about 0.05 mm for the standard
- * domino. The search for the best separation starts with steps of COARSE/GRID. */
+/* Separations are multiples of height / GRID, which is about 0.05 mm for the standard domino. The search for
+ * the best separation begins with steps of COARSE of these units. */
 enum { GRID = 1000, COARSE = 20 };
 
 /* The state of a search for a design. After an error `status` is not DOM_OK. Then no more trains or rows are

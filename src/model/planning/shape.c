@@ -82,8 +82,8 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
                    before =
                        s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness, d->height / 2) : 0,
                    after = before > 0 ? wood_volume(s->row, height, thickness, height / 2) : 0;
-    /* Besides the height, the thickness matters: the mass of a solid domino (q = 4) is proportional to its
-     * thickness, and the mass of a domino with thin walls (q = 3) hardly depends on it. */
+    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the mass
+     * hardly depends on the thickness. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
     d->radius *= x;
     d->height = height;

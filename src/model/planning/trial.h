@@ -84,8 +84,8 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
  * dominoes fall. They must fall at `good`, the value of step i - 1. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end` for a range of values at which all dominoes fall. Sets *to
- * to the beginning of the range and *until to its end. Returns false if there is no such range. */
+/* Searches from the current value towards `end` for a range of values at which all dominoes fall. `*to` and
+ * `*until` receive the beginning and the end of the range. Returns false if there is no such range. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

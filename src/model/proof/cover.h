@@ -40,8 +40,9 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
  * Tries to prove that the train keeps falling at all growths from *done to r_high. Goes upwards in strips
- * (intervals of growths) that are at least `finest` wide. *done is set to the largest growth up to which the
- * proof succeeded. If a strip fails, *stop is set to its upper end.
+ * (intervals of growths), and sets *done to the largest growth up to which the proof succeeded. If the proof
+ * of a strip fails, a strip wider than `finest` is halved. Otherwise the proof ends, and *stop is set to the
+ * upper end of the strip.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 

@@ -3,8 +3,8 @@
  * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves for one strip
  * (an interval of growths) after the other that the train keeps falling. If a proof succeeds, the next strip
  * is twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper
- * end of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers, one just
- * below and one just above the root. A wrong estimate makes these proofs fail, but does no other harm.
+ * end of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers close to
+ * the root, one below and one above it. A wrong estimate makes these proofs fail, but does no other harm.
  */
 #include "proof/limit.h"
 
@@ -153,8 +153,8 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Called for a pair that stops at r = 1. Looks for the smallest growth at which the pair keeps falling,
- * and returns a growth for which this is proved: if possible, a decimal number just above the lowest root
+ * Called for a pair that stops at r = 1. Looks for the smallest growth at which the pair keeps falling, and
+ * returns a growth for which this is proved: if possible, a decimal number slightly above the lowest root
  * that is found from samples. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)

@@ -28,7 +28,7 @@ struct passage {
 /* The times at which the caller wants the state of a row, and the current state. */
 struct watch {
     const dom_real *time; /* the requested times in s, in ascending order */
-    size_t times, next;   /* number of requested times, and index of the next of them */
+    size_t times, next;   /* number of requested times, and index of the next one to report */
     dom_moment_visit *visit;
     void *context;
     bool ended;             /* true if the callback has ended the run */

@@ -45,7 +45,8 @@ struct glide {
     bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds one domino to the sums. Its state is *b at the first tilt of the head, and *a at the last. */
+/* Adds one domino to the sums. The state of this domino is *b at the first tilt of the head, and *a at the
+ * last. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -79,7 +80,7 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
 static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
 {
     const struct geometry *self = head->geometry;
-    /* If no follower gains height, H decreases once the head is beyond theta_u. */
+    /* If no follower gains height, H decreases when the head is beyond theta_u. */
     const real height = geometry_height(self, standing),
                bend = g->bend + (g->rises ? fmin(height, geometry_height(self, head->tilt)) : height);
     const real rise = fmax(g->rise, 0);

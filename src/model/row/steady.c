@@ -9,8 +9,8 @@ enum { STEADY_MORE = 2 };
  * the run. */
 enum { STEADY_FIRST = 256 };
 
-/* A motion counts as repeated if omegasq would change over all later heads together by at most this fraction
- * of the tolerance. */
+/* A motion counts as repeated if the total change of omegasq over all later heads would be at most this
+ * fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */

@@ -12,14 +12,15 @@ Magnification"). This module asks libdomino about trains and about rows of any d
 
 Questions about a train take s (separation), r (growth), d (thickness) and q (mass: 3 or "hollow", 4 or "solid"), the
 effects friction, slope, edges and walls, and how to compute: tol, precision ("float", "double", "quad"), errors (True
-adds bounds of the errors). Lengths are in heights of the head, angles in radians, energies in m g h / 2, times in tau.
-Each of these may be a NumPy array; arrays broadcast, and all cores work on them:
+adds error bounds). Lengths are in heights of the head, angles in radians, energies in m g h / 2, times in tau.
+Each of these may be a NumPy array. Arrays broadcast, and are computed on all cores:
 
     >>> import numpy as np
     >>> domino.rmax(np.linspace(0.1, 0.9, 1000)).r_max.shape
     (1000,)
 
-Rows are in metres, kilograms and seconds: see Row. Answers are named tuples; what has no answer raises DominoError.
+Rows are in metres, kilograms and seconds: see Row. Answers are named tuples. A question without an answer raises
+DominoError.
 """
 
 from ._library import DominoError, OutOfRange, version

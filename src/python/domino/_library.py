@@ -16,7 +16,7 @@ from . import _api as api
 
 
 def _load() -> ctypes.CDLL:
-    """Loads the library: $DOMINO_LIBRARY, or the one installed with this module, or that of the system."""
+    """Loads the library: $DOMINO_LIBRARY, or else the one installed with this module, or else the system's."""
     here = Path(__file__).resolve().parent
     named = os.environ.get("DOMINO_LIBRARY")
     installed = [str(parent / "lib" / api.SONAME) for parent in here.parents if (parent / "lib" / api.SONAME).exists()]
@@ -82,7 +82,7 @@ PRECISIONS = {"float": api.dom_precision.DOM_FLOAT, "double": api.dom_precision.
 def computing(tol: float | None, precision: str, errors: bool = False) -> api.dom_compute:
     """Returns a struct dom_compute. The default of the tolerance depends on the precision."""
     if precision not in PRECISIONS:
-        raise OutOfRange(f"precision: {precision!r} is none of float, double and quad", "BAD_PRECISION", "precision")
+        raise OutOfRange(f"precision: {precision!r} is not float, double or quad", "BAD_PRECISION", "precision")
     compute = lib.dom_compute_default()
     compute.precision = PRECISIONS[precision]
     compute.tol = lib.dom_arithmetic(compute.precision).contents.tol_default if tol is None else tol
@@ -94,8 +94,8 @@ def computing(tol: float | None, precision: str, errors: bool = False) -> api.do
 def interruptible(compute: api.dom_compute) -> Iterator[None]:
     """A context in which ^C ends a computation of the library and then raises KeyboardInterrupt.
 
-    Python runs signal handlers between its own instructions only, so the work is done on another thread, which `run`
-    starts, while this one waits.
+    Python runs signal handlers only between its own instructions. So `run` does the work on another thread, while this
+    one waits.
     """
     flag = ctypes.c_int(0)
     compute.interrupt = ctypes.pointer(flag)
@@ -134,7 +134,7 @@ def run_all(calls: list[Any]) -> list[Any]:
 
 @api.dom_parallel
 def parallel(count: int, task: Any, context: int, pool: int) -> int:
-    """A dom_parallel that runs the tasks of a study on all cores. Call it on a separate thread, which waits."""
+    """A dom_parallel that runs the tasks of a study on all cores. The thread that calls it waits until they end."""
     numbers = iter(range(count))
     lock = threading.Lock()
 

@@ -53,7 +53,7 @@ class Verdict(NamedTuple):
 
 
 class Window(NamedTuple):
-    """The values of one gap, place, height, lean or friction with which all dominoes fall; NaN if there are none."""
+    """The range of one gap, place, height, lean or friction in which all dominoes fall; NaN if there is none."""
 
     domino: int
     now: float
@@ -98,7 +98,7 @@ class Budget(NamedTuple):
 
 
 class Design(NamedTuple):
-    """A row that fulfils a wish. The attribute `row` holds its dominoes."""
+    """A row that was designed for a wish. The attribute `row` holds its dominoes."""
 
     s: float
     r: float
@@ -123,7 +123,7 @@ def error_kind(name: str) -> int:
     """Returns the number of a kind of error."""
     kinds = [kind.name.removeprefix("DOM_ERROR_") for kind in api.dom_error_of if kind.name != "DOM_ERROR_COUNT"]
     if name not in kinds:
-        raise ValueError(f"there is no error of {name!r}; use one of: {', '.join(kinds)}")
+        raise ValueError(f"{name!r} is not a kind of error; use one of: {', '.join(kinds)}")
     return kinds.index(name)
 
 
@@ -132,10 +132,10 @@ class Row:
 
     Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
     of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean and
-    radius, whose units stand in brackets: "height (mm)". Without masses all dominoes have one density.
+    radius, whose units stand in brackets: "height (mm)". Without masses, all dominoes have the same density.
 
-    friction, slope (rad), edges (radius over height) and walls (m) are effects; push is a speed in rad/s for the first
-    domino, which otherwise just tips over.
+    friction, slope (rad), edges (radius over height) and walls (m) are effects. push is the angular velocity of the
+    first domino in rad/s; without it, this domino tips over its edge from rest.
     """
 
     def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,
@@ -266,7 +266,7 @@ class Row:
         return falls
 
     def verdict(self) -> Verdict:
-        """Whether all dominoes fall and, if not, where the row ends and why."""
+        """Finds whether all dominoes fall. If not, finds where the row ends, and why."""
         v = api.dom_verdict()
         self._call(lib.dom_row_run, True, api.dom_fall_visit(), None, ctypes.byref(v), wrong=v)
         end = api.dom_row_end(v.end)
@@ -274,9 +274,9 @@ class Row:
                        v.seconds, v.weakest, v.spare)  # fmt: skip
 
     def tolerance(self, of: str = "gap") -> list[Window]:
-        """The windows of each "gap", "place", "height" or "lean", or of the "friction": values with which all fall."""
+        """The windows of each "gap", "place", "height" or "lean", or of the "friction", in which all fall."""
         if of not in WINDOWS:
-            raise OutOfRange(f"of: {of!r} is none of {', '.join(WINDOWS)}", "BAD_METHOD", "of")
+            raise OutOfRange(f"of: {of!r} is not one of {', '.join(WINDOWS)}", "BAD_METHOD", "of")
         count = {"friction": 1, "gap": len(self) - 1, "place": len(self) - 1}.get(of, len(self))
         windows = (api.dom_window * max(count, 1))()
         self._call(lib.dom_row_windows, WINDOWS[of], api.dom_progress(), None, windows)
@@ -301,7 +301,7 @@ class Row:
         for name, error in errors.items():
             size, limits = error if isinstance(error, tuple) else (error, "normal")
             if limits not in ("normal", "uniform"):
-                raise ValueError(f"the limits of the error of {name} are 'normal' or 'uniform', not {limits!r}")
+                raise ValueError(f"the error of {name} is 'normal' or 'uniform', not {limits!r}")
             placement.error[error_kind(name)] = api.dom_error(size, limits == "uniform")
         return placement
 
@@ -319,7 +319,7 @@ class Row:
 
     def budget(self, probability: float, of: str = "gap", *, rows: int = 1000, seed: int = 1,
                **errors: float | tuple[float, str]) -> Budget:  # fmt: skip
-        """The size of one error at which the row falls with this probability, in addition to errors as in `placement`.
+        """The size of one kind of error at which the row falls with this probability. Other errors: as in `placement`.
 
         of="all" finds the factor by which all errors may be multiplied.
         """
@@ -330,7 +330,7 @@ class Row:
         except DominoError as error:
             if error.status != "STOPS":
                 raise
-            raise DominoError("even with exact gaps too few of these rows fall", "STOPS") from None
+            raise DominoError("even with exact gaps, too few of these rows fall", "STOPS") from None
         return Budget(budget.sigma, budget.low, budget.high)
 
 
@@ -341,7 +341,7 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
     leasts = {"dominoes": api.dom_least.DOM_LEAST_DOMINOES, "length": api.dom_least.DOM_LEAST_LENGTH,
               "mass": api.dom_least.DOM_LEAST_MASS}  # fmt: skip
     if least not in leasts:
-        raise OutOfRange(f"least: {least!r} is none of {', '.join(leasts)}", "BAD_METHOD", "least")
+        raise OutOfRange(f"least: {least!r} is not one of {', '.join(leasts)}", "BAD_METHOD", "least")
     train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls).structure()
     wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
                         push=math.nan if push is None else push)  # fmt: skip

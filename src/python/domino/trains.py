@@ -57,7 +57,7 @@ class Fuel(NamedTuple):
 
 
 class Launch(NamedTuple):
-    """The motion just after a collision."""
+    """The motion right after a collision."""
 
     fuel: Number
     J0: Number
@@ -121,7 +121,7 @@ def _named(values: dict[str, Any], given: Any, what: str) -> Any:
     """Returns the number of a word such as "hollow"; other values are returned as they are."""
     if isinstance(given, str):
         if given not in values:
-            raise OutOfRange(f"{what}: {given!r} is none of {', '.join(values)}", f"BAD_{what.upper()}", what)
+            raise OutOfRange(f"{what}: {given!r} is not one of {', '.join(values)}", f"BAD_{what.upper()}", what)
         return values[given]
     return given
 
@@ -190,7 +190,7 @@ def _ask_many(question: int, kind: type, fuel: int, values: dict[str, Any], comp
     count = trains.size
     answers = np.zeros(count, _dtype(kind))
     statuses = np.zeros(count, np.intc)
-    # More parts than cores, since some take longer than others.
+    # There are more parts than cores, since some parts take longer than others.
     ends = np.linspace(0, count, (min(8 * CORES, max(count // 4, 1)) if CORES > 1 else 1) + 1).astype(int)
 
     def part(low: int, high: int) -> Any:
@@ -219,7 +219,7 @@ def _ask_many(question: int, kind: type, fuel: int, values: dict[str, Any], comp
 
 @functools.cache
 def _dtype(structure: type) -> Any:
-    """Returns the NumPy dtype of a structure. Making it takes as long as a hundred results."""
+    """Returns the NumPy dtype of a structure. Creating a dtype takes as long as computing a hundred results."""
     import numpy as np
 
     return np.dtype(structure)
@@ -292,7 +292,7 @@ def fuel(s: Number = 0.4, *, tol: float | None = None, precision: str = "double"
 
 def launch(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
            **train: Any) -> Launch:  # fmt: skip
-    """The motion just after a collision (24; c6)."""
+    """The motion right after a collision (24; c6)."""
     a = _ask(ASK.DOM_ASK_LAUNCH, api.dom_launch, Train(s, **train), None, _how(tol, precision, errors))
     return _tuple(Launch, a, ["fuel", "J0", "velocity_ratio", "omegasq", "kinetic"], errors)
 
@@ -338,7 +338,7 @@ def rmax(s: Number = 0.4, *, tol: float | None = None, precision: str = "double"
 
 def pair(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
          **train: Any) -> Limit:  # fmt: skip
-    """The largest growth of two dominoes, the first of which just tips over; r is not used."""
+    """The largest growth of two dominoes, the first of which tips over its edge from rest; r is not used."""
     return _limit(ASK.DOM_ASK_PAIR, s, _how(tol, precision, errors), train)
 
 
@@ -356,7 +356,7 @@ def count(height: float, r: float = 1.5, *, first: float = 0.048) -> Count:
 
 
 def prove(what: str = "rmax", s: float = 0.4, *, tol: float = 1e-12, **train: Any) -> Proof:
-    """Proves bounds of the largest growth of a train ("rmax") or of two dominoes ("pair") by interval arithmetic."""
+    """Proves bounds on the largest growth of a train ("rmax") or of two dominoes ("pair") by interval arithmetic."""
     functions = {"rmax": lib.dom_prove_rmax, "pair": lib.dom_prove_pair}
     function = _named(functions, what, "what")
     t, compute, proof = Train(s, **train), computing(tol, "double"), api.dom_proof()
