@@ -3,8 +3,8 @@
  * The paper's law of motion: contacts without friction dissipate no energy. The sum of kinetic and potential
  * energy is constant in a cycle (21; c3) and (51; d9): J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)],
  * with w = tau^2 omega^2. The collision leaves the fraction T / (1 + T) of the angular velocity, with T =
- * J(0) - 1 (22; c4). A cycle releases the fuel P (25; c7). A train in which each cycle repeats the one before
- * (23; c5) begins its cycle with the kinetic energy (24; c6)
+ * J(0) - 1 (22; c4). A cycle releases the fuel P (25; c7). If each cycle repeats the one before (23; c5), it
+ * begins with the kinetic energy (24; c6)
  *
  *     K = P T / (r^q + T (r^q - 1)).
  *

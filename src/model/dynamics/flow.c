@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* One solution may visit at most this many dominoes, in all of its passes together. In double precision,
- * visiting so many takes half a second. A solution takes about a hundred passes. */
+/* A solution takes about a hundred passes down the chain. All these passes together may visit at most this
+ * many dominoes. In double precision, this takes half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {

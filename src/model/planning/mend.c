@@ -170,9 +170,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
 }
 
 /*
- * Finds the smallest growth at which the row falls, and the largest growth up to which it falls. A row that
- * stops at r = 1 may fall at a larger growth: its gaps are then wider, so the first domino tips over before
- * it hits the second.
+ * Finds r_min, the smallest growth at which the row falls, and r_max, the growth up to which it keeps
+ * falling. A row that stops at r = 1 may fall at a larger growth: its gaps are then wider, so the first
+ * domino tips over before it hits the second.
  */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 /* Separations are multiples of height / GRID, which is about 0.05 mm for the standard domino. The search for
- * the best separation begins with steps of COARSE of these units. */
+ * the best separation begins with steps of COARSE * height / GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
 /* The state of a search for a design. After an error `status` is not DOM_OK. Then no more trains or rows are

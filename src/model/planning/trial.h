@@ -54,8 +54,8 @@ typedef bool trial_test(dom_real x, void *trial);
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of a decimal digit of `value`: of the first significant digit if `places` is 0, or
- * of the digit `places` places after it. */
+/* Returns the place value of a decimal digit of `value`. For places = 0 it is the first significant digit,
+ * for places = 1 the digit after it, and so on. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */

@@ -95,8 +95,8 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = x == good || falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            /* t->ends comes from the last trial in which the row did not fall, which is the one closest to
-             * the edge */
+            /* t->ends comes from the last trial in which the row did not fall. This trial is the closest to
+             * the edge. */
             *beyond = t->ends;
             open = false;
         }

@@ -52,7 +52,7 @@ struct span tilt_height(const struct shape *shape, struct span v)
 
 struct span tilt_rise(const struct shape *shape, struct span v)
 {
-    /* dh/dtheta = d cos theta - sin theta decreases on [0, pi/2]. */
+    /* dh/dtheta = d cos theta - sin theta, which decreases on [0, pi/2]. */
     return (struct span){down(down(shape->d.lo * least_0(down(1 - v.hi))) - sine_above(v.hi)),
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves for one strip
- * (an interval of growths) after the other that the train keeps falling. If a proof succeeds, the next strip
- * is twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper
- * end of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers close to
- * the root, one below and one above it. A wrong estimate makes these proofs fail, but does no other harm.
+ * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves that the train
+ * keeps falling in one strip (an interval of growths) after another. If a proof succeeds, the next strip is
+ * twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper end
+ * of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers close to the
+ * root, one below and one above it. A wrong estimate makes these proofs fail, but does no other harm.
  */
 #include "proof/limit.h"
 

@@ -51,8 +51,8 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Two runs of a head look for negative contact forces. In the faster one, omegasq is multiplied by this
- * factor. */
+/* Each head is run twice, slowly and fast, to look for negative contact forces. In the fast run, omegasq is
+ * multiplied by this factor. */
 #define FAST 1000
 
 /*

@@ -14,7 +14,7 @@ struct since {
 /* A stretch of the motion of one head, during which no domino detaches. */
 struct passage {
     struct segment st;
-    real to;    /* the tilt of the head where the passage ends */
+    real to;    /* tilt of the head at the end of the passage */
     bool rests; /* true if the head comes to rest at the tilt `to` */
     struct since since;
     real lasts;      /* duration of the passage in tau */

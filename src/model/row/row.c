@@ -130,7 +130,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* if the head touches the next domino from the start, there is no segment, and these values remain */
+    /* If the head touches the next domino from the start, there is no segment, and the values that are set
+     * here remain. */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;

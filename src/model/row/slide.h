@@ -27,7 +27,7 @@ KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, 
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 
-/* Returns true if the margin is so far from 0 that its sign is certain, although omegasq has an error. */
+/* Returns true if the sign of the margin is certain in spite of the error in omegasq. */
 KERNEL bool slide_sure(const struct slide *s, real omegasq, real margin, real kinetic);
 
 #endif

@@ -11,7 +11,8 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* by how much the number of moving dominoes grows from head to head: 0 or 1 */
     size_t more;
-    /* true if the next head will move like the last one, as long as the next two dominoes are equal to it */
+    /* true if the next head will move like the last one, as long as the next two dominoes are equal to the
+     * last head */
     bool found;
 };
 
