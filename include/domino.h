@@ -289,7 +289,7 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel; /* P, as train->fuel selects it, minus the work of friction */
+    dom_real fuel; /* the fuel P by the formula that train->fuel selects, minus the work of friction */
     dom_real J0;   /* J(0) */
     /* omega(0) after the collision, divided by omega_1(theta_c) before the collision (22; c4): (J(0) - 1) /
      * J(0). */

@@ -168,7 +168,8 @@ struct dom_row dom_row_default(void);
  * domino or lies on the floor. "The hit" is the collision in which the domino is hit. */
 struct dom_fall {
     size_t domino; /* number of the domino, from 1 */
-    dom_real time; /* the time of the hit in s, since the push or, without a push, since the first hit */
+    /* the time of the hit in s, counted from the push or, without a push, from the first hit */
+    dom_real time;
     /* the time in s from the hit until the domino hits the next one or lies on the floor; NaN if it does
      * neither */
     dom_real duration;
@@ -362,7 +363,8 @@ struct dom_limits {
     /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
      * walls, the masses follow from the walls instead. */
     dom_real q;
-    /* the length of the hall in m, into which the row must fit with its last domino lying; may be infinite */
+    /* the length of the hall in m, into which the row must fit even after its last domino has fallen; may be
+     * infinite */
     dom_real hall;
     /* For dom_row_improve: the largest mass, in kg, that a changed domino may have; may be infinite. */
     dom_real heaviest;
@@ -381,8 +383,8 @@ struct dom_limits {
 struct dom_wish {
     dom_real first, height; /* heights of the first and the last domino, in m; height > first */
     dom_real safety; /* the kinetic energy of each cycle divided by the energy that the cycle needs; > 1 */
-    /* the length of the hall in m, larger than `height`, into which the row must fit with its last domino
-     * lying; may be infinite */
+    /* the length of the hall in m, larger than `height`; the row must fit into the hall even after its last
+     * domino has fallen; may be infinite */
     dom_real hall;
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;

@@ -87,7 +87,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "= (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
-            .plan = "one factor of the moment of inertia, in closed form",
+            .plan = "a factor of the moment of inertia, in closed form",
             .argument = {{.name = "THICKNESS",
                           .unit = "h",
                           .meaning =
@@ -122,7 +122,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "from samples of the growth, as with friction. 'fuel paper' cannot be combined with "
                     "rounded edges: the paper's closed form of the fuel does not include this effect.",
             .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
-            .plan = "contacts by Newton's method, inertia i(theta)",
+            .plan = "contacts by Halley's method, inertia i(theta)",
             .argument = {{.name = "RADIUS",
                           .unit = "h",
                           .meaning = "radius of the edges divided by the height",

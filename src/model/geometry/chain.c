@@ -24,8 +24,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The fraction of a torque on the current domino that reaches the head. Without friction it equals the
-     * slope. */
+    /* The fraction of a torque that is passed on from the current domino to the head. Without friction it
+     * equals the slope. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);

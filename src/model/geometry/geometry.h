@@ -98,7 +98,7 @@ struct geometry {
     struct {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta. On a level floor, x is d and y is 1. */
     } h;
-    /* r^-q theta_1'(theta_inf), the limit of the ratio of successive terms of H1 */
+    /* r^-q theta_1'(theta_inf): far down the train, each term of H1 is this multiple of the term before */
     real decay;
     /* in estimates of the tail of J, successive terms are taken to have at least this ratio */
     real decay_J;

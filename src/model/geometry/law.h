@@ -79,8 +79,8 @@ struct contact_law {
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel: the closed form of (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns the product r s for the smallest growth r at which domino 1 tips over before it hits the next
-     * domino (5; b0). */
+    /* Returns r s, where r is the smallest growth at which domino 1 tips over before it hits the next domino
+     * (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5) without cancellation, or 0 if domino 1 has
      * not tipped over. */

@@ -180,8 +180,8 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* If the tilt of this domino is so close to theta_inf that the far series is accurate, adds the sum of the
- * series for this domino and all dominoes behind it to J, H1 and J'/2, and returns true. */
+/* Tests whether the tilt of this domino is so close to theta_inf that the far series is accurate. If so, adds
+ * the contributions of this domino and of all dominoes behind it to J, H1 and J'/2, and returns true. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

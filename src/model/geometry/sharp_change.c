@@ -50,8 +50,8 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 
 /*
  * Returns tan((theta_f - theta_1) / 2) for a follower that leans at theta_1 now and will detach at theta_f.
- * This is the step of energy_change_between from `leader` to theta_leave, at which the arm a is 0, that is, Y
- * = r L x. The arm of `leader` contains the factor
+ * The formula is that of energy_change_between, for a leader that moves from its present tilt to theta_leave.
+ * At theta_leave the arm a is 0, that is, Y = r L x. The arm of `leader` contains the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */

@@ -96,9 +96,9 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* If the tilt of this domino is so close to theta_inf that the quadratic terms of far_friction are
- * negligible, adds the contributions of this domino and of all dominoes behind it to the sums, and returns
- * true. */
+/* Tests whether the tilt of this domino is so close to theta_inf that the quadratic terms of far_friction are
+ * negligible. If so, adds the contributions of this domino and of all dominoes behind it to the sums, and
+ * returns true. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {

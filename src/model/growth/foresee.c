@@ -47,9 +47,9 @@ static void root_add(struct root_search *s, struct root_point point)
 }
 
 /*
- * Returns the root of the straight line through two points. Close to the root of the margin, margin_share is
- * less curved than the margin itself; far from the root, margin_share is almost constant, near 1 or -1, so
- * the margin is used instead.
+ * Returns the root of the straight line through two points. Close to the root of the margin, the line is
+ * drawn through margin_share, which is less curved there than the margin. Far from the root, margin_share is
+ * almost constant, near 1 or -1, so the line is drawn through the margin itself.
  */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {

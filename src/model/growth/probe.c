@@ -31,10 +31,10 @@ static real probe_place(const struct margin_context *c, int k)
 #define PROBE_HALVES 17
 
 /*
- * The margin is taken to keep its sign between two samples if it exceeds this multiple of f w^2 at both of
- * them. Here w is the difference of their x, and f is the second divided difference of the margin at the two
- * samples and a third one. A parabola deviates from the straight line between the two samples by at most f
- * w^2 / 4.
+ * Let w be the difference of x between two samples, and f the second divided difference of the margin at
+ * these samples and a third one. The margin is taken to keep its sign between the two samples if it exceeds
+ * PROBE_SAFETY f w^2 at both of them. A parabola deviates from the straight line between the samples by at
+ * most f w^2 / 4.
  */
 #define PROBE_SAFETY 3
 
@@ -65,9 +65,9 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Returns a smooth function of x that has the sign of the margin or, if the margin is negative at the start,
- * the opposite sign. If a root is already known, the function is divided by the distance from that root, so
- * that it changes its sign only at other roots. If only an upper bound on the barrier of `edge` is known, the
+ * Returns a smooth function of x that is positive wherever the margin has the same sign as at the start of
+ * the search. If a root is already known, the function is divided by the distance from that root, so that it
+ * changes its sign only at other roots. If only an upper bound on the barrier of `edge` is known, the
  * argument `barrier` is used instead.
  */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
@@ -83,8 +83,8 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 /*
  * Returns true if, according to its curvature, the margin has no sign change between lo and hi apart from
  * p->root. The curvature comes from lo, hi and `third`, a sample outside the interval. If `third` is lo
- * itself, the result is false. Where only an upper bound on the barrier is known, the barrier of another
- * sample is used, so that the step from upper bounds to barriers is not mistaken for curvature.
+ * itself, the result is false. If only an upper bound on a barrier is known, the barrier of another sample is
+ * used, so that the step from upper bounds to barriers is not mistaken for curvature.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
