@@ -82,7 +82,7 @@ change 0 height 1 m|there is no domino 0
 change 1 gap 1 cm|there is no gap before domino 1
 change 3 height 0|domino 3: height = 0 m is too small
 change 2,3 thickness -100 %|domino 2: thickness = 0 m is too small
-change 4 lean 5 cm|domino 4: with its top 5 cm off plumb this domino falls over by itself
+change 4 lean 5 cm|domino 4: with its top 5 cm off plumb, this domino falls over by itself
 change 3 radius 20 mm|domino 3: radius = 0.02 m is more than 0.007875 m, half of the thickness
 change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, radius, lean
 change 2 height|X is missing

@@ -186,7 +186,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
     wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, walls, edges, row, push, placement, floor, feet, bounce"
-    wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
+    wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; choose a domino from 2 to 4'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
     wrong 'effect row 4; place 2 -1' "a change of the gap by -1 needs a unit, as in '-1 m'"
     wrong 'effect row 4; place 2 -1 m' 'domino 2: gap = -0.9712 m is negative'

@@ -179,9 +179,9 @@ END
     within spare "$plumb" "$(json 'effect row lean.csv; verdict' | values spare)" 'o > 0 && d < -0.1'
     same 'one that leans is drawn so' 1 "$(json 'effect row lean.csv; draw' | values theta | awk '$1 < 0' | wc -l)"
     printf 'height (mm), thickness (mm), gap (mm), lean (mm)\n48,7,-,0\n72,10.5,28.8,-12\n' >over.csv
-    wrong 'effect row over.csv' "3:14: with its top -1.2 cm off plumb this domino falls over by itself; the most this domino can lean is -1.039 cm$"
+    wrong 'effect row over.csv' "3:14: with its top -1.2 cm off plumb, this domino falls over by itself; the limit is -1.039 cm$"
     sed 's/,-12$/,-10/' over.csv >slope.csv
-    wrong 'effect slope -1 deg; effect row slope.csv' '3:14: .*the most this domino can lean on this slope is -9.145 mm$'
+    wrong 'effect slope -1 deg; effect row slope.csv' '3:14: .*the limit on this slope is -9.145 mm$'
     wrong 'effect row slope.csv; effect slope -1 deg; fall' 'fall: domino 2: .*on this slope is -9.145 mm$'
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
     # On a slope, a domino may lean further back than on a level floor.

@@ -8,9 +8,9 @@
 
 /*
  * Writes an answer whose rows are computed point by point, in parallel. `workers` holds the number of points
- * of the whole answer and the function that computes a point. Point 0 begins the answer. With --shard, only a
- * part of the points is computed. If the function that computes a point returns false, sets *by_point to true
- * and returns false. On any other failure, sets *problem and returns false.
+ * of the whole answer, and the function that computes a point. For point 0, this function also begins the
+ * answer. With --shard, only a part of the points is computed. If the function that computes a point returns
+ * false, sets *by_point to true and returns false. On any other failure, sets *problem and returns false.
  */
 bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
                    struct workers workers, bool *by_point);

@@ -35,8 +35,9 @@ struct pool {
     pthread_mutex_t lock;
     pthread_cond_t room; /* signalled when blocks have been written, and when the computation stops */
     size_t next;         /* the first point that no worker has taken so far */
-    size_t taken, written, window; /* the numbers of blocks taken and written, and the size of the ring
-                                      `waiting`, in which block k is element k % window */
+    /* the number of blocks taken, the number of blocks written, and the size of `waiting`, a ring buffer
+     * whose element k % window is block k */
+    size_t taken, written, window;
     struct block *waiting;
     bool is_over;
     struct workers_end end;

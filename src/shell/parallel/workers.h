@@ -14,8 +14,8 @@
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
     /* Computes a point, and writes its rows to `out`. This function may change only `context`, of which each
-     * worker has a separate copy. If it returns false, the rows up to this point are still written, and then
-     * the computation stops. */
+     * worker has a separate copy. If the function returns false, the rows up to this point are written, and
+     * then the computation stops. */
     bool (*point)(void *context, size_t point, FILE *out);
     /* Each worker gets a copy of this context. If the function `point` returns false, the copy that it was
      * called with is copied back to this context. */

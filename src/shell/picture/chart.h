@@ -144,7 +144,7 @@ struct ticks {
     char text[TICKS][TICK_TEXT];
 };
 
-/* Chooses the ticks of an axis: about `most`, or fewer. */
+/* Chooses about `most` ticks for an axis, or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /* Where the name of an event is written: it begins at `from`, a fraction of the x axis, in the row `row`

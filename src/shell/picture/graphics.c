@@ -43,7 +43,7 @@ static bool has_sixel(const char *answer)
 }
 
 /* Asks the terminal for its attributes (DA1), and returns true if it can show sixel. Does not ask if the user
- * has already typed something, because those characters would be lost. */
+ * has already typed something, because the typed characters would be lost. */
 static bool ask_sixel(void)
 {
     char answer[64] = "";

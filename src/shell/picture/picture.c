@@ -131,8 +131,8 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
     return true;
 }
 
-/* Returns an error number if the end of the drawing was lost because the disk is full, and 0 otherwise.
- * gnuplot does not report this error, so the function tests whether the disk has room for another block. */
+/* Returns an error number if the disk was too full for the end of the drawing, and 0 otherwise. gnuplot does
+ * not report this error, so the function tests whether the disk has room for another block. */
 static int drawing_error(FILE *drawing, long size)
 {
     int error = system_reserve(fileno(drawing), size, size + BUFSIZ);

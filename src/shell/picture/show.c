@@ -130,7 +130,8 @@ void script_head(const struct answer *a, const char *terminal)
     fprintf(a->out, ".pdf'\n");
 }
 
-/* Draws with gnuplot, into a file or on a terminal that can show pictures, or writes only the script. */
+/* Draws a picture with gnuplot, into a file or on a terminal that can show pictures. If the file is to be a
+ * gnuplot script, writes only the script. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {

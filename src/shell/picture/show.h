@@ -42,8 +42,8 @@ bool picture_ready(const struct answer *a, struct problem *problem);
 /* Returns the words with which the caption explains the marks in a picture of this answer. */
 struct marks picture_marks(const struct answer *a);
 
-/* Writes the first lines of the script of a picture. The script draws into a .pdf file with the same name as
- * the script. */
+/* Writes the first lines of a gnuplot script. The script draws a .pdf file with the same name as the script.
+ */
 void script_head(const struct answer *a, const char *terminal);
 
 /* Draws a chart where the answer goes, and frees the chart. */

@@ -8,7 +8,8 @@
 enum { DOMINOES = 200, MORE = 32 };
 /* the smallest domino that is drawn, relative to the head; a smaller one would be a dot */
 #define SMALLEST 0.01
-#define WIDEST   2.4 /* the width of a picture relative to its height; dominoes farther back are not drawn */
+/* the maximum width of a picture, relative to its height; dominoes that do not fit are not drawn */
+#define WIDEST 2.4
 /* the height of a picture relative to the head; if the next domino is taller, it is cut off */
 #define TALLEST 2.5
 
@@ -212,7 +213,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    /* With the finest tolerance the chain includes even dominoes that are very light but large enough to be
+    /* With the finest tolerance, the chain includes even dominoes that are very light but large enough to be
      * seen. */
     fine.tol = domq_arithmetic(fine.precision)->tol_floor;
     stage->unit = "h";

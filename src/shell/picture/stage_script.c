@@ -86,8 +86,8 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes the tics of an axis, which are `step` units apart. The labels are in this unit, but the positions
- * are in the unit of the stage. */
+/* Writes the tics of an axis. `unit` is the unit of the labels, in the unit of the stage. The tics are `step`
+ * units of the labels apart. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";

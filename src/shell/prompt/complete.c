@@ -10,12 +10,12 @@
 
 #include <readline/readline.h>
 
-/* What is known when the last word of a line is completed. */
+/* The last word of a line, which is being completed. */
 struct completion {
     struct session *session;
     const char *line;
     const char *word; /* the last word of the line, which may be empty */
-    /* The name at the end of `word`. In an expression, `word` may have operators before it. */
+    /* The name at the end of `word`. In an expression, `word` may have operators before the name. */
     const char *name;
     struct offer offer; /* what the parser would accept at `name` */
     void (*emit)(const char *candidate, void *context);
@@ -158,7 +158,7 @@ static void emit_files(const struct completion *c)
 {
     char *file;
     for (int state = 0; (file = rl_filename_completion_function(c->word, state)) != NULL; state = 1) {
-        /* Readline then adds a '/' to directories, and '"' around names with blanks. */
+        /* Makes Readline add a '/' to directories, and put names with blanks in quotes. */
         rl_filename_completion_desired = 1;
         if (!escape_needed(file))
             c->emit(file, c->context);

@@ -59,7 +59,7 @@ static bool is_mapped(const struct session *session, int width, int height)
            (begin + rl_point) % width != 0;
 }
 
-/* Rewrites a part of the typed line that is within one row of the screen and has one colour. */
+/* Rewrites a part of the typed line. The part is within one row of the screen, and has one colour. */
 static void part_write(int begin, int width, int from, int length, bool is_command)
 {
     int at = begin + from, up = (begin + rl_point) / width - at / width;

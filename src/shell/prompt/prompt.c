@@ -73,8 +73,8 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* If the shell has already taken back the terminal, this call raises SIGTTOU. The signal is ignored,
-     * since it would stop the program a second time. */
+    /* If the shell has already taken back the terminal, this call raises SIGTTOU. SIGTTOU is ignored, because
+     * it would stop the program a second time. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);
@@ -114,8 +114,8 @@ static void leave_warn(struct session *session)
         return;
     has_warned = true;
     session->quit = false;
-    session_note(session, "dominoes of the row have changed and are not saved: 'save FILE' or 'row > "
-                          "FILE.csv' saves them, 'quit' or ^D again leaves without saving");
+    session_note(session, "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them, "
+                          "and 'quit' or ^D again leaves without saving");
 }
 
 static void on_line(char *text)

@@ -13,7 +13,8 @@
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* The numbers continue after the last effect of the library. */
+    /* The numbers of the shell's effects continue after the library's last effect. */
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1,
 #define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
     ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
 #undef ENGINE_EFFECT_ENUM

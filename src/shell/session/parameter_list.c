@@ -49,12 +49,12 @@ static const char hints_help[] =
     "of the line, the right arrow, ^E and End accept the suggested line, and M-f accepts its next word. On a "
     "terminal without colours there are no hints.";
 static const char method_help[] =
-    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as an independent check. The engine uses "
-    "none of the program's equations, and includes contacts that the model lacks, such as a fallen domino "
-    "that touches the foot of the next one. The time step is halved until the verdict no longer changes. An "
-    "answer takes about a thousand times as long, and a row can have at most 200 dominoes. With 'model' the "
-    "engine runs only rows with effects that the model lacks, 'effect feet' and 'effect bounce'. Endless "
-    "trains always use the model.";
+    "With 'engine', a rigid-body engine, Chipmunk 7, runs every row, as an independent check. The engine "
+    "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
+    "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
+    "changes. An answer takes about a thousand times as long, and a row can have at most 200 dominoes. With "
+    "'model', the engine runs only rows with effects that the model lacks, 'effect feet' and 'effect "
+    "bounce'. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
@@ -83,7 +83,7 @@ static void precision_before(struct state *state, domq_real precision)
         compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
 }
 
-/* Additional members for the entries of parameters that come from the library's lists. */
+/* The library's parameter lists give only some members of an entry. These macros give the others. */
 #define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
 #define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The list of all parameters: those of the model, the settings of the calculator, and the effects, whose
- * default is off. The commands set, effect, show, reset, save, sweep, help and apropos and the completion all
- * work from this list. Code that only one parameter needs is a hook in the parameter's entry.
- */
+/* The list of all parameters: those of the model, the settings of the calculator, and the effects, whose
+ * default is off. Completion works from this list, and so do the commands set, effect, show, reset, save,
+ * sweep, help and apropos. Code that only one parameter needs is a hook in the parameter's entry. */
 #ifndef SHELL_PARAMETER_LIST_H
 #define SHELL_PARAMETER_LIST_H
 
@@ -22,8 +20,8 @@ struct parameter {
     const struct domq_effect_argument *value;
     const char *help;     /* the text that 'help' shows; may be NULL */
     const char *synonyms; /* other words for the parameter, separated by blanks; may be NULL */
-    /* The description of the effect, with its help and synonyms: for an effect, `help` and `synonyms` above
-     * are NULL. NULL if the parameter is not an effect. */
+    /* For an effect, its description, which contains the help and the synonyms; `help` and `synonyms` above
+     * are NULL. For any other parameter, NULL. */
     const struct domq_effect *effect;
     int which;                /* the number of the effect, if the parameter is an effect */
     const struct word *words; /* words for some of the values; may be NULL */

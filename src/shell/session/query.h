@@ -73,9 +73,9 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* query_options returns the options for computations of the library. They request error bounds after 'set
- * errors on'. query_compute returns a pointer to a copy of these options that lives until the end of the
- * block that contains the call. */
+/* query_options returns the options for the library's computations. After 'set errors on', these options
+ * request error bounds. query_compute returns a pointer to a copy of the options, which lives until the end
+ * of the block that contains the call. */
 static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;
@@ -84,7 +84,6 @@ static inline struct domq_compute query_options(const struct query *query)
 }
 #define query_compute(query) ((const struct domq_compute[]){query_options(query)})
 
-/* Calls problem_status for the scene of a query. */
 static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
     return problem_status(problem, query->scene, status);

@@ -46,8 +46,8 @@ const struct domq_effect error_effect_thickness = {
     .adds = "random errors in the thicknesses of dominoes",
     .help = "Each domino is thicker or thinner by a separate random error, given as a fraction of its "
             "thickness, such as 0.01 or 1 %. Gaps and the density do not change, so a thicker domino is "
-            "heavier. No domino becomes thinner than 1/100 of its thickness without the error, twice the "
-            "thickness of the walls, or twice the radius of the edges.",
+            "heavier. No domino becomes thinner than twice the thickness of the walls, twice the radius of "
+            "the edges, or 1/100 of its intended thickness.",
     SIZED("", "error in each thickness, as a fraction of the thickness", 1, 0.01),
 };
 

@@ -8,8 +8,8 @@
 /* A names_list (see names.h) of the kinds of random error, with "all" as its last name. */
 const char *error_names(const void *context, int k);
 
-/* Returns the unit of a kind of random error. DOM_ERROR_COUNT stands for "all", a factor that scales all
- * random errors, and has the unit "". */
+/* Returns the unit of a kind of random error. For "all", which is DOM_ERROR_COUNT, the unit is "", because
+ * "all" is a factor that scales all random errors. */
 const char *error_unit(int kind);
 
 /* Returns the effect that describes a kind of random error. For gaps and heights, this is 'placement'. */

@@ -12,7 +12,8 @@ bool scene_has_masses(const struct scene *scene)
 }
 
 /* Scales the masses of a row if only their ratios are known. The first domino gets the mass that follows from
- * the parameters 'mass' and 'density'. If neither is set, its mass m is chosen such that m g h/2 is 1. */
+ * the parameters 'mass' and 'density'. If neither is set, the first domino gets the mass m for which m g h/2
+ * is 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -137,8 +138,8 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 #define SLIP_OF_UNIT 50
 
 /* Checks a new value that was typed without a unit, and so is in m or kg. A user who types 25 for a height
- * probably means 25 mm and not 25 m. A gap is not plausible if it is larger than both dominoes beside it are
- * tall. If the value is not plausible, reports the problem and returns false. */
+ * probably means 25 mm and not 25 m. A gap is not plausible if it exceeds the heights of both dominoes beside
+ * it. If the value is not plausible, reports the problem and returns false. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -148,17 +149,16 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
     if (is_gap ? value <= tall || value <= row[k].height
                : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
         return true;
-    return problem_error(
-        problem,
-        "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or the "
-        "unit that you mean",
-        row_measure_names(NULL, (int)measure), quad_text(value, 10), measured(value, unit, 6).text,
-        k + !is_gap, measured(tall, unit, 4).text,
-        is_gap || measure == MEASURE_HEIGHT ? " tall"
-        : is_mass                           ? " now"
-        : measure == MEASURE_WIDTH          ? " wide"
-                                            : " thick",
-        quad_text(value, 10), write);
+    return problem_error(problem,
+                         "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or "
+                         "the unit that you mean",
+                         row_measure_names(NULL, (int)measure), quad_text(value, 10),
+                         measured(value, unit, 6).text, k + !is_gap, measured(tall, unit, 4).text,
+                         is_gap || measure == MEASURE_HEIGHT ? " tall"
+                         : is_mass                           ? " now"
+                         : measure == MEASURE_WIDTH          ? " wide"
+                                                             : " thick",
+                         quad_text(value, 10), write);
 }
 
 domq_real scene_row_measure(const struct scene *scene, const struct scene_row *row, size_t k,
@@ -176,8 +176,8 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes the new value of one measurement of domino k, counted from 0, and stores it in *kept, in the same
- * form as in listed_row.change. Sets *problem and returns false if the domino cannot have this value. */
+/* Computes the new value of one measurement of domino k, counted from 0. Stores the change in *kept, in the
+ * form that listed_row.change uses. Sets *problem and returns false if the domino cannot have this value. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -220,7 +220,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
     for (int i = 0; i < ranges; i++) {
         const size_t wrong = range[i].first < first ? range[i].first : range[i].last;
         if ((wrong < first || wrong > count) && measure == MEASURE_GAP)
-            return problem_error(problem, "there is no gap before domino %zu; K is 2 .. %zu in this row",
+            return problem_error(problem, "there is no gap before domino %zu; choose a domino from 2 to %zu",
                                  wrong, count);
         if (wrong < first || wrong > count)
             return problem_error(problem, "there is no domino %zu; this row has %zu", wrong, count);

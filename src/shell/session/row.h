@@ -34,8 +34,8 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
  * has changed. Writes their widths in m to `width` unless it is NULL. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_real *width, size_t count);
 
-/* Returns true if the masses of the row are known. If they are, energies are in J; otherwise energies are in
- * m g h / 2 of the first domino. */
+/* Returns true if the masses of the row are known. If they are known, energies are in J. Otherwise, energies
+ * are in units of m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
 /* Returns a measurement of domino k, counted from 0, in m or kg. A lean is returned as the distance of the

@@ -24,7 +24,8 @@ struct row_change {
  * the member holds the change of that measurement. */
 domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure);
 
-/* Returns true for the three sizes of a domino: if one of them changes, the domino keeps its density. */
+/* Returns true for the height, the thickness and the width. If one of these sizes changes, the domino keeps
+ * its density. */
 static inline bool row_measure_is_size(enum row_measure measure)
 {
     return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;

@@ -179,10 +179,9 @@ bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message
     if (domino->lean > lean[0] && domino->lean < lean[1])
         return true;
     limit = domino->lean < 0 ? lean[0] : lean[1];
-    snprintf(
-        message, LEAN_MESSAGE,
-        "with its top %s off plumb this domino falls over by itself; the most this domino can lean%s is %s",
-        measured(lean_offset(domino), "m", 4).text, alpha != 0 ? " on this slope" : "",
-        measured(domino->height * quad(sin)(limit), "m", 4).text);
+    snprintf(message, LEAN_MESSAGE,
+             "with its top %s off plumb, this domino falls over by itself; the limit%s is %s",
+             measured(lean_offset(domino), "m", 4).text, alpha != 0 ? " on this slope" : "",
+             measured(domino->height * quad(sin)(limit), "m", 4).text);
     return false;
 }

@@ -113,16 +113,16 @@ void listed_free(struct listed_row *row);
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which the dominoes of a row are boxes. Returns 0 if either all dominoes are
- * boxes or all are solid. */
+/* Returns the height in m above which the dominoes of a row are boxes. Returns 0 if all dominoes are boxes,
+ * or if all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
 /* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. Lengths are
  * in m. */
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);
 
-/* Returns the mass in kg that the first domino has if its height and thickness in m are as given, or 0 if
- * neither mass nor density is known. */
+/* Returns the mass in kg of the first domino, given its height and thickness in m. Returns 0 if neither mass
+ * nor density is known. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */

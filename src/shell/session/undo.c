@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The maximum number of steps, and the maximum number of dominoes in all steps together. If dominoes of a row
- * have been changed, the row counts as `changes` additional dominoes. */
+/* The maximum number of steps, and the maximum number of dominoes that all steps together may store. A row
+ * from a file stores its dominoes. A changed row stores its changes, which count as additional dominoes. */
 enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*
