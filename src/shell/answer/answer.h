@@ -134,8 +134,9 @@ void answer_leave_out(struct answer *answer, const char *keys);
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
 /*
- * Announces a number that a column will contain, if the answer has this column. In a table of rows, the unit
- * of a column depends on the largest number that was announced or that is in the first row.
+ * Announces a number that a column will contain. In a table of rows, the unit of a column is fixed before
+ * later rows are known; it depends on the first row and on the announced numbers. Does nothing if the answer
+ * has no such column.
  */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 

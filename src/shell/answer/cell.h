@@ -50,11 +50,10 @@ struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
-/* Returns false if a number is too large for the precision that csv and json have. */
+/* Returns false if a number is too large for csv and json at the precision of the session. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true if a number other than 0 becomes 0 in csv and json, because it is too small for their
- * precision. */
+/* Returns true if a number other than 0 becomes 0 in csv and json at the precision of the session. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */

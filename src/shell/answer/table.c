@@ -48,8 +48,8 @@ static int table_digits(const struct answer *a)
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell in the unit of the measure. A number with an error bound has the digits that are
- * certain, and any other number has as many digits as the style and the tolerance allow. */
+/* Returns the text of a cell in the unit of the measure. A number with an error bound gets only digits that
+ * are certain. Any other number gets as many digits as the style and the tolerance allow. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {

@@ -47,7 +47,7 @@ const char *topic_names(const void *context, int k)
     int commands = every_count;
     if (k < commands)
         return command_names(context, k);
-    /* a name that a command and a parameter share, such as 'fuel', is listed once */
+    /* a name that belongs to both a command and a parameter, such as 'fuel', is not listed again */
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
@@ -67,8 +67,8 @@ static const struct parameter *parameter_for(const char *word)
     return NULL;
 }
 
-/* Returns true if a word is a synonym of the topic, or if the topic is a parameter and the word stands for
- * one of its values. */
+/* Returns true if the word is a synonym of the topic. If the topic is a parameter, also returns true if the
+ * word stands for one of its values. */
 static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);

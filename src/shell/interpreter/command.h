@@ -159,7 +159,7 @@ const struct command *command_find(const char *name);
  * 'print', because the user has usually not typed it. */
 bool command_is_print(const struct command *command);
 
-/* Returns the index of the command's principal column. The command must have such a column. */
+/* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
 /*

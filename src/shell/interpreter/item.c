@@ -32,8 +32,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Reports an error in the expression for the argument `name`, and quotes the word in which the error
- * occurred. Does nothing if a problem has already been reported. Returns false. */
+/* Reports an error in the expression for the argument `name`. The message quotes the wrong word. Does nothing
+ * if a problem has already been reported. Returns false. */
 static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
                        const struct expression_error *error)
 {
@@ -170,7 +170,7 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
  * Reads a word and returns its index in a list of words for values. The word may be abbreviated, unless it
  * could also begin an expression, as h could in 'set q h'. `is_word_only` is true if the value cannot be an
  * expression. If the word is not in the list, returns a negative number and does not move the reader. The
- * message is then that of names_find, or empty if the word could begin an expression.
+ * message then comes from names_find, or is empty if the word could begin an expression.
  */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])

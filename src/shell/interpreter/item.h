@@ -18,8 +18,8 @@ bool item_parse(struct reader *reader, const struct argument *argument, struct i
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                       struct item *item);
 
-/* Parses the value of a parameter in a list of names and values, such as "r 1.5 s 0.3", where another name
- * may follow the value. If the value of an effect is "on", the item gets the usual value of the effect. */
+/* Parses one value in a list of names and values, such as "r 1.5 s 0.3". Another name may follow. For an
+ * effect, the value "on" stands for its usual value. */
 bool item_parse_listed(struct reader *reader, const struct parameter *parameter, struct item *item);
 
 /* Parses one of the argument's choices. The item's number is the index of the choice. */

@@ -14,8 +14,8 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /*
  * What may be typed next, for completion, hints and colours. A line that is being typed is parsed with a
- * cursor at its end. The cursor is a character that no parser accepts, and every function that tries to read
- * at the cursor records in this struct what it would accept.
+ * cursor at its end, a character that no parser accepts. Every function that tries to read at the cursor
+ * records in this struct what it would accept.
  */
 struct offer {
     const char *cursor;
@@ -92,9 +92,9 @@ void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
 /*
- * Reads a word, which ends at a blank. If `quotes` is true, the word may also be a text in double quotes, in
- * which '""' stands for one '"'. The result is allocated in the arena. If a '"' is never closed, sets the
- * reader's problem and returns NULL.
+ * Reads a word, which ends at a blank. If `quotes` is true, also reads text in double quotes, where '""'
+ * stands for one '"'. The result is allocated in the arena. If a '"' is never closed, sets the reader's
+ * problem and returns NULL.
  */
 char *read_word(struct reader *reader, bool quotes);
 

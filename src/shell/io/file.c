@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Output files after '>' and '>>' are written completely or not at all. The text first goes to a temporary
- * file without a name, which vanishes however the program ends. At the end, '>' copies the text to a
- * replacement, a new file in the same folder as the target, and renames the replacement to the name of the
- * target. '>>' locks the target and appends the text. A target that has several hard links or another owner
- * is locked and overwritten in place, because a rename would change more than its contents. This also happens
- * if no file can be created in the folder of the target.
+ * file without a name, which vanishes however the program ends. When the command has finished, '>' copies the
+ * text to a replacement, which is a new file in the folder of the target, and renames the replacement to the
+ * name of the target. '>>' locks the target and appends the text. A target that has several hard links or
+ * another owner is locked and overwritten in place, because a rename would change more than its contents.
+ * This also happens if no file can be created in the folder of the target.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"

@@ -51,12 +51,12 @@ FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interru
 /* Opens a file for reading.  A directory is an error.  Returns NULL on failure. */
 FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 
-/* Returns the stream for standard input, which is the same at each call and must not be closed. `interrupt`
- * takes effect only in the first call. */
+/* Returns the stream for standard input. Every call returns the same stream, which must not be closed.
+ * `interrupt` takes effect only in the first call. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the stream for standard output, which is the same at each call. On a terminal each line appears
+ * Returns the stream for standard output. Every call returns the same stream. On a terminal each line appears
  * immediately. Elsewhere the text is buffered, because a system call for each short answer would take longer
  * than the answer itself. A program that reads the output does not have to wait long: a timer writes flushed
  * text within 10 ms, even during a computation.

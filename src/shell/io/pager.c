@@ -22,8 +22,8 @@
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
 /* Signals that are handled differently while a pager program runs. As in system(3), SIGQUIT is ignored.
- * Unlike in system(3), ^Z stops both programs, and ^C ends the running computation. From the end of the
- * computation until the pager program ends, ^C is ignored. */
+ * Unlike in system(3), ^Z stops both programs, and ^C ends the running computation. After the computation, ^C
+ * is ignored until the pager program ends. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The output levels of 'log' and 'tee', which write a copy of the text into a file and pass the text on to
- * the level below. */
+/* The output levels of 'log' and 'tee'. They pass text on to the level below, and write a copy of it into a
+ * file. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"

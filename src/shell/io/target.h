@@ -16,10 +16,10 @@ struct target {
 };
 
 /*
- * Registers a file that is going to be written. Returns NULL on success. Returns a message, and registers
- * nothing, if the name contains characters that must be escaped (see escape.h), or if the session is
- * already writing the file, perhaps under another name. The target `except`, which may be NULL, is not
- * checked. Standard output is also checked, unless `may_be_standard` is true.
+ * Registers a file that is going to be written. Returns NULL on success. On failure, registers nothing and
+ * returns a message. This happens if the name contains characters that must be escaped (see escape.h), or if
+ * the session is already writing the file, perhaps under another name. The target `except`, which may be
+ * NULL, is not checked. Standard output is also checked, unless `may_be_standard` is true.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);

@@ -12,7 +12,7 @@ bool terminal_shows(FILE *stream);
 /* Returns true if text written to the stream appears on a terminal with colours, and NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
-/* Stores the number of columns and rows of the stream's terminal. Without a terminal, stores 0 in both and
+/* Stores the number of columns and rows of the stream's terminal. Without a terminal, stores 0 and 0, and
  * returns false. */
 bool terminal_size(FILE *stream, int *width, int *height);
 

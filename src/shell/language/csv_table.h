@@ -84,8 +84,8 @@ struct csv_table {
 };
 
 /* Reads a file and parses the first line of its table. If the file has an error, the returned table holds the
- * problem. Takes ownership of the path. If memory runs out, the path still belongs to the caller; returns
- * NULL and sets errno. */
+ * problem. Takes ownership of the path. If memory runs out, returns NULL and sets errno, and the path remains
+ * with the caller. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */

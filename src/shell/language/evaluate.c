@@ -123,8 +123,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* In "thetac - 1", one value is an angle and the other has no unit. Converts such a value without a unit to
- * an angle. Returns true if both values then have the same unit. */
+/* Converts a value without a unit to an angle if the other value is an angle, as in "thetac - 1". Returns
+ * true if *a and *b then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
