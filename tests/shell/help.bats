@@ -98,6 +98,15 @@ END
     grep -q '^ *fuel  *paper ' <<<"$answer"
 }
 
+@test "help shows the whole text of a topic, however long" {
+    for name in design improve fit print friction; do
+        text=$("$DOMINO" -e "set output json; help $name" | sed -n 's/.*"text":"\([^"]*\)".*/\1/p')
+        [ "${#text}" -gt 300 ] || same "help $name in json" 'a long text' "$text"
+        shown=$("$DOMINO" -e "help $name" | tr -s '\n' ' ')
+        [[ $shown == *"$text"* ]] || same "help $name" "$text" "$shown"
+    done
+}
+
 @test "help answers for the words that people use: one topic is explained, several are listed" {
     while IFS='|' read -r word topic; do
         same "$word" "$("$DOMINO" -e "help $topic")" "$("$DOMINO" -e "help $word")"

@@ -79,8 +79,10 @@ static void help_parameter(struct session *session, const struct topic *t)
     FILE *out = session->output->out;
     help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
     putc('\n', out);
-    if (t->text)
-        help_say(out, "%s\n", t->text);
+    if (t->text) {
+        help_wrapped(out, t->text, 0);
+        putc('\n', out);
+    }
     if (p->effect)
         help_effect_values(session, p);
     else {
@@ -104,8 +106,8 @@ static void help_parameter(struct session *session, const struct topic *t)
 
 /* ---- A command ---- */
 
-/* Runs an example in a separate session with default parameters, so that its output does not depend on what
- * the user has changed. */
+/* Runs an example in a separate session with default parameters, so that the example's output does not depend
+ * on what the user has changed. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
@@ -142,7 +144,8 @@ static void help_show(struct session *session)
  * command instead. */
 static void help_columns(FILE *out, const struct command *c)
 {
-    int key = 12, unit = 6; /* minimum widths of the two columns, so that most pages look alike */
+    int key = 12,
+        unit = 6; /* minimum widths for the keys and the units, so that most help pages look alike */
     struct topic first;
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;
@@ -172,7 +175,7 @@ static void help_command(struct session *session, const struct topic *t)
         help_say(out, "Equation: %s", t->equation);
     if (t->text) {
         putc('\n', out);
-        help_say(out, "%s", t->text);
+        help_wrapped(out, t->text, 0);
     }
     if (c->columns && c->columns->key)
         help_columns(out, c);
@@ -190,8 +193,8 @@ static void help_command(struct session *session, const struct topic *t)
 
 /* ---- help ---- */
 
-/* Explains all topics with this name, a command before a parameter. A NULL name stands for all topics; it is
- * used only in output for programs. */
+/* Explains all topics with this name: a command first, then a parameter. If `name` is NULL, which happens
+ * only in csv and json, writes a row for every topic. */
 static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;
@@ -204,7 +207,7 @@ static void help_name(struct session *session, struct answer *a, const char *nam
             continue;
         }
         if (is_second)
-            fprintf(session->output->out, "\nThe %s of this name:\n\n", topic.kind);
+            fprintf(session->output->out, "\nThe %s with the same name:\n\n", topic.kind);
         (topic.command ? help_command : help_parameter)(session, &topic);
         if (!topic.command && !is_second && topic.example)
             help_example(session, topic.example);
@@ -225,7 +228,7 @@ static void help_variable(const struct session *session, const struct arguments 
     const char *head = variable_head(v);
     fprintf(session->output->out, "%s = %s\n\n", head, topic.summary);
     help_say(session->output->out,
-             "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.", topic.kind, head,
+             "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' removes it.", topic.kind, head,
              v->name);
 }
 
@@ -329,9 +332,9 @@ static bool run_complete(struct session *session, const struct arguments *given,
 static const struct column version_columns[] = {
     {"version", "", "the version of this program and of its library", 0},
     {"system", "", "the operating system and the machine", 0},
-    {"compiler", "", "the compiler of this program", 0},
+    {"compiler", "", "the compiler that built this program", 0},
     {"quad", "", "the C type that quad precision uses", 0},
-    {"quad_bits", "", "the bits of its significand; 0 if there is no quad precision", 0},
+    {"quad_bits", "", "the number of bits in its significand, or 0 if there is no quad precision", 0},
     {"gsl", "", "the version of the GNU Scientific Library", 0},
     {"readline", "", "the version of GNU Readline", 0},
     {NULL, NULL, NULL, 0},
@@ -373,10 +376,10 @@ const struct command help_commands[] = {
     {.name = "lesson",
      .synonyms = "tutorial tour learn course introduction begin start",
      .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
-     .help = "At a terminal the lesson waits until you type the line that it shows, or press Enter; any "
-             "other command may come in between, and 'q' leaves. It runs in a session of its own, so that "
-             "your parameters stay as they are. A file that begins with 'lesson' is shown in the same way; "
-             "examples/tutorial.dom is such a file.",
+     .help = "At a terminal the lesson shows a line and waits until you type that line, or press Enter. You "
+             "may type other commands in between; 'q' ends the lesson. The lesson runs in a session of its "
+             "own, so your parameters stay as they are. To write a lesson yourself, begin a file with "
+             "'lesson', as in examples/tutorial.dom.",
      .see = "help",
      .runs = true,
      .act = run_lesson},
