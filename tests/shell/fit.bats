@@ -52,7 +52,7 @@ END
     wrong 'plot fit mu errors.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
     printf 'gap (mm), speed (m/s)\n9, 2\n15, 2\n' >fast.csv
     run -0 "$DOMINO" -e 'fit friction fast.csv'
-    grep -q '^The best fit is friction 0, the limit of its range\.$' <<<"$output"
+    grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$output"
 }
 
 @test "fit: errors in a file are reported in one line" {
@@ -137,7 +137,7 @@ noisy_hits() { # SEED
 @test "fit: hit times drift if gaps vary, and a parameter stays within its range" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
-    grep -q '^The best fit is friction 0, the limit of its range\.$' <<<"$fit"
+    grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$fit"
     grep -q '^The measured times drift away' <<<"$fit"
     run ! "$DOMINO" -e 'set r 1; fit q exact.csv'
     "$DOMINO" -e 'set r 1; set s 0.4; effect row 12; effect push 4; fall > exact.csv'

@@ -152,7 +152,7 @@ END
     same reason 7 "$(grep -c '"arm_b":null,"reason":".*"}$' objects)"
     run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
-    grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each\.$' <<<"$output"
+    grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each of them\.$' <<<"$output"
     # Reasons from an argument, from a command inside an expression, and from a row.
     grep -q 'a fallen domino is as high as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max has no value here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"

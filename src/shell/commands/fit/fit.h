@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command fit, which finds the parameter values with which the model best explains a set of measurements.
- * The measurements are read from a csv file (language/csv_table.h), which is of one of three kinds:
+ * The command 'fit', which finds the parameter values with which the model explains measurements best. The
+ * measurements come from a csv file (see language/csv_table.h) of one of three kinds:
  *
  *     gap (mm), speed (m/s)          speeds of the front of rows of equal dominoes
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
@@ -43,8 +43,9 @@ struct fit_data {
     struct fit_point *point;
     struct fit_run *run;
     size_t points, runs;
-    bool has_errors; /* the errors of all measurements are known */
-    /* The times of hits are compared as intervals between the hits on successive measured dominoes. */
+    bool has_errors; /* true if the errors of all measurements are known */
+    /* For hits: true if the fit compares the intervals between successive hits, and not the times of the
+     * hits. */
     bool intervals;
 };
 
@@ -59,7 +60,8 @@ struct fit_unknown {
     const struct parameter *parameter;
     double lowest, highest;  /* the range of the starting values */
     double value, deviation; /* the best value, and its standard deviation */
-    bool is_at_limit; /* the best value is a limit of the parameter's range; `deviation` is then not known */
+    bool is_at_limit; /* true if the best value is a limit of the parameter's range; `deviation` is then not
+                         known */
 };
 
 struct fit {
@@ -69,17 +71,18 @@ struct fit {
     int unknowns;
     int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
     size_t free_count;
-    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
-    double spread;    /* the sum of the squares of residual / error, divided by the degrees of freedom */
-    size_t freedom;   /* the degrees of freedom: how many more measurements there are than fitted numbers */
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlations of two unknowns, or NaN if one of them
+                                                       is at a limit */
+    double spread;    /* the sum of (residual / error)^2, divided by the degrees of freedom */
+    size_t freedom;   /* the degrees of freedom: the number of residuals minus the number of fitted values */
     double *computed; /* the model's result for each measurement, at the best values of the unknowns */
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes what the model gives for each measurement, with these values of the unknowns. For hits, each run
- * gets the start time that makes the sum of its squared residuals smallest. For angles, clock[k] is the time
- * at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or if the
- * row of the model ends before the last domino that was measured. */
+/* Computes what the model gives for each measurement if the unknowns have the values in `value`. For hits,
+ * each run gets the start time that makes the sum of its squared residuals smallest. For angles, clock[k] is
+ * the time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or
+ * if the row of the model ends before the last domino that was measured. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
 /* For angles, estimates when the motion of each run begins. On failure, sets fit->problem and returns false.
@@ -92,13 +95,13 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the error by which the residual of measurement k is divided. If the errors are not known, returns
- * the measured value for a speed, so that all speeds have the same relative error, and 1 for a time or an
- * angle. */
+/* Returns the error by which the residual of measurement k is divided. If the errors are not known, returns 1
+ * for a time or an angle. For a speed, returns the speed itself, so that all speeds have the same relative
+ * error. */
 double fit_error(const struct fit *fit, size_t k);
 
-/* Finds the values with the least sum of squares, their standard deviations and correlations. On failure,
- * sets *problem and returns false. */
+/* Finds the values of the unknowns for which the sum of the squared residuals is smallest, and their standard
+ * deviations and correlations. On failure, sets *problem and returns false. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
 /* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false.

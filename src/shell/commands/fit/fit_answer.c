@@ -9,7 +9,7 @@
 
 /* ---- The arguments ---- */
 
-/* Lists the parameters that can be fitted: those parameters of 'solve' that change how dominoes move. */
+/* The parameters that can be fitted are those of 'solve' that change how dominoes move. */
 const char *fit_names(const void *context, int k)
 {
     const char *name;
@@ -37,8 +37,9 @@ bool fit_parse(struct reader *r, struct question *q)
         snprintf(name, sizeof name, "%.*s", (int)length, r->at);
         const int k = parameter_search(fit_names, "thing to fit", name, message);
         if (k < 0)
-            return problem_error(
-                r->problem, k == NAMES_CLOSE ? "%s" : "%s; the form is 'fit friction, push FILE'", message);
+            return problem_error(r->problem,
+                                 k == NAMES_CLOSE ? "%s" : "%s; enter for example 'fit friction, push FILE'",
+                                 message);
         if (g->count == FIT_UNKNOWNS)
             return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
         const struct parameter *p = parameter_find(fit_names(NULL, k));
@@ -49,8 +50,8 @@ bool fit_parse(struct reader *r, struct question *q)
         r->at = skip_blanks(r->at + length);
         more = *r->at == ',';
         r->at = skip_blanks(r->at + more);
-        /* Without this check, a name after a blank would be taken for the name of a file, and the message
-         * would be that this file does not exist. */
+        /* Without this check, a name after a blank would be taken for a file name, and the message would say
+         * that this file does not exist. */
         const size_t next = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)next, r->at);
         if (!more && names_exact(fit_names, NULL, name) >= 0)
@@ -70,9 +71,10 @@ const struct column fit_columns[] = {
     {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
     {"fitted", "", "what the model gives with the fitted values", 0},
     {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
-    {"friction", "", "the fitted value of the parameter; each fitted parameter has such a column", 0},
+    {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
     {"friction_sd", "", "the standard deviation of the fitted value", 0},
-    {"friction_push", "", "the correlation of two fitted parameters; each pair has such a column", 0},
+    {"friction_push", "",
+     "the correlation of friction and push; every pair of fitted parameters has a column", 0},
     {NULL, NULL, NULL, 0},
 };
 enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
@@ -82,8 +84,8 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement. Csv and json also have columns for the fitted values, which
- * are sentences otherwise. */
+/* Makes the columns for the kind of measurement. In csv and json, the fitted values are in columns, too;
+ * below a table, sentences show them instead. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
@@ -161,7 +163,7 @@ static void values_say(struct answer *a, const struct fit *f)
         text_add(commands, sizeof commands, "%s%s %s %.4g%s%s", i ? "; " : "", p->effect ? "effect" : "set",
                  p->name, u->value, *unit ? " " : "", unit);
         if (u->is_at_limit)
-            answer_say(a, "The best fit is %s %s, the limit of its range.", p->name,
+            answer_say(a, "The best fit is %s %s, which is the limit of its range.", p->name,
                        measured(value, unit, 4).text);
         else
             answer_say(
@@ -197,8 +199,9 @@ static void residuals_say(struct answer *a, const struct fit *f)
     }
     if (f->data.intervals)
         answer_say(
-            a, "The measured times drift away from those of the model, as they do if the gaps of a row are "
-               "not all equal. The fit and the table therefore compare the times between successive hits.");
+            a,
+            "The measured times drift away from those of the model, which happens if the gaps of a row are "
+            "not all equal. The fit and the table therefore compare the times between successive hits.");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->spread > 2 ? ", which are smaller than the residuals" : "");

@@ -8,8 +8,7 @@
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
 
-/* Adds the points of the runs from i to after - 1 as one curve. Times are counted from the first hit of each
- * run. */
+/* Adds the points of runs i to after - 1 as one curve, with times counted from the first hit of each run. */
 static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t after, double unit,
                        double *most)
 {

@@ -10,8 +10,8 @@ struct trial {
     struct query query;
 };
 
-/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row, with the gap of
- * the run if the gap is known. On failure, sets f->problem and returns false. */
+/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row; if the gap of
+ * the run is known, the row has this gap. On failure, sets f->problem and returns false. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -50,8 +50,8 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* `dominoes` is the number of dominoes that fall in the model, counted from the first. Returns true if all
- * measured dominoes are among them. Otherwise reports that the row is too short, and returns false. */
+/* Returns true if the first `dominoes` dominoes, which fall in the model, include all dominoes that were
+ * measured. Otherwise sets the problem that the row is too short, and returns false. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||
@@ -107,7 +107,7 @@ static void tilts_before(struct watch *w, const struct scene_row *row)
         w->tilt[w->done] = (double)row->domino[w->point[w->done].domino - 1].lean;
 }
 
-/* Fills in the tilts of a run. */
+/* Fills in w->tilt for the measurements of one run. */
 static bool tilts_find(struct fit *f, const double *value, const struct fit_run *run, struct watch *w)
 {
     struct trial t;
@@ -137,8 +137,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Returns the time at which the domino of the first point in a list first reaches an angle, by linear
- * interpolation. Returns NaN if the domino never reaches this angle. */
+/* Finds by linear interpolation when a domino first reaches an angle. `point` lists measured angles, and the
+ * domino is that of the first point. Returns NaN if the domino never reaches the angle. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;
@@ -153,7 +153,7 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when the motion of a run began, by requiring that the first measured domino reaches half of its
+/* Estimates when the motion of a run began. The estimate makes the first measured domino reach half of its
  * largest measured angle at the same time as in the model. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {

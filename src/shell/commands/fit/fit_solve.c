@@ -37,7 +37,7 @@ static bool is_interrupted(const struct fit *f)
 }
 
 /* Reflects a value outside the range of its parameter back into the range, so that the sum of squares is
- * defined for all values. If the sum decreases towards a limit of the range, its minimum is then at this
+ * defined for all values. A sum that decreases towards a limit of the range then has its minimum at this
  * limit. */
 static double inside(const struct fit_unknown *u, double value)
 {
@@ -76,7 +76,7 @@ static const double *values_of(const struct fit *f, const gsl_vector *x, double 
     return x->data + f->free_count;
 }
 
-/* Fills in the residuals. Where the model has no answer, makes the residuals so large that the search turns
+/* Fills in the residuals. If the model has no answer, makes the residuals so large that the search turns
  * back, and returns false. */
 static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
 {
@@ -305,8 +305,8 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
     return GSL_SUCCESS;
 }
 
-/* Returns the sum of the squared differences of successive residuals, divided by the sum of the squared
- * residuals: 2 if the residuals are independent, and near 0 if they drift (Durbin and Watson). */
+/* Returns sum (e_k - e_(k-1))^2 / sum e_k^2, where e_k are the residuals. This is near 2 if the residuals are
+ * independent, and near 0 if they drift (Durbin and Watson). */
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;

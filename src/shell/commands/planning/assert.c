@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command assert, which reports an error unless a condition, or the verdict of another command, is true.
+/* The command 'assert', which reports an error unless a condition, or the verdict of another command, is
+ * true.
  */
 #include "commands/planning/planning.h"
 #include "interpreter/command_read.h"
@@ -14,7 +15,7 @@ const char *assert_names(const void *context, int k)
     return NULL;
 }
 
-/* Reports a problem and returns false if a '>' follows, which would write the answer into a file. */
+/* If a '>' follows, which would write the answer into a file, sets the problem and returns false. */
 static bool comparison_ends(struct reader *r)
 {
     return *skip_blanks(r->at) != '>' ||
@@ -40,8 +41,7 @@ bool assert_parse(struct reader *r, struct question *q)
         for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)
             n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", name);
         return problem_error(
-            r->problem,
-            "'%s' has no verdict; commands that have one: %s; or compare, as in 'assert rmax < 1.7'",
+            r->problem, "'%s' has no verdict; enter one of %s, or a comparison, as in 'assert rmax < 1.7'",
             asserted->command->name, all);
     }
     bool good = question_parse(r, asserted);

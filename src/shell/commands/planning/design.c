@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command design, which finds a row whose last domino has a given height, and which has a given safety
- * and a limited length. */
+/* The command 'design', which finds a row with a given safety whose last domino has a given height. The
+ * length of the row may be limited. */
 #include "answer/format.h"
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
@@ -10,8 +10,8 @@
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest ratio of kinetic energy to barrier that equal dominoes with friction mu reach at any
- * separation from 0.01 to 1. */
+/* Tries the separations 0.01, 0.02 ... 1 for equal dominoes with friction mu, and returns the largest ratio
+ * of kinetic energy to barrier. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;
@@ -28,8 +28,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, to three digits, that gives equal dominoes this safety and is below the
- * friction of the scene. Returns 0 if there is no such friction. */
+/* Finds to what value the friction of the scene would have to decrease for equal dominoes to have this
+ * safety. Returns this friction, to three digits, or 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -63,8 +63,7 @@ static struct measured push_speed(const struct domq_wish *wish, domq_real push)
     return measured(push * wish->first, "m/s", 2);
 }
 
-/* Reports that the search failed, and suggests turning off the effect that makes the search hard. Returns
- * false. */
+/* Sets *problem: the search failed, and turning off the effect that makes it hard may help. Returns false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
     const struct domq_train *t = &scene->train;
@@ -78,7 +77,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row fulfils the wish, and which change would make such a row possible. */
+/* Writes why no row fulfils the wish, and what to change so that there is one. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -130,12 +129,13 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
                      "infeasible: no growth gives safety %s here; a safety below %s is possible%s",
                      safety.text, measured(round_digits(d->needs, 4, false), "", 4).text, more);
         else
-            snprintf(text, size, "infeasible: not even equal dominoes keep falling here at any gap%s", more);
+            snprintf(text, size, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
+                     more);
     }
 }
 
-/* Tries the wish without its boards and its grid. If this gives a design, writes that the boards and the grid
- * rule out any design, and returns true. */
+/* Tries the wish without its boards and its grid. If there is then a design, writes that the boards and the
+ * grid rule it out, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -164,8 +164,8 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
             measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
         return problem_no_answer(problem,
-                                 "the safety must be more than 1, not %s: at a safety of 1 a domino only "
-                                 "just falls; 'safety 2' is usual",
+                                 "the safety must be more than 1, not %s: at a safety of 1 a domino barely "
+                                 "falls; 'safety 2' is usual",
                                  quad_text(w->safety, 10));
     return w->hall > w->height ||
            problem_no_answer(problem,
@@ -174,8 +174,8 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Finds the design. If the scene runs rows in the rigid-body engine, the row of the design must fall there,
- * too. */
+/* Finds the design. If the scene runs rows in the rigid-body engine, the row of the design must also fall
+ * there. */
 static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
                         struct scene_engine *engine, struct domq_design *d, struct problem *problem)
 {
@@ -209,7 +209,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
                  floor(100 * (double)d->row),
                  wish->engine ? ", according to the model, in which feet are hinges" : "");
     if (wish->engine)
-        snprintf(engine, sizeof engine, " All fall in the rigid-body engine, too, which is used because %s.",
+        snprintf(engine, sizeof engine,
+                 " All of them also fall in the rigid-body engine, which is used because %s.",
                  scene_engine_why(query->scene));
     if (!plan->is_improved && !plan->limits)
         snprintf(growth, sizeof growth, ", each %.4g times as large as the one before", (double)d->r);
@@ -219,8 +220,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
     designed_list(&list, plan, false);
 }
 
-/* Makes the design the row of the session. Does nothing if query->next is NULL, because the command is then
- * part of an expression and changes nothing. */
+/* Stores the design as the row of the session. Does nothing if query->next is NULL: then the command is part
+ * of an expression, which changes nothing. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
                         const struct designed_row *plan)
 {
@@ -286,7 +287,8 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Prints the answer for a design that was found. */
+/* Stores the design that was found in the session, improves it if the wishes ask for a probability, and
+ * prints the answer. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

@@ -24,8 +24,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run so that about 20 of them fail if the probability is `falls`. The engine
- * takes thousands of times as long for a row, so 10 must be enough there. */
+/* Returns how many random rows to run so that about 20 of them fail if the probability is `falls`. In the
+ * engine, about 10 must be enough, because a row takes thousands of times as long there. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
@@ -59,7 +59,7 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall. Runs more rows after the first ones if the probability may
+/* Counts how many random rows of a design fall. Begins with few rows, and runs more if the probability may
  * reach `falls`. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
                          const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
@@ -83,7 +83,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Reports that no number of dominoes is enough, and which number is the best. */
+/* Writes into `reason` that no number of dominoes is enough, and which number is the best. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {
@@ -128,7 +128,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
         if (design->limit != DOM_DESIGN_FITS && d.limit != DOM_DESIGN_FITS)
             *design = d;
         if (d.limit == DOM_DESIGN_HALL || (d.limit != DOM_DESIGN_FITS && count > 0))
-            break; /* rows with more dominoes do not fit either */
+            break; /* rows with more dominoes would not fit */
         if (d.limit != DOM_DESIGN_FITS)
             continue;
         if (!design_count(query, wish, limits, &d, falls, &tried[count], problem))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes the dominoes of a design, lists them, and writes the row of its numbers. */
+/* Makes and lists the dominoes of a design, and writes its numbers as a row of the answer. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"

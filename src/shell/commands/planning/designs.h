@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parts of the command design that make and list the dominoes, and that find how many dominoes a row
- * with a given probability of falling needs. */
+/* Parts of the command 'design'. They make and list the dominoes, and find how many dominoes a row needs to
+ * fall with a given probability. */
 #ifndef SHELL_DESIGNS_H
 #define SHELL_DESIGNS_H
 
@@ -10,9 +10,9 @@
 struct designed_row {
     struct domq_domino *domino;
     size_t count;
-    bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
+    bool has_masses; /* true if masses are in kg; otherwise they are relative to that of the first domino */
     bool hollow;
-    bool is_improved; /* 'improve sizes' has changed the dominoes, so their sizes no longer grow by a constant
+    bool is_improved; /* true if 'improve sizes' has changed the dominoes: they no longer grow by a constant
                          factor */
     const struct domq_limits
         *limits; /* the sizes that the dominoes may have, or NULL if any size is allowed */
@@ -39,7 +39,7 @@ void design_columns_choose(struct answer *a, bool falls);
 void design_row(struct answer *a, const struct designed_row *plan, const struct domq_design *design,
                 const struct domq_study *study, const char *reason);
 
-/* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, also after a failure.
+/* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, even after a failure.
  */
 bool design_scene(const struct scene *from, const struct domq_design *design, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem);

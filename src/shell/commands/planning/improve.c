@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command improve, which changes the row of the session so that it is most likely to fall. */
+/* The command 'improve', which changes the row of the session so that it is most likely to fall. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -33,8 +33,8 @@ struct improvement {
     struct domq_placement placement;
     struct task_pool pool;
     struct domq_study study[2];
-    domq_real before,
-        after; /* the length of the row in m before and after the changes, including its fallen last domino */
+    /* the length of the row in m before and after the changes, including its fallen last domino */
+    domq_real before, after;
     size_t changed; /* the number of dominoes that have changed */
 };
 
@@ -131,7 +131,7 @@ static void changes_list(struct answer *a, const struct improvement *i)
 
 /* ---- The answer ---- */
 
-/* Returns a phrase such as "1795 of 2000 rows fall (88.4 % to 91 %)". */
+/* A phrase such as "1795 of 2000 rows fall (88.4 % to 91 %)". */
 struct phrase {
     char text[320];
 };

@@ -12,10 +12,10 @@ struct probe {
     const struct query *query;
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
-    const struct parameter *parameter; /* NULL if no parameter is changed */
-    bool verdict;                      /* the answer is the command's verdict: 1 for true, -1 for false */
+    const struct parameter *parameter; /* the parameter that is changed, or NULL */
+    bool verdict;                      /* true if the answer is a verdict: 1 for yes, -1 for no */
     struct problem problem;            /* why the last evaluation gave no answer */
-    bool wrong;           /* the question itself is wrong and fails at every value of the parameter */
+    bool wrong;           /* true if the question itself is wrong, so that it fails at every value */
     struct quantity unit; /* the unit of the last answer */
 };
 
@@ -31,7 +31,7 @@ struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* search for the places where a verdict changes, not for a value */
+    bool verdict;          /* true to search for the places where a verdict changes, and not for a value */
     struct quantity value; /* the value that the answer should have */
 };
 
@@ -51,7 +51,7 @@ struct scan {
         domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
     } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
     size_t answers;                    /* the number of points with an answer */
-    char no_answer[PROBLEM_TEXT / 2];  /* the reason at the first point that has no answer */
+    char no_answer[PROBLEM_TEXT / 2];  /* the reason why the first point without an answer has none */
 };
 
 /* Searches the whole range. Returns false after an error or an interrupt, which the caller has to report with
@@ -66,22 +66,22 @@ struct wishes {
     domq_real safety; /* the minimum safety that a design must have */
     domq_real hall;   /* the maximum length of the row in m */
     enum dom_least least;
-    bool has_hall;   /* the user has typed 'hall' */
+    bool has_hall;   /* true if the user has typed 'hall' */
     domq_real falls; /* the minimum probability with which a design must fall, or 0 if there is no minimum */
-    bool sizes;      /* 'improve' also changes sizes */
+    bool sizes;      /* true if 'improve' also changes sizes */
     domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
     size_t boards;
 };
 extern const struct wishes usual_wishes;
 
 /* Returns true if a gap that is a multiple of `grid` can be shorter than the height of the first domino.
- * Otherwise reports the problem. */
+ * Otherwise sets *problem and returns false. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Gives the row of the scene the gaps of the dominoes `to` and, if `sizes` is true, also their sizes and mass
- * ratios. Both have `count` dominoes. */
+/* Copies the gaps of the dominoes `to` into the row of the scene. If `sizes` is true, also copies their sizes
+ * and mass ratios. Both rows have `count` dominoes. */
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 
@@ -90,7 +90,7 @@ struct improved {
     struct domq_study study[2]; /* the studies before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
     domq_real length;           /* the length of the row in m, including its fallen last domino */
-    bool interrupted;           /* ^C ended the search, and the row is the best one found so far */
+    bool interrupted;           /* true if ^C ended the search, and the row is the best one so far */
 };
 
 /* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if there
@@ -110,7 +110,7 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                struct problem *problem);
 
-/* Functions that parse and bind the arguments of these commands. */
+/* Functions that parse and bind the arguments of the commands in this directory. */
 bool design_parse(struct reader *reader, struct question *question);
 bool improve_parse(struct reader *reader, struct question *question);
 bool wishes_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -123,8 +123,8 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* These functions return the names in lists, in the form that names.h expects: the wishes of 'design' and of
- * 'improve', the parameters of 'solve' and 'watch', and the commands with a verdict. */
+/* Four names_lists (see names.h): the wishes of 'design'; the wishes of 'improve'; the parameters that
+ * 'solve' and 'watch' can change; and the commands with a verdict. */
 const char *design_wishes(const void *context, int k);
 const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);

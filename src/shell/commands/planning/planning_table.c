@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of the commands design, solve, watch, sensitivity, fit and assert. */
+/* The table of the commands design, plan, improve, solve, watch, sensitivity, fit and assert. */
 #include "commands/drawing/plan.h"
 #include "commands/fit/fit.h"
 #include "commands/planning/planning.h"
@@ -16,21 +16,21 @@ const struct command design_commands[] = {
                    .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
      .help =
-         "'design' finds the gaps and the growth that give each domino but the first at least 'safety' "
-         "times the energy that it needs, both in the endless train and in the row. The first domino, its h, "
-         "d and q, friction, slope and push are those of the scene. WISHES, in any "
-         "order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its last "
-         "domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', 'boards "
-         "9, 12, 15 mm' (the thicknesses to choose from; with 'effect walls 12 mm 30 cm' they are for the "
-         "solid dominoes), and 'grid 1 mm' for dimensions in whole mm; the row still has the required safety "
-         "after rounding. The row with the fewest dominoes also has the least mass. "
-         "'design 8 m falls 99 %' finds the smallest number of dominoes with which the row falls with this "
-         "probability under the random errors of the scene, such as 'effect placement 3 mm'. The lower end "
-         "of the 95 % interval must reach this probability. A table shows what fewer and more dominoes would "
-         "give, and then the row is improved as by 'improve sizes'. If the rigid-body engine runs rows "
+         "'design' finds a gap and a growth. With them, every domino after the first has at least 'safety' "
+         "times the energy that it needs, both in the endless train and in the row. The first domino, "
+         "friction, slope and push are those of the scene. WISHES can come in any order. 'safety 2' is the "
+         "default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
+         "'minimise dominoes' is the default; the others are 'minimise length' and 'minimise mass'. 'boards "
+         "9, 12, 15 mm' are the thicknesses to choose from (with 'effect walls 12 mm 30 cm', those of the "
+         "solid dominoes). 'grid 1 mm' makes all dimensions whole mm, and the row still has the required "
+         "safety. The row with the fewest dominoes also has the least mass. 'design 8 m falls 99 %' finds "
+         "the smallest number of dominoes with which the row falls with this probability in spite of the "
+         "random errors of the scene, such as 'effect placement 3 mm'. The lower end of the 95 % interval "
+         "must reach this probability. A table shows the results for fewer and for more dominoes; then the "
+         "row is improved, as by 'improve sizes'. If the rigid-body engine runs rows "
          "('effect feet', 'effect bounce', 'set method engine'), all dominoes of the row also fall in the "
-         "engine, while 'safety' is that of the model, in which feet are hinges. The session then has this "
-         "row; 'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
+         "engine; 'safety' is still that of the model, in which feet are hinges. The row becomes that of the "
+         "session; 'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
@@ -41,12 +41,13 @@ const struct command design_commands[] = {
      .synonyms = "guide print sheet cut list boards tape workshop hall build",
      .argument = {{.name = "title TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
      .summary = "a guide for building the row: sizes, boards, places",
-     .help = "The guide lists, for the hall, the places of the dominoes on a tape measure, and for the "
-             "workshop, their sizes and the boards to cut. Beside each value stand the limits between which "
-             "all dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement 2 mm' the "
-             "guide says how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide "
-             "on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg and .png are one "
-             "long page. csv and json have the numbers, in m.",
+     .help =
+         "For the hall, the guide lists the places of the dominoes on a tape measure. For the workshop, it "
+         "lists their sizes and the boards to cut. Beside each value are the limits between which all "
+         "dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement 2 mm', the guide "
+         "shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide "
+         "on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg and .png are one "
+         "long page. csv and json have the numbers, in m.",
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .unswept = "it is a text",
@@ -62,19 +63,19 @@ const struct command design_commands[] = {
                    .bind = wishes_bind,
                    .choices = improve_wishes}},
      .summary = "change the row so that it is most likely to fall",
-     .help = "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
-             "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES, in any "
-             "order, are: 'sizes', to change not only gaps but also the sizes of all dominoes between the "
-             "first and the last, whose proportions stay fixed; 'hall 20 m', the greatest length of the row "
-             "with its last "
-             "domino fallen (by default the length that it has now); 'boards 9, 12, 15 mm', the thicknesses "
-             "to choose from (with 'effect walls 12 mm 30 cm' they are for the solid dominoes); 'mass 50 "
-             "kg', the greatest mass of a domino that changes; and 'grid 1 mm' for sizes and "
-             "gaps in whole mm. A domino that becomes twice as large gets 2^(q-1) times the mass. The search "
-             "uses random rows; other random rows show the probability before and after the changes. A row "
-             "is never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes "
-             "the changes back. If the rigid-body engine runs rows, the search still uses the model, and the "
-             "engine runs the rows that show the probability.",
+     .help =
+         "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
+         "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES can come in any "
+         "order. 'sizes' also changes the sizes of all dominoes between the first and the last; their "
+         "proportions stay fixed. 'hall 20 m' is the greatest length of the row, including its fallen last "
+         "domino; the default is the present length. 'boards 9, 12, 15 mm' are the thicknesses to choose "
+         "from (with 'effect walls 12 mm 30 cm', those of the solid dominoes). 'mass 50 kg' is the greatest "
+         "mass that a changed domino may have. 'grid 1 mm' makes sizes and gaps whole mm. A domino that "
+         "becomes twice as large gets 2^(q-1) times the mass. The search uses random rows; the probabilities "
+         "before and after the changes come from other random rows. A row "
+         "is never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes "
+         "the changes back. If the rigid-body engine runs rows, the search still uses the model, and the "
+         "probabilities come from the engine.",
      .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
      .see = "placement budget design change row",
      .principal = "probability",
@@ -89,13 +90,13 @@ const struct command design_commands[] = {
            .bind = solve_bind,
            .choices = question_names}},
      .summary = "the values of a parameter at which ANSWER has a given value",
-     .help = "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. 'solve' finds the "
-             "values of the parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls "
-             "there. ANSWER is a command, or an expression with commands as names: 'solve s : rmax(s) - "
-             "pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= "
-             "VALUE', and with a command that 'assert' takes, 'solve' finds where the verdict of this "
-             "command changes: 'solve friction : verdict'. The search tries 241 values and looks between "
-             "them; it can miss a dip that is narrower than one step.",
+     .help = "'solve d : rmax = 5/3' is an example of 'solve NAME : ANSWER = VALUE'. It finds the values of "
+             "the parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls there. "
+             "ANSWER is a command, or an expression with the names of commands: 'solve s : rmax(s) - "
+             "pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. If '= VALUE' is "
+             "left out, ANSWER must be a command that 'assert' accepts, and 'solve' finds where its verdict "
+             "changes: 'solve friction : verdict'. The search tries 241 values and looks between them; it "
+             "can miss a dip that is narrower than one step.",
      .example = "solve d : rmax = 5/3; solve friction : barrier",
      .see = "sensitivity sweep assert",
      .unswept = "it varies a parameter itself",
@@ -111,8 +112,9 @@ const struct command design_commands[] = {
            .bind = solve_bind,
            .choices = question_names}},
      .summary = "change a parameter with keys, and see ANSWER move on a curve",
-     .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, and up and "
-             "down take small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
+     .help =
+         "An example is 'watch s 0.1 0.9 : rmax'. The left and right arrow keys make large steps, and the up "
+         "and down keys make small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
      .see = "solve sweep plot",
      .changes = true,
      .act = run_watch},
@@ -122,11 +124,12 @@ const struct command design_commands[] = {
                    .parse = sensitivity_parse,
                    .choices = question_names}},
      .summary = "how much each parameter changes the answer of COMMAND",
-     .help = "'sensitivity' decreases and increases each parameter of the model by 1 %, friction and edges "
-             "by 0.01 and slope by 1 degree, even if these effects are off. The answer is the change of "
-             "COMMAND's number in percent, with the largest change first. COMMAND may have arguments and a "
-             "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
-             "'sensitivity h*r^10'.",
+     .help =
+         "'sensitivity' decreases and increases each parameter of the model by 1 %, friction and edges "
+         "by 0.01 and slope by 1 degree, even if these effects are off. The answer shows by how many percent "
+         "the number of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
+         "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
+         "'sensitivity h*r^10'.",
      .example = "effect friction 0.2; sensitivity rmax",
      .see = "solve sweep",
      .unswept = "it varies the parameters itself",
@@ -146,9 +149,10 @@ const struct command design_commands[] = {
              "each line has the speed of one row of equal dominoes. FPS is the number of frames per second; "
              "a column 'rate' can give it instead. A column 'run' numbers several runs, each with its own "
              "clock; a column 'gap (mm)' gives the gap of each run; a column 'error' gives standard errors. "
-             "The dominoes are those of 'effect row', or else all have the growth r. 'fit' finds the values "
-             "with the least sum of squared residuals, each divided by its error, and their standard "
-             "deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) draw the "
+             "The dominoes are those of 'effect row'; without this effect, their growth is r. Each residual "
+             "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
+             "finds their standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or "
+             ".png, .pdf) draw the "
              "measurements against the values that the model gives.",
      .see = "plot solve duration fall sensitivity",
      .files = true,
@@ -161,11 +165,11 @@ const struct command design_commands[] = {
                    .of = "command with a verdict",
                    .parse = assert_parse,
                    .choices = assert_names}},
-     .summary = "an error unless the verdict of COMMAND is true",
+     .summary = "report an error unless the verdict of COMMAND is true",
      .help = "'assert' runs the command, and reports an error if its verdict is no: the row does not fall, "
              "for example, or no row meets the wishes. A script then ends at once with exit status 1; a "
-             "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove; "
-             "or it is a condition, as in 'assert rmax(0.4) < 1.7'.",
+             "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
+             "or a condition, as in 'assert rmax(0.4) < 1.7'.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .unswept = "it is about one scene",

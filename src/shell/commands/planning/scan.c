@@ -85,8 +85,8 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points at which f has opposite signs, with Brent's method. If f jumps over 0
- * there, stores the jump instead. */
+/* Uses Brent's method to find the root between two points at which f has opposite signs. If f jumps over 0
+ * between them, stores the jump instead. */
 static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -170,9 +170,9 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         root_between(s, a, b);
 }
 
-/* If the middle one of three neighbouring points is an extremum, refines it with a golden-section search,
- * because the answer may cross the value between the points of the grid. If the answer does cross the value,
- * finds the roots on both sides of the extremum. */
+/* If the middle one of three neighbouring points is an extremum, the answer may cross the value between the
+ * points of the grid. Therefore refines the extremum with a golden-section search. If the answer does cross
+ * the value, finds the roots on both sides of the extremum. */
 static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

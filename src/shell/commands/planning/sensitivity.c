@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command sensitivity, which shows how much an answer changes with each parameter. */
+/* The command 'sensitivity', which shows how much an answer changes with each parameter. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "language/quad.h"
@@ -10,8 +10,8 @@ const struct column sensitivity_columns[] = {
     {"parameter", "", "the parameter that is changed", 9},
     {"value", "", "the current value of the parameter, or 0 for an effect that is off", 0},
     {"step", "", "by how much the parameter is changed", 8},
-    {"less", "share", "change of the answer when the value is smaller", 0},
-    {"more", "share", "change of the answer when the value is larger", 0},
+    {"less", "share", "change of the answer if the value decreases by the step", 0},
+    {"more", "share", "change of the answer if the value increases by the step", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -73,8 +73,8 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Makes a sorted list of all parameters that can be varied. After an interrupt, sets *problem and returns
- * false. */
+/* Lists the influences of all parameters that can be varied, with the largest influence first. After an
+ * interrupt, sets *problem and returns false. */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {

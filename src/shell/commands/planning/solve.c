@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command solve, which finds the values of a parameter at which an answer is equal to a given value, or
- * at which a verdict changes. The parser for the arguments of watch is also here. */
+/* The command 'solve', which finds the values of a parameter at which an answer is equal to a given value, or
+ * at which a verdict changes. The parser for the arguments of 'watch' is also here. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include "session/parameters.h"
@@ -10,8 +10,8 @@
 
 /* ---- The question ---- */
 
-/* The range to search if the user gives none. It covers the values that occur in practice, because the whole
- * range of a parameter is too wide. */
+/* The range of a parameter to search if the user gives none. It covers the values that occur in practice,
+ * because the range of allowed values is too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;
@@ -55,7 +55,7 @@ void solve_range(const char *name, double *from, double *to)
     *to = range->to;
 }
 
-/* Returns examples of how to type the command, for messages. */
+/* Returns examples of the command, for messages about a wrong one. */
 static const char *form_of(const struct problem *problem)
 {
     return problem->command && strcmp(problem->command, "watch") == 0
@@ -77,10 +77,11 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
     bool is_missing = reader_ends(r);
     reader_place(r, r->at);
     if (is_missing)
-        return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
+        return problem_error(r->problem, "%s is missing; enter for example %s", name, form_of(r->problem));
     return item_parse_value(r, p, 0, p->value->name, item) &&
            (item->value || isfinite(item->number) ||
-            problem_error(r->problem, "%s must be a number; the form is %s", name, form_of(r->problem)));
+            problem_error(r->problem, "%s must be a number; enter for example %s", name,
+                          form_of(r->problem)));
 }
 
 /* Parses "NAME" or "NAME FROM TO", up to the ':'. */
@@ -95,7 +96,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = parameter_search(solve_names, "parameter", name, message);
     if (k < 0)
-        return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; the form is %s", message,
+        return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter for example %s", message,
                              form_of(r->problem));
     s->usual = &usual_ranges[k];
     s->parameter = parameter_find(s->usual->name);
@@ -109,8 +110,8 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     if (is_good)
         reader_place(r, r->at);
     return is_good &&
-           (*r->at == ':' ||
-            problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem)));
+           (*r->at == ':' || problem_error(r->problem, "':' and an answer are missing; enter for example %s",
+                                           form_of(r->problem)));
 }
 
 /* Skips the ':'. Sets *problem and returns false if nothing follows. */
@@ -119,7 +120,8 @@ static bool colon_pass(struct reader *r)
     r->at = skip_blanks(r->at + 1);
     reader_place(r, r->at);
     return !reader_ends(r) ||
-           problem_error(r->problem, "the answer is missing after ':'; the form is %s", form_of(r->problem));
+           problem_error(r->problem, "the answer is missing after ':'; enter for example %s",
+                         form_of(r->problem));
 }
 
 /* Parses ": ANSWER = VALUE", or ": COMMAND" for a command that has a verdict. */
@@ -138,8 +140,8 @@ bool solve_parse_answer(struct reader *r, struct question *q)
     if (s->verdict)
         return s->question.command->holds ||
                problem_error(r->problem,
-                             "'= VALUE' is missing after '%s'; only a command that answers yes or no, such "
-                             "as 'verdict', needs no '= VALUE'; the form is %s",
+                             "'= VALUE' is missing after '%s'; only commands that answer yes or no, such as "
+                             "'verdict', can do without it; enter for example %s",
                              s->question.name, form_of(r->problem));
     if (!question_needs_number(&s->question, r->problem))
         return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command watch. Arrow keys change a parameter, and a point moves along the curve of the answer. The
+/* The command 'watch'. Arrow keys change a parameter, and a point moves along the curve of the answer. The
  * session changes only if Enter is pressed. */
 #include "commands/planning/planning.h"
 #include "io/terminal.h"
@@ -16,14 +16,14 @@
 
 enum {
     STEPS = 200, /* number of small steps in the range */
-    COARSE = 5   /* a large step, counted in small steps; points of the curve are this far apart, too */
+    COARSE = 5   /* number of small steps in a large step; the points of the curve are one large step apart */
 };
 
 struct watch {
     const struct solve *solve;
     struct probe probe;
     double from, to;
-    double curve[STEPS / COARSE + 1]; /* the answers along the curve; NaN where there is no answer */
+    double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
     double x;                         /* the value of the parameter at the moving point */
     int step;                         /* number of the small step nearest to x, 0 .. STEPS */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;

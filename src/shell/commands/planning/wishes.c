@@ -11,7 +11,8 @@ static const char *const names[WISHES] = {
     [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
     [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
 
-/* A larger probability would need so many random rows that they would take minutes. */
+/* The largest probability that 'falls' accepts; a larger one would need so many random rows that they would
+ * take minutes. */
 #define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {
@@ -206,6 +207,6 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
         return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
     if (parsed->value[MASS].argument &&
         !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
-        return problem_error(problem, "the largest mass is in kg, as in 'mass 50 kg'");
+        return problem_error(problem, "'mass' needs a mass above 0, as in 'mass 50 kg'");
     return boards_bind(q, query, w, problem);
 }

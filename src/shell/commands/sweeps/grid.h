@@ -10,7 +10,7 @@ struct axis {
     const struct parameter *parameter;
     size_t count;
     domq_real from, to;
-    bool logarithmic;      /* the ratio of neighbouring values is constant, not their difference */
+    bool logarithmic; /* true if neighbouring values have a constant ratio instead of a constant difference */
     const domq_real *list; /* the values of a list, or NULL */
 };
 
@@ -44,7 +44,7 @@ bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                domq_real *listed, struct grid *grid, struct problem *problem);
 
-/* Returns the value of an axis with index k. */
+/* Returns value number k of an axis, counted from 0. */
 domq_real axis_value(const struct axis *axis, size_t k);
 
 /* Returns a value of an axis as a cell. */

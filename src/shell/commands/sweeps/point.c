@@ -172,8 +172,8 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Evaluates the question at point k, and writes the rows to w->to, unless it is NULL. If the question has an
- * error, sets w->problem and returns false. */
+/* Evaluates the question at point k, and writes the rows to w->to, unless w->to is NULL. If the question has
+ * an error, sets w->problem and returns false. */
 static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;

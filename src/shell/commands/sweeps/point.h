@@ -5,8 +5,8 @@
 
 #include "commands/sweeps/grid.h"
 
-/* The question that is evaluated at each point, or a list of questions, each of which has one number as its
- * answer. */
+/* The question that is evaluated at each point. There can be a list of questions; then the answer to each is
+ * one number. */
 struct point_question {
     struct question question;
     struct point_question *next; /* the next question of the list, or NULL */
@@ -39,17 +39,17 @@ struct sweeper {
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the command that does the sweep, for messages */
     struct means means;        /* without the shard of the sweep, because a point is not divided into parts */
-    bool styled;               /* the grid changes the number of digits */
+    bool styled;               /* true if the grid changes the number of digits */
     /* This worker's part of the answer of the sweep, and the template for the answer at each point. */
     struct answer answer;
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by point_probe */
     struct tally tally;
-    /* The point that is being computed. */
+    /* The values of the parameters at the point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
     struct answer *to;         /* receives the rows: &answer, or NULL to discard them */
-    bool answered;             /* the answer at this point has at least one row */
+    bool answered;             /* true if the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
 };

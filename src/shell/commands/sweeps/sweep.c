@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command sweep, which prints the answers of a command at all points of a grid of parameters and effects.
+/* The command 'sweep', which prints the answers of a command at all points of a grid of parameters and
+ * effects.
  */
 #include "commands/sweeps/sweep.h"
 #include "answer/format.h"
@@ -30,7 +31,7 @@ bool sweep_parse_grid(struct reader *r, struct question *q)
     return s && grid_parse(r, &s->grid);
 }
 
-/* Lists, in the form that names.h expects, the commands that can be swept. */
+/* A names_list (see names.h) of the commands that can be swept. */
 static const char *sweepable_names(const void *context, int k)
 {
     const char *name;
@@ -124,7 +125,7 @@ struct sweep_shape sweep_shape(const struct arguments *given)
 
 /* ---- The answer ---- */
 
-/* Tells the answer the values of the grid, from which the answer chooses the units of the grid's columns. */
+/* Passes the values of the grid to the answer, so that it can choose the units of the grid's columns. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
@@ -145,8 +146,8 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. The output before the first row is laid out for a sample row, because it
- * must depend neither on the worker that computes the first row nor on the part that --shard selects. */
+/* Writes the rows of all points. The output before the first row is laid out for a sample row, so that it
+ * depends neither on the worker that computes the first row nor on the part that --shard selects. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
@@ -179,7 +180,7 @@ static void tally_say(struct sweeper *w, struct answer *a)
     answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason,
                means_part(w->query->means, w->grid->points).count, t->with_reason == 1 ? "has" : "have",
                t->without_answer == t->with_reason ? "no answer" : "a missing value", where, t->reason,
-               t->with_reason == 1 ? "" : " csv and json give the reason for each.");
+               t->with_reason == 1 ? "" : " csv and json give the reason for each of them.");
 }
 
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem)

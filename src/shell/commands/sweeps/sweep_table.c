@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table with the command sweep. It is in a separate file, because it refers to sweep.c and plot_sweep.c,
- * and plot_sweep.c itself uses sweep.c. */
+/* The table with the command 'sweep'. It has a file of its own, because it refers to sweep.c and
+ * plot_sweep.c, and plot_sweep.c uses sweep.c. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
