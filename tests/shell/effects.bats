@@ -279,10 +279,10 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
         same "$command: json" '(nothing)' "$(json "$command")"
     done <<'END'
-effect row on|row is on now with N = 20: the number of dominoes. 'effect row N|FILE' sets another.
-effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'effect friction MU' sets another.
-effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'effect friction MU' sets another.
-effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'effect push OMEGA' sets another.
+effect row on|row is on now with N = 20: the number of dominoes. 'effect row N|FILE' sets another value.
+effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'effect friction MU' sets another value.
+effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'effect friction MU' sets another value.
+effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'effect push OMEGA' sets another value.
 END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command cost, which measures computing time. It runs on a single thread, because other threads would
- * compete for the caches, the memory and the clock of the processor, and would distort the times.
+ * The command 'cost', which measures computing time. It uses one thread only, because other threads would
+ * compete for the caches and the memory, and would lower the clock rate of the processor.
  */
 #include "commands/cost.h"
 #include "commands/tables.h"
@@ -124,7 +124,8 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* rough fraction of the command's total time, for the progress display */
+    double share; /* for the progress display: which fraction of the command's time this contender takes,
+                     roughly */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
@@ -138,8 +139,8 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures one method in one precision with smaller and smaller tolerances, until the precision allows no
- * smaller one or the next measurement would take too long. */
+/* Measures one method in one precision with smaller and smaller tolerances. Ends when the precision allows no
+ * smaller tolerance, or when the next measurement would take too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
@@ -151,8 +152,8 @@ static enum dom_status contender_measure(int which, const struct query *query,
         *row = (struct cost_row){.method = contenders[contender].method,
                                  .precision = contenders[contender].precision,
                                  .tol = tolerances[t]};
-        /* The paper's method takes up to ten times as many steps for each further digit, so the time of the
-         * next measurement can be estimated from the time of the last one. */
+        /* The paper's method takes up to ten times as many steps for each further digit. This gives an
+         * estimate of the time that the next measurement takes. */
         if (t > 0 && row->method == DOM_METHOD_PAPER &&
             row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
@@ -198,7 +199,7 @@ static const struct column cost_columns[] = {
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
     {"dominoes", "", "the largest number of dominoes in one pass along the train", 8},
     {"passes", "", "how many times the computation passes along the train", 9},
-    {"time", "us", "time of one answer, the shortest of several measurements", 10},
+    {"time", "us", "time that one answer takes (the shortest of several measurements)", 10},
     {"times", "", "time divided by the time of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
 };
@@ -221,10 +222,10 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * If the measured quantity is r_max, adds a row for each tolerance at which its value can be proved. The
- * error in such a row is (high - low) / (2 low), where low and high are the proved bounds. Each proof is
- * timed only once, because it takes a long time. Returns the time, in seconds, of the proof at a tolerance of
- * 1e-12, or NaN if there is no such proof.
+ * Adds rows for proofs to the table, if the measured quantity is that of rmax or pair. There is a row for
+ * each tolerance to which the value can be proved. Its error is (high - low) / (2 low), where low and high
+ * are the proved bounds. Each proof is timed only once, because it takes a long time. Returns how many
+ * seconds the proof with a tolerance of 1e-12 takes, or NaN if there is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
@@ -249,8 +250,8 @@ static double cost_proved(const struct query *query, struct answer *a, const str
     return twelve;
 }
 
-/* Returns the time in seconds of the quickest measurement by this method, in this precision, whose relative
- * error is at most `error`. Returns NaN if there is none. */
+/* Returns the shortest time, in seconds, in which this method reached a relative error of at most `error` in
+ * this precision. Returns NaN if no measurement did. */
 static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
                           double error)
 {
@@ -269,8 +270,8 @@ static void times_say(struct answer *a, const char *what, double seconds, double
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints sentences that compare the times for 3, 6 and 12 correct digits. The number of correct digits is
- * derived from the error that a measurement achieved, not from the tolerance that was requested. */
+/* Prints sentences that compare the times for 3, 6 and 12 correct digits. How many digits are correct follows
+ * from the true error of a measurement, not from the requested tolerance. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
@@ -290,7 +291,7 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
-    times_say(a, "A proof of 12 digits takes", proved, twelve, "our time without one");
+    times_say(a, "A proof of 12 digits takes", proved, twelve, "our time without a proof");
 }
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
@@ -316,9 +317,9 @@ const struct command cost_commands[] = {
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer in each precision to more and more digits. The error is the "
              "true error, which includes the effect of rounding the parameters. For rmax and pair, the table "
-             "also has lines for proofs, as 'prove' makes them.",
+             "also has rows for proofs, which 'prove' explains.",
      .see = "plot",
-     .unswept = "it measures computing time, which other points running at the same time would distort",
+     .unswept = "it measures computing time, and points that run at the same time would slow each other down",
      .rows = true,
      ANSWER(cost)},
     {.name = NULL},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command count: how many dominoes it takes to topple one of a given height. */
+/* The command 'count': how many dominoes it takes to topple a domino of a given height. */
 #include "commands/row_start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -54,9 +54,9 @@ struct tower {
     bool falls; /* true if the row falls */
 };
 
-/* Runs a row of `dominoes` dominoes of the train and the domino that they should topple, and finds whether
- * the whole row falls. Also finds the largest growth of the endless train, and the largest growth at which a
- * row starts. On failure, sets *problem and returns false. */
+/* Runs a row of `dominoes` dominoes, followed by the domino that they should topple, and finds whether all of
+ * them fall. Also finds the largest growth of the endless train, and the largest growth at which a row
+ * starts. On failure, sets *problem and returns false. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -123,7 +123,7 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
         kind.q = w->value;
         const bool is_session_kind = kind.q == train->q;
         has_name = has_name || is_session_kind;
-        /* Of several words for one value, only the last word is printed. */
+        /* If several words have the same value, only the last word is printed. */
         if (w[1].name && w[1].value == w->value)
             continue;
         if (!is_session_kind && !tower_find(query, &kind, dominoes, &other, problem))
@@ -147,7 +147,6 @@ static struct words ordinal(domq_real n)
     return words;
 }
 
-/* Prints the answer for people. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
                       const struct tower *t, domq_real height, domq_real first)
 {
@@ -168,7 +167,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     answer_say(a, "%s", t->falls ? "Such a row falls." : "Such a row does not fall.");
 }
 
-/* Prints why the row does not fall, and whether it would keep falling once it moves. */
+/* Prints why the row does not fall, and whether a train that is already moving would keep falling. */
 static void start_say(const struct query *query, struct answer *a, const struct tower *t)
 {
     char ends[START_TEXT];

@@ -12,19 +12,18 @@ static const char *no_fuel(const struct query *query)
         return "no domino effect: friction and the larger dominoes take up all the energy that a cycle "
                "releases; 'rmax' shows how large r may be";
     if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
-        return "no domino effect: at this growth r the fuel P is not positive, since the smaller dominoes "
+        return "no domino effect: at this growth r the fuel P is not positive, because the smaller dominoes "
                "release less energy than the head takes up; 'rmax' shows how large r may be";
-    return "no domino effect: the fuel P is not positive, since a domino that has fallen is as high as an "
-           "upright one (s is too small for this d)";
+    return "no domino effect: the fuel P is not positive, because a fallen domino has as much potential "
+           "energy as an upright one (s is too small for this d)";
 }
 
 static const struct column thetac_columns[] = {
     {"theta_c", "rad", "tilt at which the head hits the next domino: sin theta_c = r s (2; a2)", 0},
     {"theta_u", "rad", "tilt at which a single domino just tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "tilt at which followers far back come to rest: cos theta_inf = d/(s+d) (40; A16)",
-     0},
+    {"theta_inf", "rad", "tilt of followers far behind the head: cos theta_inf = d/(s+d) (40; A16)", 0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, else theta_inf", 0},
-    {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
+    {"theta_leave", "rad", "tilt of a domino when its follower detaches", 0},
     {"detaches", "", "whether followers become too short to lean on their leaders, and detach (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
@@ -40,7 +39,7 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
             "tilt at which the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
         answer_describe(a, "theta_u", NULL,
                         "tilt at which a single domino with its rounded foot just tips over");
-        answer_describe(a, "theta_inf", NULL, "followers far behind come to rest");
+        answer_describe(a, "theta_inf", NULL, "tilt of followers far behind the head");
     }
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
                         CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));
@@ -62,7 +61,9 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
     if (!query_status(query, problem,
                       domq_contact_find(&query->scene->train, query_compute(query), theta, &c)))
         return false;
-    const char *why = isnan(c.arm_a) ? "whether the follower has detached and rests at theta_f" : NULL;
+    const char *why =
+        isnan(c.arm_a) ? "the lever arms have no value because the follower has detached; its tilt is theta_f"
+                       : NULL;
     return answer_row(
         a,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
@@ -73,8 +74,8 @@ static const struct column chain_columns[] = {
     {"i", "", "number of the domino; 0 is the head", 5},
     {"theta_i", "rad", "tilt of this domino (27; A2)", 0},
     {"slope_i", "", "d theta_i / d theta (33; A9)", 0},
-    {"arm_a", "h", "lever arm of the force from the follower", 0},
-    {"arm_b", "h", "lever arm of the same force on the follower", 0},
+    {"arm_a", "h", "lever arm of the force from this domino's follower", 0},
+    {"arm_b", "h", "lever arm of the opposite force on the follower", 0},
     {"weight", "", "r^(-q i), the weight of this domino in the energy (19; c1)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -138,7 +139,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
 }
 
-/* Writes why the train stops, with the tilt at which it stops if this tilt is known. */
+/* Writes why the train stops, and at which tilt if this is known. */
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;
@@ -155,9 +156,9 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 }
 
 /*
- * Decides whether a command can print an answer after a computation that ended with `status`. Returns true if
- * it can, and sets *why to the reason why the answer lacks some numbers, or to NULL if it is complete.
- * Otherwise sets *problem and returns false. `reason` is a buffer for the text to which *why may point.
+ * Checks whether a command can answer although its computation ended with `status`. If so, returns true and
+ * sets *why to the reason why numbers are missing from the answer, or to NULL if none are missing. If not,
+ * sets *problem and returns false. `reason` is a buffer for the text of *why.
  */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
@@ -165,7 +166,7 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision, since the force on the struck domino "
+               ? "no domino effect: friction locks the collision, because the force on the struck domino "
                  "passes its hinge on the wrong side and cannot turn it; use a smaller r s or less friction"
                : NULL;
     if (status == DOM_STOPS)
@@ -325,10 +326,10 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "the energy that one cycle releases",
      .equation = "(25; c7)",
-     .help = "The paper gives two formulas for the fuel (25; c7). The sum over the train follows from the "
-             "balance of energy. The closed form, which the paper uses for its figures, leaves out the "
-             "weights r^(-q i) and is right only for r = 1. After 'set fuel paper' the program uses the "
-             "closed form, too.",
+     .help = "The paper gives two formulas for the fuel (25; c7). The first is a sum over the train, which "
+             "follows from the balance of energy. The second is a closed form, which the paper uses for its "
+             "figures. It leaves out the weights r^(-q i) and is right only for r = 1. After 'set fuel "
+             "paper' the program computes with the closed form.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",
@@ -359,7 +360,7 @@ const struct command cycle_commands[] = {
      .summary = "the energy that the train needs, and whether it has enough",
      .equation = "(26; c8)",
      .help = "The barrier is the largest potential energy of the train in the whole cycle. Near r s = 1 the "
-             "potential energy decreases first, and increases after the follower that pushes the head has "
+             "potential energy first decreases. It increases after the follower that pushes the head has "
              "detached.",
      .example = "barrier",
      .see = "launch rmax",
@@ -371,7 +372,7 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "how long a cycle takes, and how fast the front advances",
      .equation = "(1; a1) (21; c3)",
-     .help = "Times in seconds are those of solid blocks. A hollow box has a larger moment of inertia and "
+     .help = "Times in seconds are for solid blocks. A hollow box has a larger moment of inertia and "
              "falls more slowly: see 'help walls'.",
      .example = "duration",
      .see = "omega",

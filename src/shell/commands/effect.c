@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands effect, effects and scene, which turn effects on and off, measure how much time effects take,
- * and show how the scene is computed. */
+/* The commands 'effect', 'effects' and 'scene'. They turn effects on and off, measure how much time effects
+ * take, and show how the scene is computed. */
 #include "commands/cost.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
@@ -36,8 +36,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work of computing the main result of the scene without random errors. If `random` is true, adds
- * the work of computing one random row. On failure, sets *problem and returns false. */
+/* Counts the work that the main result of the scene takes without random errors. If `random` is true, adds
+ * the work that one random row takes. On failure, sets *problem and returns false. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -83,15 +83,14 @@ static double scene_price(const struct scene *scene)
 }
 
 /*
- * Returns how many seconds an answer takes. If `on` is true, the effect is turned on, with all effects that
- * it needs; otherwise it is turned off, with all effects that need it. Returns NaN if there is no such
- * answer. All other random errors are off, because random rows stop early. The effect 'floor' is off while
- * placement or an effect of the rigid-body engine is timed, because neither random rows nor the engine can
- * include 'floor'.
+ * Returns how many seconds an answer takes with one effect on or off. If `on` is true, the effects that it
+ * needs are also on; otherwise the effects that need it are also off. Returns NaN if there is no such answer.
+ * Other random errors are off, because random rows stop early. Neither random rows nor the rigid-body engine
+ * can include 'floor', so that effect is off while they are timed.
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* the copy shares the row with the original scene */
+    struct scene scene = *query->scene; /* this copy of the scene shares the row of the original */
     errors_off(&scene);
     if (name == DOM_EFFECT_placement || name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
@@ -109,14 +108,14 @@ static double price_with(const struct query *query, int name, bool on)
 
 static const struct column effects_columns[] = {
     {"effect", "", "name of the effect", 9},
-    {"state", "", "off, or its values", 12},
+    {"state", "", "off, or the values of the effect", 12},
     {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
     {"without", "us", "time to compute an answer with the effect off", 9},
     {"with", "us", "time to compute an answer with the effect on", 9},
     {"times", "", "the time with the effect divided by the time without it", 8},
     {"entered", "", "how often an answer runs the code of the effect", 8},
     {"adds", "", "what the effect adds to the paper's model", 26},
-    {"source", "", "source of its mathematics", 20},
+    {"source", "", "source of the mathematics", 20},
     {NULL, NULL, NULL, 0},
 };
 
@@ -124,17 +123,18 @@ static void effects_say(const struct query *query, struct answer *a)
 {
     bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(a,
-               "Each time is for one answer: %s. The code of an effect that is off does not run. placement "
-               "is timed for one random row, which may stop early. feet and bounce are timed for one run of "
-               "the rigid-body engine; an answer needs two or more runs.",
+               "Each time is for one answer: %s. The code of an effect that is off does not run. The time of "
+               "placement is for one random row, which may stop early. The times of feet and bounce are for "
+               "one run of the rigid-body engine; an answer needs two or more runs.",
                row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
-    answer_say(a,
-               "The methods are, from the quickest to the slowest: balance, the energy balance; motion, the "
-               "equation of motion; and engine, the rigid-body engine, which runs rows only. The program "
-               "uses the quickest method that includes all effects of the scene; this is now %s.\n",
-               scene_has_engine(query->scene)               ? "engine"
-               : domq_law(&query->scene->train)->dissipates ? "motion"
-                                                            : "balance");
+    answer_say(
+        a,
+        "There are three methods, here from the quickest to the slowest: balance (the energy balance), "
+        "motion (the equation of motion) and engine (the rigid-body engine, which runs rows only). The "
+        "program uses the quickest method that includes all effects of the scene; this is now %s.\n",
+        scene_has_engine(query->scene)               ? "engine"
+        : domq_law(&query->scene->train)->dissipates ? "motion"
+                                                     : "balance");
     for (int k = 0; k < EFFECT_ENGINE_END; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
@@ -151,7 +151,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds source"); /* for people, effects_say prints these columns below the table */
+    answer_leave_out(
+        a, "adds source"); /* in a table these columns are left out; effects_say prints them as sentences */
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
@@ -211,7 +212,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_row)
         part_row(a, "start",
                  is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
-                 : is_engine ? "domino 1 is tipped just over its edge"
+                 : is_engine ? "domino 1 is tilted until it just tips over"
                              : "(9; b5): energy of domino 1 as it falls from its edge",
                  1, is_pushed ? "push is on" : "no push");
     if (is_row && !is_engine)
@@ -230,7 +231,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         return;
     if (is_row)
         part_row(a, "contact", "signs of the forces by a bound, or else from the forces at four tilts", n,
-                 "none may pull");
+                 "no contact may pull");
     else
         part_row(a, "barrier",
                  has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
@@ -265,7 +266,7 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
                    (double)t->r, (double)t->d, (double)t->q, on);
     parts_list(query, a, is_engine ? count : work.longest);
     if (!is_engine)
-        answer_say(a, "The verdict takes %zu passes down the %s at tol = %g in %s precision.", work.passes,
+        answer_say(a, "The verdict takes %zu passes along the %s at tol = %g in %s precision.", work.passes,
                    is_row ? "row" : "train", (double)query->scene->compute.tol,
                    domq_arithmetic(query->scene->compute.precision)->name);
     return true;
@@ -290,13 +291,14 @@ const struct command effect_commands[] = {
     {.name = "effects",
      .synonyms = "list switch",
      .summary = "all effects: whether they are on, what they add, and the time they take",
-     .help = "For each effect, measures how long an answer of this scene takes without the effect, and with "
-             "the effect and all others that it needs. An effect that is off is timed with its usual value. "
-             "Effects decide which of three methods finds the motion: the energy balance; the equation of "
-             "motion, if there is friction; or a rigid-body engine, if there are feet or bounce. 'scene' "
-             "says which method this scene has, and why.",
+     .help =
+         "For each effect, measures how long an answer of this scene takes without the effect, and how long "
+         "with the effect and all others that it needs. An effect that is off is timed with its usual value. "
+         "Effects decide which of three methods finds the motion: the energy balance; the equation of "
+         "motion, if there is friction; or a rigid-body engine, if there are feet or bounce. 'scene' shows "
+         "which method this scene needs, and why.",
      .see = "effect scene",
-     .unswept = "it measures computing time, which other points running at the same time would distort",
+     .unswept = "it measures computing time, and points that run at the same time would slow each other down",
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",

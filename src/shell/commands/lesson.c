@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command lesson, which shows the lines of a script while it runs them: comments as text, and commands as
- * at the prompt. At a terminal it waits before each command until the reader has typed it. In a file, the
- * script is the remainder of the file after the command 'lesson'. Otherwise it is the tutorial, which the
- * build copies from examples/tutorial.dom into tutorial.h.
+ * The command 'lesson', which runs a script and shows its lines: comments as text, and commands as at the
+ * prompt. At a terminal it waits before each command until the reader has typed the command. If 'lesson'
+ * stands in a file, the script is the remainder of that file. Otherwise it is the tutorial: the build copies
+ * examples/tutorial.dom into tutorial.h.
  */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
@@ -44,8 +44,8 @@ static void line_show(const struct session *reader, const char *before, const ch
 }
 
 /*
- * Waits until the reader types the command or just presses Enter. If the reader types another line, runs that
- * line and waits again. Returns false if the reader ends the lesson with 'q', 'quit', ^C or ^D.
+ * Waits until the reader types the command, or only presses Enter. If the reader types another line, runs
+ * that line and waits again. Returns false if the reader ends the lesson with 'q', 'quit', ^C or ^D.
  */
 static bool reader_types(struct session *reader, const char *command)
 {
@@ -106,10 +106,10 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
-    progress_end(); /* waiting for the reader must not be shown as a computation */
+    progress_end(); /* the progress display must not show the time in which the lesson waits for the reader */
     if (waits)
-        fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
-              "commands in between. Your own parameters stay as they are. 'q' leaves.\n",
+        fputs("Type each line that the lesson shows, or only press Enter. You may try other\n"
+              "commands in between. Your own parameters stay as they are. 'q' ends the lesson.\n",
               reader.output->out);
     while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in, NULL) != -1)
         lesson_line(&reader, line, waits);

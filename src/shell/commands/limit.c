@@ -18,7 +18,7 @@ static const char *no_growth(struct domq_limit limit)
     return limit.ends != DOM_END_NONE ? NULL
            : limit.why == DOM_NO_FUEL
                ? "no growth possible: at this s and d even equal dominoes (r = 1) "
-                 "release no energy, since a fallen domino is as high as an upright one"
+                 "release no energy, because a fallen domino has as much potential energy as an upright one"
            : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
            : limit.why == DOM_OUT_OF_REACH
                ? "no growth possible: with edges as round as these, even equal dominoes (r = 1) fall past "
@@ -83,8 +83,9 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* Prints the largest growth at which a row starts from rest, if it is smaller than the largest growth of a
- * moving train. If the session's growth is between the two, also prints the push that the row needs. */
+/* Prints the largest growth at which a row starts from rest, if this is smaller than the largest growth of a
+ * moving train. If the session's growth lies between these limits, also prints the push that the row needs.
+ */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
@@ -120,8 +121,8 @@ static const char *start_missing(const struct query *query, const struct answer 
                                  const struct start_growths *growths, char reason[START_TEXT])
 {
     if (growths->has_engine)
-        return "r_start has no value: in the rigid-body engine the search takes too long; 'rowmax' finds it "
-               "for a row";
+        return "r_start has no value, because with the rigid-body engine the search would take too long; "
+               "'rowmax' finds the largest growth of a row";
     snprintf(reason, START_TEXT,
              "r_start has no value: a row that starts %s does not fall, whatever its growth",
              start_words(query).text);
@@ -170,15 +171,14 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     if (!query_status(query, problem, domq_limit_pair(&train, query_compute(query), &limit)))
         return false;
     if (limit.ends != DOM_END_NONE)
-        answer_say(
-            a,
-            "A domino that just tips over can topple a domino that is %s times as large, with a gap of %.6g "
-            "times the height of the larger one.\n",
-            measured(limit.r_max, "", 6).text, (double)train.s);
+        answer_say(a,
+                   "A domino with barely enough energy to tip over can topple one that is %s times as large. "
+                   "The gap between them is %.6g times the height of the larger domino.\n",
+                   measured(limit.r_max, "", 6).text, (double)train.s);
     return answer_row(
         a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
-            ? "no growth possible: a domino that just tips over does not topple the next one at this s and d"
+            ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
             : NULL);
 }
 
@@ -283,14 +283,13 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth, with gaps of S heights (default: s)",
      .equation = "(26; c8)",
-     .help =
-         "The search raises the growth r from 1 until a domino has less energy than it needs to topple the "
-         "next one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
-         "without touching it. This is the limit for a train that is already moving. A row that starts from "
-         "rest, with a first domino that just tips over or with the push of 'effect push', may need a "
-         "smaller growth. The answer gives this smaller limit as r_start. "
-         "It takes much longer to compute than r_max, so 'rmax.r_start' is not available in expressions, and "
-         "a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' instead.",
+     .help = "The search raises the growth r from 1 until dominoes have too little energy to topple the next "
+             "one. It ends at the latest at r = 1/s (less with rounded edges): there a domino falls past the "
+             "next one without touching it. This is the limit for a train that is already moving. A row that "
+             "starts from rest may need a smaller growth, which the answer shows as r_start: its first "
+             "domino just tips over, or has the push of 'effect push'. Because r_start takes much longer to "
+             "compute than r_max, expressions cannot use 'rmax.r_start', and a sweep of 'rmax' has no column "
+             "r_start. In both, use 'count(112).r_start' instead.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
@@ -335,9 +334,9 @@ const struct command limit_commands[] = {
      .help =
          "The number n of dominoes is the smallest integer with h r^n >= H: n dominoes, the first of which "
          "is h tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
-         "next one. The row starts with a first domino that just tips over, or with the push of 'effect "
-         "push', and 'feasible' tells whether the row falls. If not, 'stops_at' is the domino at which the "
-         "row ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
+         "next one. The first domino of the row just tips over, or has the push of 'effect push'. 'feasible' "
+         "tells whether the row falls. If it does not, 'stops_at' is the domino at which it ends, and 'push' "
+         "is the weakest push with which it would fall. 'goes_on' tells whether an "
          "endless train that is already moving keeps falling, and 'r_start' is the largest growth at which "
          "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
          "row. If an effect that needs the rigid-body engine is on, the engine runs the row.",

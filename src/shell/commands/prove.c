@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command prove, which computes rigorous bounds on an answer. */
+/* The command 'prove', which computes rigorous bounds on an answer. */
 #include "commands/row_start.h"
 #include "commands/tables.h"
 #include "domino_proof.h"
@@ -22,8 +22,8 @@ static const struct column prove_columns[] = {
     {"low", "", "proved lower bound of the answer", 0},
     {"high", "", "proved upper bound of the answer", 0},
     {"result", "", "the result of the proof", 12},
-    {"boxes", "", "number of rectangles of tilts and growths in the proof", 9},
-    {"chains", "", "number of passes down the train in the proof", 9},
+    {"boxes", "", "number of boxes in the proof, each of which is a range of tilts and growths", 9},
+    {"chains", "", "number of passes along the train in the proof", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -46,8 +46,8 @@ static struct dom_compute proof_compute(const struct query *query)
         .tol = (double)compute->tol, .precision = DOM_DOUBLE, .interrupt = compute->interrupt};
 }
 
-/* Enough digits for an exact round trip. A proved bound must not be rounded, since the rounded bound might be
- * false. */
+/* Enough digits for an exact round trip. A proved bound must not be rounded, because the rounded bound might
+ * be false. */
 enum { ALL_DIGITS = 17 };
 
 /* Returns a cell that shows `decimals` digits after the decimal point, or all digits if `decimals` is 0. */
@@ -69,7 +69,8 @@ static void prove_row(struct answer *a, double s, enum what what, struct cell lo
                reason);
 }
 
-/* Writes into `reason` why a proof is incomplete, and returns it. Returns NULL if the proof is complete. */
+/* Writes why a proof is incomplete into `reason`, and returns `reason`. Returns NULL if the proof is
+ * complete. */
 static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
 {
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
@@ -196,7 +197,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     if (is_enough)
         answer_say(a, "Proved: %.0f dominoes are enough at growth %.12g, and fewer are not.", least, train.r);
     say_cycle(query, a, &proof);
-    answer_say(a, "Computed, but not proved: %s %s.", start_words(query).text,
+    answer_say(a, "Computed, but not proved: %s, %s.", start_words(query).text,
                start.falls ? "the row starts" : "the row does not start");
     return true;
 }
@@ -211,7 +212,7 @@ static bool run_prove(const struct query *query, struct answer *a, struct proble
     if (what == PROVE_COUNT && !has_value)
         return problem_error(problem, "'prove count' needs a height, for example 'prove count 112 m'");
     if (what != PROVE_COUNT && !of_limit && has_value)
-        return problem_error(problem, "'prove %s' takes no value; 'set s' and 'set r' say which train",
+        return problem_error(problem, "'prove %s' takes no value; 'set s' and 'set r' choose the train",
                              prove_names(NULL, (int)what));
     if (has_value &&
         !argument_check(query, of_limit ? &separation : &height, query->given->quantity[1], &value, problem))
@@ -230,12 +231,12 @@ const struct command prove_commands[] = {
           {.name = "VALUE", .kind = ARGUMENT_ANY, .of = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
      .help = "'prove rmax S' and 'prove pair S' find two decimal numbers, 'tol' apart, with the largest "
-             "growth between them: for every growth up to the first number the train keeps falling, and at "
-             "the second number it stops. 'prove barrier' and 'prove verdict' are about the growth r, and "
-             "'prove count H' is about the number of dominoes; whether such a row also starts is computed, "
-             "not proved. The proof covers all tilts, and all growths in between; domino-model(7) explains "
-             "it. If it fails or is interrupted, the answer is 'not proved', with what has been proved so "
-             "far. There are no proofs for friction and slopes.",
+             "growth between them. The train keeps falling with every growth up to the first number, and "
+             "stops with the second. 'prove barrier' and 'prove verdict' are about the growth r. 'prove "
+             "count H' is about the number of dominoes; whether such a row starts is computed, but not "
+             "proved. A proof covers all tilts, and all growths in between; domino-model(7) explains how. If "
+             "a proof fails or is interrupted, the answer is 'not proved', with what has been proved so far. "
+             "There are no proofs with friction, slopes or rounded edges.",
      .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 
 /*
- * A run of START_DOMINOES dominoes shows whether a row starts, because a row forgets its start: the energy of
- * each cycle is a linear function of the energy of the previous cycle, with a slope below 1, so the energies
- * approach the energy of the endless train from one side. If these dominoes fall, and the endless train keeps
- * falling, then a longer row falls, too. The search for the largest growth runs only START_SEARCHED dominoes.
+ * A row forgets its start: the energy of each cycle is a linear function of the energy of the previous cycle,
+ * with a slope below 1. The energies therefore approach the energy of the endless train from one side. If
+ * START_DOMINOES dominoes fall, and the endless train keeps falling, then any longer row also falls. The
+ * search for the largest growth runs only START_SEARCHED dominoes.
  */
 enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 
@@ -60,7 +60,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
         start->stops_at = verdict.domino;
-        /* A push of this many rad/s lifts the first domino off the floor: its weight is no longer enough to
+        /* With this push, omega^2 h/2 = g, the first domino is lifted off the floor: its weight can no longer
          * keep its centre, h/2 above the hinge, on a circle. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
@@ -114,9 +114,9 @@ const char *start_problem(const struct query *query, const struct start *start, 
     else if (!start->engine && start->end != DOM_ROW_MISSES)
         snprintf(push, sizeof push,
                  "; a push that is strong enough would lift the first domino off the floor");
-    snprintf(text, START_TEXT, "%s the row ends at domino %zu: %s%s", start_words(query).text,
+    snprintf(text, START_TEXT, "%s, the row ends at domino %zu: %s%s", start_words(query).text,
              start->stops_at,
-             start->end == DOM_ROW_LEANS ? "the first touches the second before it tips over"
+             start->end == DOM_ROW_LEANS ? "the first domino touches the second before it tips over"
                                          : dom_row_end_text(start->end),
              push);
     return text;

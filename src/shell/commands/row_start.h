@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds whether a row of a train's dominoes starts from its first domino, which stands at rest. A train that
- * already moves may have a larger growth than a row that has to be started. */
+/* Finds whether a row starts to fall from its first domino, which stands at rest. A train that is already
+ * moving can have a larger growth than a row that has to be started. */
 #ifndef SHELL_ROW_START_H
 #define SHELL_ROW_START_H
 
@@ -11,14 +11,14 @@ struct start {
     size_t count; /* number of dominoes in the row that was run */
     bool falls;   /* true if all dominoes of the row fall */
     enum dom_row_end end;
-    size_t stops_at;    /* number of the domino at which the row ends, counted from 1 */
-    domq_real push;     /* rad/s: the weakest push with which the row would fall, or NaN if none was found */
+    size_t stops_at; /* number of the domino at which the row ends, counted from 1 */
+    domq_real push;  /* the weakest push, in rad/s, with which the row would fall, or NaN if none was found */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
-/* Runs a row of `dominoes` dominoes of the train. A very long row is cut off where its start no longer
- * matters. If the row does not fall, also finds the weakest push with which it would fall. On failure, sets
- * *problem and returns false. */
+/* Runs a row of `dominoes` dominoes of the train. Of a very long row, runs only the first dominoes, which
+ * decide whether the row starts. If the row does not fall, also finds the weakest push with which it would
+ * fall. On failure, sets *problem and returns false. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
@@ -35,8 +35,8 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 /* Returns "with a first domino that just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 
-/* Writes why a row does not fall, for example "with a push of 3 rad/s it ends at domino 2: its energy is not
- * enough to tip it over; a push of 6.8 rad/s is enough". */
+/* Writes why a row does not fall, for example "with a push of 3 rad/s, the row ends at domino 2: it has too
+ * little energy to tip over; a push of 6.8 rad/s is enough". */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 

@@ -75,7 +75,8 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Records ---- */
 
-/* Runs 'log' or 'tee': starts a record of the session in a file, or ends it if the argument is 'off'. */
+/* Runs 'log' or 'tee': starts a record of the session in a file, or ends the record if the argument is 'off'.
+ */
 static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
                        struct problem *problem)
 {
@@ -83,7 +84,7 @@ static bool run_record(struct session *session, const struct arguments *given, s
     enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
-        return problem_error(problem, "answers go to '%s' here; begin the record before that",
+        return problem_error(problem, "answers go to '%s' here; begin the record earlier",
                              names_shown(session->output->path));
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
@@ -117,16 +118,16 @@ const struct command script_commands[] = {
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE until 'log off'",
      .help = "In FILE, answers, errors and lines that failed are comments, so 'source FILE' runs the "
-             "commands again. Write './off' for a file with the name off.",
+             "commands again. Write './off' for a file named off.",
      .see = "tee save",
      .files = true,
      .act = run_record},
     {.name = "tee",
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "write all answers into FILE, too, until 'tee off'",
+     .summary = "also write all answers into FILE, until 'tee off'",
      .help = "An existing FILE is overwritten. After 'set output csv' or 'set output json' FILE gets the "
-             "data of all answers. 'COMMAND > FILE' writes a single answer, which is then not printed.",
+             "data of all answers. 'COMMAND > FILE' writes a single answer into FILE and does not print it.",
      .see = "log",
      .files = true,
      .act = run_record},

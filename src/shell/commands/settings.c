@@ -32,7 +32,7 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     bool listed = effect_file(query->scene, p->which);
-    change_say(query, a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
+    change_say(query, a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another value.", p->name,
                before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
                effect_setting(query->scene, p->which),
                listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
@@ -80,8 +80,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* A script is not told that another parameter has changed, because its next line may set that
-     * parameter, too. */
+    /* A script gets no message that another parameter has changed: its next line may set that parameter as
+     * well. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
@@ -174,7 +174,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
         char *folder = folder_of(path);
-        fprintf(file->out, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
+        fprintf(file->out, "# A session of domino " DOM_VERSION "; run it with 'source' or 'domino -f'.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
             parameter_save(query->state, p, folder, file->out);
         free(folder);
@@ -229,9 +229,9 @@ const struct command session_commands[] = {
      .synonyms = "undo default clear restore variable delete remove unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "set the parameter NAME, or all of the model, to the default",
-     .help =
-         "Without NAME all effects are turned off, too. The settings of the session stay: threads, output, "
-         "digits, angle, errors, timing, hints. Variables stay, too; 'reset x' forgets the variable x.",
+     .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "
+             "session (threads, output, digits, angle, errors, timing, hints) or the variables. 'reset x' "
+             "removes the variable x.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .changes = true,
@@ -272,17 +272,18 @@ const struct command session_commands[] = {
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
      .summary = "the value of an expression, optionally in another unit",
-     .help = "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
-             "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
-             "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "
-             "acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; parameters; what "
-             "'let' has defined; 'ans', the last value, and 'ans.KEY', a number of the last answer; and "
-             "commands, with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after "
-             "a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are "
-             "true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, since '>' alone begins the "
-             "name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' chooses one of two "
-             "values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1', "
-             "and in an expression, in parentheses, '2*(rmax with friction 0.2)'.",
+     .help =
+         "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
+         "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
+         "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "
+         "acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; parameters; what "
+         "'let' has defined; 'ans', the last value, and 'ans.KEY', a number of the last answer; and "
+         "commands, with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after "
+         "a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are "
+         "true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, because '>' alone begins the "
+         "name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' chooses one of two "
+         "values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1', "
+         "and in an expression, in parentheses, '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",
@@ -300,7 +301,7 @@ const struct command session_commands[] = {
          "'let x = 0.9*rmax' keeps the value that the expression has now, and every expression can use x. "
          "'let f(s) = rmax(s)*s' keeps the text, and f(0.3) evaluates it with s = 0.3. A function takes 1 to "
          "4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
-         "forgets it. 'let' lists all variables and functions, and 'save' writes them into its file.",
+         "removes x. 'let' lists all variables and functions, and 'save' writes them into its file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
      .changes = true,
@@ -321,7 +322,7 @@ const struct command session_commands[] = {
      .act = run_quit},
     {.name = "quit",
      .synonyms = "exit end close bye stop",
-     .summary = "leave the program; the end of the input (^D) does so, too",
+     .summary = "leave the program; the end of the input (^D) has the same effect",
      .help = "If 'change' has changed the row and the changes are not saved, the first 'quit' at the prompt "
              "only warns, and the second one leaves.",
      .act = run_quit},

@@ -8,7 +8,7 @@
 
 const struct column show_columns[] = {
     {"name", "", "the name of the parameter, effect or variable", 9},
-    {"value", "", "its present value", 12},
+    {"value", "", "the present value", 12},
     {"unit", "", "the unit of the value; h is the height of the domino", 5},
     {"range", "", "the values that are allowed", 17},
     {"default", "", "the default value", 8},
@@ -24,7 +24,7 @@ struct shown {
     struct cell cell[SHOW_COLUMNS];
 };
 
-/* Appends the word that a parameter has for a number, if there is one, as in "4 (solid)". */
+/* If a parameter has a word for this number, appends the word, as in "4 (solid)". */
 static void word_add(const struct parameter *p, domq_real value, char *text, size_t size)
 {
     const char *word = parameter_word(p, value);
@@ -70,8 +70,8 @@ static void variable_row(struct answer *a, const struct variable *v)
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 
-/* Leaves out columns that do not fit on a narrow terminal. The last column is always shown, since its text is
- * wrapped. */
+/* Leaves out columns that do not fit on a narrow terminal. The last column is always shown, because its text
+ * can be wrapped. */
 static void columns_fit(struct answer *a)
 {
     static const char *const first[] = {"default", "range", "unit", NULL};

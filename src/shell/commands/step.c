@@ -19,7 +19,7 @@ static const struct column cycle_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Stores the tilts of the head and its first two followers. */
+/* A callback of domq_chain_walk, which stores the tilts of the head and of its first two followers. */
 static bool follower_add(const struct domq_link *k, void *context)
 {
     domq_real *theta = context;
@@ -27,7 +27,7 @@ static bool follower_add(const struct domq_link *k, void *context)
     return k->i < 2;
 }
 
-/* Returns a cell with an angle in four digits, for a narrow column. */
+/* Returns a cell that shows an angle with four digits, for a narrow column. */
 static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
@@ -113,8 +113,7 @@ static const struct column walk_columns[] = {
     {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
-    {"gained", "mgh/2", "energy released since the launch, H(0) - H(theta); negative where H has increased",
-     0},
+    {"gained", "mgh/2", "energy released since the launch, H(0) - H(theta); negative if H has increased", 0},
     {"fallen", "mgh/2", "energy released by dominoes that have detached, a part of 'gained'", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
@@ -123,7 +122,7 @@ static const struct column walk_columns[] = {
 };
 
 /* Begins a new walk if the session has none, or if the parameters have changed since its walk began. Sets
- * *begun to true if it has begun a walk, and to false otherwise. If this fails, sets *problem and returns
+ * *begun to true if a new walk was begun, and to false otherwise. On failure, sets *problem and returns
  * false. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
@@ -198,7 +197,7 @@ static bool walk_step(struct walk *w, bool forward)
     return true;
 }
 
-/* Reports why the walk cannot move any farther in this direction. Always returns false. */
+/* Sets *problem to the reason why the walk cannot move farther in this direction. Always returns false. */
 static bool walk_ended(const struct walk *w, struct problem *problem, bool forward)
 {
     if (!forward)
@@ -228,8 +227,8 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
            (goes_on || walk_ended(w, problem, forward));
 }
 
-/* Moves to the tilt in the first argument. A negative argument is not a tilt, but stands for the event of
- * kind -1 - argument. */
+/* Moves to the tilt in the first argument. A negative argument stands for an event instead: -1 - k for the
+ * event of kind k. */
 static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     domq_real place = query->given->number[0];
@@ -305,8 +304,8 @@ const struct command walk_commands[] = {
                    .optional = true}},
      .summary = "a table of one cycle, in N equal steps of time or tilt",
      .equation = "(12; b8) (21; c3)",
-     .help = "By default N is 12. BY is 'time', which is the default, or 'tilt'. Each event has a line of "
-             "its own in the table, too. Energies are in J if 'mass' or 'density' is set.",
+     .help = "By default N is 12. BY is 'time', which is the default, or 'tilt'. The table also has a line "
+             "for each event. Energies are in J if 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .rows = true,
@@ -317,9 +316,9 @@ const struct command walk_commands[] = {
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "go to the next event, and explain what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
-     .help =
-         "The first 'step' goes to the launch of the first cycle. After the hit the next cycle begins, which "
-         "is larger and slower. The table shows the balance of energy: before - lost + gained = kinetic.",
+     .help = "The first 'step' goes to the launch of the first cycle. The hit begins the next cycle, whose "
+             "dominoes are larger and fall more slowly. The table shows the balance of energy: before - lost "
+             "+ gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
      .columns = walk_columns,

@@ -89,9 +89,9 @@ static const struct column topic_columns[] = {
     {"summary", "", "a summary of one line", 0},
     {"equation", "", "equations of the paper, or the source of an effect", 0},
     {"text", "", "the help text", 0},
-    {"keys", "", "keys of the answer, with blanks between", 0},
+    {"keys", "", "keys of the answer's columns, separated by blanks", 0},
     {"example", "", "example commands", 0},
-    {"see", "", "related commands, with blanks between", 0},
+    {"see", "", "related commands, separated by blanks", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -26,7 +26,7 @@ void topic_of_variable(const struct variable *variable, struct topic *topic);
  * occurs nowhere. Ignores case. */
 int topic_mentions(const struct topic *topic, const char *word);
 
-/* Prints a topic as a row, for programs. */
+/* Adds a row for a topic to an answer in csv or json. */
 void topic_row(struct answer *answer, const struct topic *topic);
 
 /* Prints a prefix and an entry such as "rmax [S]   the largest growth". The summary stands beside the usage,
@@ -35,8 +35,8 @@ void topic_entry(FILE *out, const char *prefix, const char *usage, const char *s
 
 /* ---- Paragraphs ---- */
 
-/* Prints a text that is wrapped to the width of help pages, with all its lines starting at the column `left`,
- * and then a newline. */
+/* Prints a text and a newline. The text is wrapped to the width of help pages, and its lines begin at the
+ * column `left`. */
 void help_wrapped(FILE *out, const char *text, int left);
 
 /* Formats a text, wraps it to the width of help pages, and prints it with a newline at the end. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands print and let: print shows the value of an expression, in any unit, and let gives a value a
- * name. */
+/* The commands 'print', which shows the value of an expression in any unit, and 'let', which gives a name to
+ * a value. */
 #include "commands/tables.h"
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
@@ -18,13 +18,13 @@ const struct column print_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The unit to which print converts a value. */
+/* The unit into which 'print' converts a value. */
 struct conversion {
     struct quantity unit;
     char name[48];
 };
 
-/* Lists the units that a quantity can be converted to, with a blank before each unit. */
+/* Writes the units into which a quantity can be converted, with a blank before each unit. */
 static void units_list(struct quantity kind, char *text, size_t size)
 {
     const char *name;
@@ -120,7 +120,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
         answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
     else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
-        snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",
+        snprintf(reason, sizeof reason, "the value is closer to 0 than %s precision can represent",
                  domq_arithmetic(query->scene->compute.precision)->name);
         answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
     } else
@@ -130,7 +130,8 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* Lists, in the form that names.h expects, words with a meaning in expressions, which cannot be names. */
+/* A names_list (see names.h) of the words that cannot be names, because they have a meaning in expressions.
+ */
 static const char *language_words(const void *context, int k)
 {
     static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};

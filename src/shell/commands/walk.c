@@ -46,7 +46,7 @@ const struct walk *walk_now(const struct query *query)
 }
 
 const char walk_no_start[] =
-    "no domino effect: falling releases no energy, so no cycle begins (25; c7); 'why' says more";
+    "no domino effect: falling releases no energy, so no cycle begins (25; c7); 'why' explains it";
 
 void columns_in_joules(struct answer *a)
 {
@@ -114,7 +114,7 @@ struct impulses {
 static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
-    if (f->i > 0 && isnan(f->impulse)) /* no other domino leans on this one, which is the last */
+    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino, on which no other leans */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",
@@ -134,16 +134,18 @@ static void say_launch(const struct place *p)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_friction ? "A(0)" : "J(0)";
-    answer_say(p->answer,
-               "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, %s tall. "
-               "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
-               "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
-               omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
-               omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
-               p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
+    answer_say(
+        p->answer,
+        "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s tall. "
+        "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
+        "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
+        omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
+        omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
+        p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
         answer_say(p->answer,
-                   "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the fraction of the "
+                   "A(0) = sum r^-(q+1)i S_i %stheta_i' takes the place of J(0) if there is friction; S_i is "
+                   "the fraction of the "
                    "torque that the contacts pass on to domino i.",
                    p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
@@ -164,12 +166,12 @@ static void say_launch(const struct place *p)
                                : ", the share 1/J(0)",
                energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
-        answer_say(p->answer, "There is no barrier: the potential energy of the train decreases from the "
-                              "first moment on (26; c8).");
+        answer_say(p->answer, "There is no barrier: the potential energy of the train decreases "
+                              "from the start (26; c8).");
     else
         answer_say(p->answer,
-                   "The train has %s of the energy that it needs to keep falling: its potential energy must "
-                   "rise by %s, up to a tilt of %s%s, and the train %s by %s (26; c8).",
+                   "The train has %s of the energy that it needs to keep falling. Its potential energy must "
+                   "rise by %s, up to a tilt of %s%s; the train %s by %s (26; c8).",
                    measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
                    angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
                    b.margin >= 0 ? "clears the barrier" : "fails to clear it",
@@ -315,7 +317,7 @@ bool cycle_events(const struct query *query, const struct domq_compute *compute,
     if (status == DOM_NO_FUEL)
         return train_comes_to(query, problem, 0);
     if (status == DOM_NO_MARGIN)
-        return problem_error(problem, "the margin is 0 within rounding errors, so the cycle would last for "
-                                      "ever; use a slightly smaller r");
+        return problem_error(problem, "the margin is 0 within rounding errors, so the cycle would "
+                                      "never end; use a slightly smaller r");
     return status == DOM_OK || *stops || problem_status(problem, query->scene, status);
 }

@@ -9,11 +9,11 @@
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
-    /* The unit of energy, m g h / 2 of the head: in J or, if no mass is known, divided by m g h / 2 of the
+    /* The unit of energy, m g h / 2 of the head: in J or, if no mass is known, relative to m g h / 2 of the
      * first head. */
     domq_real energy;
     const char *energy_unit;
-    /* The weight m g of the head: in N or, if no mass is known, divided by m g of the first head. */
+    /* The weight m g of the head: in N or, if no mass is known, relative to m g of the first head. */
     domq_real weight;
     const char *weight_unit;
 };
@@ -24,7 +24,7 @@ struct walk_units walk_units(const struct query *query, int cycle);
 /* Returns the session's walk, or NULL if there is none or the train has changed since the walk began. */
 const struct walk *walk_now(const struct query *query);
 
-/* Changes the unit mgh/2 in the columns of an answer to J. */
+/* Replaces the unit mgh/2 by J in the columns of an answer. */
 void columns_in_joules(struct answer *answer);
 /* Calls columns_in_joules if the mass of the dominoes is known. */
 void walk_columns_in(const struct query *query, struct answer *answer);
@@ -36,8 +36,8 @@ extern const char walk_no_start[];
  * false. */
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
 
-/* Finds the events of a cycle for a picture of the cycle, and sets *stops to whether the train stops. If no
- * cycle can be shown, sets *problem and returns false. */
+/* Finds the events of a cycle, for a picture of it. Sets *stops to true if the train stops, and to false
+ * otherwise. If there is no cycle to show, sets *problem and returns false. */
 bool cycle_events(const struct query *query, const struct domq_compute *compute,
                   struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem);
 

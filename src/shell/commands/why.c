@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command why, which explains why the train keeps falling or stops. */
+/* The command 'why', which explains why the train keeps falling or stops. */
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
