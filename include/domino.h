@@ -199,7 +199,7 @@ struct dom_angles {
     dom_real theta_u;     /* the angle at which a single domino tips over: tan theta_u = d (4; b1) */
     dom_real theta_inf;   /* the angle that far followers approach: cos theta_inf = d / (s + d) (40; A16) */
     dom_real theta_f;     /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
-    dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
+    dom_real theta_leave; /* the angle of a leader at which its follower detaches; NaN if no follower does */
     bool detaches;        /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
 };
@@ -317,7 +317,7 @@ struct dom_barrier_error {
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
     /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy
-     * just after the collision with which the train passes every tilt. */
+     * that carries the train past every tilt; it is the energy just after the collision. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */

@@ -81,8 +81,8 @@ const char *dom_status_text(enum dom_status status);
 
 /* ---- Choices ---- */
 
-/* The floating-point type of the computation. DOM_QUAD is __float128 where the machine has it, and otherwise
- * long double if that is wider than double. */
+/* The floating-point type of the computation. DOM_QUAD is __float128 if the machine has it, or else long
+ * double if that is wider than double. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
 /* The formula for the fuel P in (24; c6): see struct dom_fuels. */

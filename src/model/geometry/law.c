@@ -17,7 +17,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* expm1(q ln r) is accurate where r^q is near 1, but loses digits where r^q is large. */
+    /* expm1(q ln r) is accurate if r^q is close to 1, but loses digits if r^q is large. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 

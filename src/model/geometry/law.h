@@ -94,8 +94,8 @@ struct contact_law {
 
     struct walk (*begin)(const struct geometry *geometry, struct tilt head);
     void (*next)(struct walk *walk);
-    /* Finds the contact of a domino whose follower counts as detached, but only because of rounding
-     * errors. */
+    /* Finds the contact of a domino with its follower if the follower counts as detached only because of
+     * rounding errors. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
     /* Tests the contact of one domino with its follower while the domino moves from b to a. If every contact

@@ -13,8 +13,8 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples while r increases by a factor of e, up to 0.9 times the reach. One more sample is at
- * the reach. */
+/* The number of samples for an increase of r by a factor of e. These samples end at 0.9 times the reach; one
+ * more sample is at the reach. */
 #define PROBE_PER_E 5
 
 /* Returns the growth r of sample k, between 1 and the reach. If there are fewer samples than k, returns the

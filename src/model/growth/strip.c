@@ -227,14 +227,14 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns tan(theta / 2) of an upper bound on the tilt of the head at the maximum of H, for every train in
- * the strip. The bound is theta_u, or less if the first follower pulls. At the maximum,
+ * Finds an upper bound on the tilt of the head at the maximum of H, for every train in the strip, and returns
+ * the tangent of half this bound. The bound is theta_u, or less if the first follower pulls. At the maximum,
  *
  *     reach sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i),
  *
  * where no term is negative. The first term is at least the product of lower bounds on its three factors,
  * each of which comes from one end of the strip. theta_1' is taken at the largest tilt. This gives `below`, a
- * lower bound on (theta_u - theta) / 2, which is used in place of its tangent, since the tangent is larger.
+ * lower bound on (theta_u - theta) / 2. It is used in place of its tangent, since the tangent is larger.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {

@@ -23,7 +23,8 @@ struct strip {
     /* Let g(theta) = sin theta - d cos theta. `grows` is the largest factor by which g(theta_i(0)) of any
      * follower i increases over the strip. It is infinite if a follower has not yet reached theta_u. */
     real grows;
-    /* Upper bound on the energy that later followers, which `grows` does not cover, can still lose. */
+    /* `grows` does not cover the followers at the end of the chain. `cut` is an upper bound on the energy
+     * that these followers can still lose. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds, in the whole strip; >= 0 */
     /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip.

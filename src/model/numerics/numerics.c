@@ -220,9 +220,11 @@ static real chebyshev_value(struct span *s, real node)
 }
 
 /*
- * Returns n times the weight of node j of n. This is 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1)
- * over k = 1, ..., n / 2, where the last term of the sum is halved. The weight of node 0 is half of this
- * number.
+ * Returns the weight of node j, multiplied by n:
+ *
+ *     2 - sum over k = 1, ..., n / 2 of 4 cos(2 pi j k / n) / (4 k^2 - 1),
+ *
+ * where the last term of the sum is halved. The weight of node 0 is half of this number.
  */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {

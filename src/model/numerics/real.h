@@ -14,7 +14,7 @@
 
 /* Marks functions of the kernels. Each precision has a separate copy with internal linkage. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions in the loops along a train, where a call would cost as much as the arithmetic. In quad,
+/* Marks functions in the loops along a train, in which a call would cost as much as the arithmetic. In quad,
  * every operation is already a function call, so one more call makes no measurable difference. */
 #ifdef REAL_QUAD
 #define KERNEL_LOOP KERNEL
