@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The thread pool, which computes the points of a curve or a sweep, and tasks of the library, in parallel.
- * Each worker takes one block of consecutive points after another. The rows of the blocks are written as soon
- * as possible, but in the order of the points, so that the output has the same bytes for any number of
- * workers. There is only one lock, which a worker takes once for each block, about once per millisecond.
+ * The thread pool. It computes the points of a curve or a sweep, or tasks of the library, in parallel. Each
+ * worker takes one block of consecutive points after another. The rows of the blocks are written as soon as
+ * possible, but in the order of the points, so that the output has the same bytes for any number of workers.
+ * There is only one lock, which a worker takes once for each block, about once per millisecond.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H

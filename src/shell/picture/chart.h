@@ -55,11 +55,11 @@ struct chart_event {
 enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
 enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
 
-/* What the user chooses about a chart. A text that the user has not chosen is NULL, and a number that the
+/* What the user chooses about a chart. A string that the user has not chosen is NULL, and a number that the
  * user has not chosen is 0. The first element of each array is for the x axis, and the second for the y axis.
  */
 struct chart_look {
-    const char *title, *x, *y; /* texts that replace the title and the labels of the axes */
+    const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
     enum chart_scale scale[2];
     bool has_range[2];
     double low[2], high[2]; /* the ends of the axes, in the units that the labels of the axes name */
@@ -87,7 +87,7 @@ struct chart {
     int events;
     struct chart_map map;
     struct chart_look look;
-    bool tex; /* the texts are processed by TeX, so characters that are commands in TeX have to be escaped */
+    bool tex;    /* TeX processes the labels, so characters that are commands in TeX have to be escaped */
     bool failed; /* there was no memory for the data */
 };
 
@@ -123,8 +123,8 @@ bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Applies the texts and the scales that the user has chosen. Returns NULL, or a message if the chart cannot
- * be drawn with what the user has chosen. */
+/* Applies the title, the labels and the scales that the user has chosen. Returns NULL, or a message if the
+ * chart cannot be drawn with what the user has chosen. */
 const char *chart_dress(struct chart *chart);
 
 /* Returns the sizes of the picture and of its font. A size that the user has not chosen has its usual

@@ -97,7 +97,7 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/* Breaks a text into lines of roughly equal length, with at most `most` characters each. Writes the lines as
+/* Breaks `text` into lines of roughly equal length, with at most `most` characters each. Writes the lines as
  * the content of a double-quoted gnuplot string. Returns the number of lines. */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
@@ -150,10 +150,8 @@ static void legend_script(const struct chart *c, FILE *out)
                 most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
-/*
- * Writes the texts around the axes. The labels of the y axis and of the colours of a map are written
- * horizontally above the axes, because a label beside an axis would be cut off if it were longer than the
- * axis.
+/* Writes the title and the labels around the axes. The labels of the y axis and of the colours of a map are
+ * written horizontally above the axes. Beside an axis, a label that is longer than the axis would be cut off.
  */
 static void texts_script(const struct chart *c, FILE *out)
 {
@@ -177,7 +175,6 @@ static void texts_script(const struct chart *c, FILE *out)
             title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
 }
 
-/* Draws a vertical line with a name for each event. */
 static void events_script(const struct chart *c, FILE *out)
 {
     for (int k = 0; k < c->events; k++) {

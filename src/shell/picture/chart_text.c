@@ -152,10 +152,8 @@ static void map_draw(const struct frame *f)
 
 /* ---- Texts and axes ---- */
 
-/*
- * Writes a text between two columns, in at most `most` rows. If the text is too long, the last row is cut
- * off. Returns the number of rows. If the canvas is NULL, only counts the rows.
- */
+/* Writes `text` between two columns, in at most `most` rows. If `text` is too long, the last row is cut off.
+ * Returns the number of rows. If the canvas is NULL, only counts the rows. */
 static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
     int rows = 0;
@@ -205,7 +203,6 @@ static void axis_x_draw(const struct frame *f)
     text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
 }
 
-/* Draws a vertical line with a name for each event. */
 static void events_draw(const struct frame *f)
 {
     const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
@@ -259,9 +256,9 @@ static int legend(const struct frame *f, int row)
     return rows;
 }
 
-/* Writes the legend of a map: a bar of shades between the lowest and the highest value, with its label beside
- * it or, if there is no room, above it. Returns the number of rows. If `row` is negative, only counts the
- * rows. */
+/* Writes the legend of a map: a bar of shades with the lowest and the highest value at its ends. The label is
+ * beside the bar or, if there is no room, above it. Returns the number of rows. If `row` is negative, only
+ * counts the rows. */
 static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };

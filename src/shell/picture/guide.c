@@ -109,7 +109,6 @@ static void head_put(struct page *p, const struct guide_table *table, const doub
     p->y += LINE;
 }
 
-/* Writes the note of a table. */
 static void note_put(struct page *p, const char *note)
 {
     char line[2 * NOTE];

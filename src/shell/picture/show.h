@@ -39,7 +39,8 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
  * returns false if it cannot. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns the words with which the caption explains the marks in a picture of this answer. */
+/* Returns the words that explain the marks of a picture in its caption. Which marks a picture has depends on
+ * where the answer goes. */
 struct marks picture_marks(const struct answer *a);
 
 /* Writes the first lines of a gnuplot script. The script draws a .pdf file with the same name as the script.

@@ -31,7 +31,6 @@ enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
  * which is drawn instead of the domino. */
 enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4 };
 
-/* A domino on a stage. */
 struct drawn {
     /* the number of the domino: in a row, counted from 1; in a train, 0 is the head, and 1, 2, ... are its
      * followers */

@@ -138,7 +138,7 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
 
 /* ---- Labels where there is room ---- */
 
-/* The rectangle that a text covers: its centre and its size, in dots. x is the distance from 0 on the ruler,
+/* The rectangle that a label covers: its centre and its size, in dots. x is the distance from 0 on the ruler,
  * and y the height above the ground. */
 struct box {
     double x, y, wide, high;
@@ -152,11 +152,9 @@ struct labels {
     int count;
 };
 
-/*
- * Writes a text at the position x on the ruler. If `upright` is true, the text is rotated by 90 degrees and
- * starts `height` dots above the ground. Otherwise the centre of the text is at this height. Returns false if
- * the text would overlap another text.
- */
+/* Writes a label at the position x on the ruler. If `upright` is true, the label is rotated by 90 degrees and
+ * starts `height` dots above the ground. Otherwise the centre of the label is at this height. Returns false
+ * if the label would overlap another label. */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
 {
@@ -252,8 +250,8 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
 }
 
-/* Writes a line below the caption that lists the dominoes that have no labels, with their heights. Omits the
- * line if it would be too long, as it may be for a long row. */
+/* Writes a line below the caption that lists the dominoes without labels, with their heights. Omits the line
+ * if it would be too long. */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
 {

@@ -106,7 +106,7 @@ static void dominoes_draw(struct grid *g, const struct stage *stage)
 
 /* ---- The ruler and the numbers ---- */
 
-/* Writes a text centred on a column, unless it would overlap another text. */
+/* Writes a label centred on a column, unless it would overlap another label. */
 static void label_put(struct canvas *c, int column, int row, const char *text)
 {
     int n = (int)strlen(text), from = column - n / 2;

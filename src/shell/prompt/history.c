@@ -107,7 +107,6 @@ void history_load(struct session *session)
 
 /* ---- Writing ---- */
 
-/* Creates the directories of a path. */
 static void make_folders(char *path)
 {
     for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {

@@ -20,11 +20,9 @@ void complete_line(struct session *session, const char *line, bool files,
 extern struct session *prompt_session;
 char **complete_word(const char *text, int start, int end);
 
-/*
- * Writes the path of one of the user's files: $variable/domino/name if the environment variable holds an
- * absolute path, as the XDG specification demands, and $HOME/fallback/domino/name otherwise. Returns false if
- * neither variable is set, or if the path does not fit into `size` bytes.
- */
+/* Writes the path of one of the user's files. The path is $variable/domino/name if the environment variable
+ * holds an absolute path, as the XDG specification demands. Otherwise the path is $HOME/fallback/domino/name.
+ * Returns false if neither variable is set, or if the path does not fit into `size` bytes. */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
 
 /*

@@ -30,8 +30,8 @@ const struct domq_effect engine_effect_bounce = {
     .name = "bounce",
     .synonyms = "restitution elastic elasticity rebound engine chipmunk",
     .adds = "dominoes that bounce off each other",
-    .help = "After a collision two dominoes separate with E times the speed at which they met. With E = 0, "
-            "as in the paper, they stay together, and with E = 1 no energy is lost. A rigid-body engine, "
+    .help = "After a collision, two dominoes separate at E times the speed at which they met. With E = 0, as "
+            "in the paper, they stay together, and with E = 1 no energy is lost. A rigid-body engine, "
             "Chipmunk 7, runs the row. Dominoes that bounce collide again and again, more and more softly, "
             "until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",

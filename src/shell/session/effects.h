@@ -27,10 +27,10 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
 /*
- * Sets the first value of an effect to `value`, which may be EFFECT_OFF, and its other values to `others`. If
- * `others` is NULL, an effect that is on keeps its other values, and an effect that is off gets the usual
- * values. The scene must be a copy that does not own the memory of its row, because this function replaces
- * the row without freeing it.
+ * Sets the values of an effect: the first one to `value`, which may be EFFECT_OFF, and the others to
+ * `others`. If `others` is NULL, an effect that is on keeps its other values, and an effect that is off gets
+ * the usual values. The scene must be a copy that does not own the memory of its row, because this function
+ * replaces the row without freeing it.
  */
 void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 

@@ -17,8 +17,8 @@
 #endif
 
 static const char s_help[] =
-    "The gap is the clear distance before a domino, and s is the gap divided by the height of this domino. "
-    "If you give a length, as in 'set s 2 cm', it is divided by h.";
+    "The gap before a domino is the clear distance from the previous domino. s is this gap divided by the "
+    "height of the domino. If you give a length, as in 'set s 2 cm', it is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
                              "which a train keeps falling, and 'effect row N' makes a finite row.";

@@ -22,7 +22,6 @@ struct problem {
     char text[PROBLEM_TEXT];
 };
 
-/* Initialises a problem as "no problem". */
 static inline void problem_begin(struct problem *problem, const char *command)
 {
     problem->kind = PROBLEM_NONE;

@@ -28,7 +28,6 @@ struct means {
     void *context; /* for `note` */
 };
 
-/* Shows a note to the user. */
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Returns the range of points that --shard requests: the index of the first point, and the number of
@@ -69,7 +68,7 @@ struct query {
     const struct arguments *given;
     const struct ans *ans;
     const struct means *means;
-    struct walk *walk;  /* the progress through the motion of the train */
+    struct walk *walk;
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 

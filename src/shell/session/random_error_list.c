@@ -83,9 +83,9 @@ const struct domq_effect error_effect_friction = {
     .name = "error_friction",
     .synonyms = "unknown",
     .adds = "an unknown friction between dominoes, the same for all",
-    .help = "The friction between dominoes is never known well. One error is drawn for each row and added to "
-            "the coefficient of 'effect friction' for all its dominoes. If the sum is negative, the "
-            "coefficient is 0.",
+    .help = "The friction between dominoes is never known well. One error is drawn for each row. It is added "
+            "to the coefficient of 'effect friction', for all dominoes of the row. If the sum is negative, "
+            "the coefficient is 0.",
     SIZED("", "error in the friction coefficient", 100, 0.05),
 };
 
@@ -102,8 +102,8 @@ const struct domq_effect error_effect_floor = {
     .name = "error_floor",
     .synonyms = "unknown slippery",
     .adds = "an unknown friction of the floor, the same for all dominoes",
-    .help = "One error is drawn for each row and added to the coefficient of 'effect feet', the friction of "
-            "the floor on which feet slip. If the sum is negative, the coefficient is 0.",
+    .help = "One error is drawn for each row and added to the friction coefficient of the floor, which "
+            "'effect feet' sets. If the sum is negative, the coefficient is 0.",
     SIZED("", "error in the friction coefficient of the floor", 100, 0.05),
     .needs = NEEDS(EFFECT_feet),
 };

@@ -11,7 +11,6 @@ struct row_range {
     size_t first, last;
 };
 
-/* A change of one measurement of a domino. */
 struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */

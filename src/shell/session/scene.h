@@ -30,7 +30,6 @@ enum row_measure {
     ROW_MEASURES
 };
 
-/* The measurements of a domino. */
 struct measured_domino {
     struct domq_domino domino;
     domq_real width; /* m */
@@ -128,7 +127,8 @@ domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_rea
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
 domq_real scene_mass(const struct scene *scene);
 
-/* Returns how far the top of a domino is off plumb in m. The result is negative if it leans backwards. */
+/* Returns the distance, in m, by which the top of a domino is off plumb. The distance is negative if the
+ * domino leans backwards. */
 domq_real lean_offset(const struct domq_domino *domino);
 
 /* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`

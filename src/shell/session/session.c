@@ -100,7 +100,6 @@ static void session_tell(struct session *session, const struct problem *problem)
     output_flush(output);
 }
 
-/* Writes an error message or a note. */
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
 {
     char line[2 * PROBLEM_TEXT], text[4 * sizeof line];
