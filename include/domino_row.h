@@ -123,6 +123,8 @@ struct dom_domino {
      * height. */
     dom_real radius;
     dom_real lean; /* the tilt in rad before the domino is hit, > 0 in the direction of the fall */
+    /* Width in m, used only for dominoes with walls. A width of 0 stands for half the height. */
+    dom_real width;
 };
 
 /*
@@ -331,14 +333,15 @@ struct dom_window {
  *
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
  * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
- * times the current height, with the same density and lean, if the domino can stand on the slope. Thicknesses
- * are tried in the same way, if walls and rounded edges fit. Frictions are tried from 0 up to 2, or up to 4
- * times the current friction if that is more, but not above DOM_MU_HIGHEST. Leans are tried in both
- * directions, until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all
- * dominoes fall with low and with high. An interval narrower than a step, in which the row does not fall, can
- * be missed. With an engine, a window is searched in a quarter of the steps and has three digits. A value at
- * which the engine cannot decide how the row ends counts as outside the window. Calls progress, which may be
- * NULL, for each window. The statuses are those of dom_row_run.
+ * times the current height, with the same lean, width and density (of the wood, if it is a box), if the
+ * domino can stand on the slope. Thicknesses are tried in the same way, if walls and rounded edges fit.
+ * Frictions are tried from 0 up to 2, or up to 4 times the current friction if that is more, but not above
+ * DOM_MU_HIGHEST. Leans are tried in both directions, until the domino falls over by itself. The search makes
+ * the same steps as dom_row_mend, and all dominoes fall with low and with high. An interval narrower than a
+ * step, in which the row does not fall, can be missed. With an engine, a window is searched in a quarter of
+ * the steps and has three digits. A value at which the engine cannot decide how the row ends counts as
+ * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
+ * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -465,11 +468,12 @@ struct dom_error {
 };
 
 /*
- * The random errors of a row. A domino keeps its density, so its mass changes with its height and its
- * thickness. Dominoes that would overlap are placed so that they touch. No error makes a size smaller than
- * 1/100 of its value. A domino that would fall over by itself gets the largest lean at which it stands. A
- * friction or a push that would be negative becomes 0. Errors of radii have an effect only with rounded
- * edges, errors of the floor only with an engine, and errors of the push only with a push.
+ * The random errors of a row. A domino keeps its density, or a box the density of its wood and the
+ * thickness of its walls, so its mass changes with its height and its thickness. Dominoes that would overlap
+ * are placed so that they touch. No error makes a size smaller than 1/100 of its value. A domino that would
+ * fall over by itself gets the largest lean at which it stands. A friction or a push that would be negative
+ * becomes 0. Errors of radii have an effect only with rounded edges, errors of the floor only with an engine,
+ * and errors of the push only with a push.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];

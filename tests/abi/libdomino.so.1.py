@@ -671,6 +671,7 @@ dom_domino._fields_ = [
     ("mass", c_double),
     ("radius", c_double),
     ("lean", c_double),
+    ("width", c_double),
 ]
 dom_row._fields_ = [
     ("domino", POINTER(dom_domino)),

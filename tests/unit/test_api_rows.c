@@ -30,9 +30,13 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     train.r = growth;
     dom_row_of_train(&train, &scale, 1, r->domino, ROW);
     for (int k = 0; k < ROW; k++)
-        r->dominoq[k] = (struct domq_domino){
-            r->domino[k].height, r->domino[k].thickness, r->domino[k].gap, r->domino[k].mass, 0,
-            r->domino[k].lean};
+        r->dominoq[k] = (struct domq_domino){r->domino[k].height,
+                                             r->domino[k].thickness,
+                                             r->domino[k].gap,
+                                             r->domino[k].mass,
+                                             0,
+                                             r->domino[k].lean,
+                                             0};
     r->row = (struct dom_row){
         .domino = r->domino, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
     r->rowq = (struct domq_row){
@@ -117,8 +121,8 @@ static void row_of_growthq(domq_real growth, struct domq_domino *domino, size_t 
     struct dom_domino narrow[ROW];
     row_of_growth((double)growth, narrow, count, context);
     for (size_t k = 0; k < count; k++)
-        domino[k] =
-            (struct domq_domino){narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass, 0, 0};
+        domino[k] = (struct domq_domino){
+            narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass, 0, 0, 0};
 }
 
 static void part_done(size_t done, size_t of, void *context)

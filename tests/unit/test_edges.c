@@ -98,7 +98,7 @@ TEST(one_detaches_after_another)
         seen.row = row_setup_default(seen.domino, 8, 9.00688);
         for (int k = 0; k < 8; k++) {
             const double *of = size[k];
-            seen.domino[k] = (struct domq_domino){of[0], of[1], of[2], of[0] * of[0] * of[1], 0, 0};
+            seen.domino[k] = (struct domq_domino){of[0], of[1], of[2], of[0] * of[0] * of[1], 0, 0, 0};
         }
         seen.domino[3].gap = 0.224 + 5e-5 * i;
         assert_status(run_whole(&seen), DOM_OK);

@@ -91,11 +91,11 @@ TEST(contact_opens_before_a_stop)
     static struct newton n;
     make_row(&run, 3, 0.05, 1, 0.1);
     run.domino[0] =
-        (struct domq_domino){0.048317859861228038, 0.010258092568206215, 0, 0.010892503715404608, 0, 0};
+        (struct domq_domino){0.048317859861228038, 0.010258092568206215, 0, 0.010892503715404608, 0, 0, 0};
     run.domino[1] = (struct domq_domino){
-        0.048540430767252056, 0.0041368158171714905, 0.0022002872943727263, 0.010089518443481642, 0, 0};
+        0.048540430767252056, 0.0041368158171714905, 0.0022002872943727263, 0.010089518443481642, 0, 0, 0};
     run.domino[2] = (struct domq_domino){
-        0.047007677169910882, 0.010265213047027532, 0.0025876182207859107, 0.0052379886908987747, 0, 0};
+        0.047007677169910882, 0.010265213047027532, 0.0025876182207859107, 0.0052379886908987747, 0, 0, 0};
     run.row.push = 3.5320872193384942;
     assert_status(run_whole(&run), DOM_OK);
     newton_run(&run, &n);
@@ -419,7 +419,7 @@ TEST(precisions_agree)
         for (size_t k = 0; k < run[0].row.count; k++) { /* numbers that a float represents exactly */
             struct domq_domino *d = &run[0].domino[k];
             *d = (struct domq_domino){
-                (float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass, 0, 0};
+                (float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass, 0, 0, 0};
         }
         run[0].row.push = (float)run[0].row.push;
         run[0].row.mu = (float)run[0].row.mu;

@@ -4,6 +4,7 @@
  * an engine that runs each row in full with this library, and must get the same verdicts.
  */
 #include "ask.h"
+#include "planning/boxes.c"
 #include "planning/draw.c"
 #include "support.h"
 #include <string.h>
@@ -231,6 +232,42 @@ static double drawn(const struct draw *draw, const struct dom_row *row, enum dom
     default:
         return (draw->row.push - row->push) / size;
     }
+}
+
+/* Returns the volume of wood in a box. */
+static double wood(const struct dom_domino *d, double width, double walls)
+{
+    struct dom_box box;
+    assert_status(dom_box_find(d->height, d->thickness, width, walls, &box), DOM_OK);
+    return d->height * d->thickness * width * box.filled;
+}
+
+/* Checks that random heights and thicknesses of boxes change the amount of wood, while the walls and the
+ * widths stay the same. */
+TEST(boxes_keep_their_walls)
+{
+    static const dom_real width[] = {0, 0.03}, wide[] = {0.025, 0.03};
+    struct dom_domino domino[2];
+    for (size_t k = 0; k < 2; k++)
+        domino[k] = (struct dom_domino){
+            .height = 0.05, .thickness = 0.008, .gap = 0.02, .mass = 0.01, .width = width[k]};
+    struct dom_row row = dom_row_default();
+    row.domino = domino;
+    row.count = 2;
+    row.walls = 0.001;
+    struct draw draw;
+    assert_status(draw_begin(&draw, &row), DOM_OK);
+    for (int kind = DOM_ERROR_height; kind <= DOM_ERROR_thickness; kind++)
+        for (size_t i = 0; i < 20; i++) {
+            struct dom_placement p = {.seed = 5};
+            p.error[kind].size = 0.05;
+            draw_row(&draw, &row, &p, i, 0);
+            for (size_t k = 0; k < 2; k++)
+                assert_near("mass", draw.domino[k].mass / domino[k].mass,
+                            wood(&draw.domino[k], wide[k], row.walls) / wood(&domino[k], wide[k], row.walls),
+                            1e-14);
+        }
+    draw_end(&draw);
 }
 
 /* Checks that each kind of error changes its property of every domino by the right amount, and changes

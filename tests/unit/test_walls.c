@@ -46,7 +46,7 @@ TEST(no_room)
     assert_status(ask_train_check(&train), DOM_OK);
     /* An error of a row names the domino. */
     struct domq_domino domino[] = {
-        {0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
+        {0.048, 0.007, 0, 1, 0, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0, 0}};
     struct row_setup row = row_setup_default(domino, 3, 4);
     struct domq_verdict verdict = {.domino = 0};
     row.walls = 0.0032;
@@ -106,20 +106,24 @@ TEST(trains_move_as_without)
 
 enum { COUNT = 12 };
 
-/* Checks that a row of equal boxes takes longer by the factor of tau, and has the energies of solid
- * dominoes. */
+/* Checks that a row of equal boxes of any width takes longer by the factor of tau, and has the energies of
+ * solid dominoes. */
 TEST(equal_boxes_take_longer)
 {
     struct domq_domino domino[COUNT];
     struct domq_verdict solid, box;
     struct domq_box found;
     for (size_t k = 0; k < COUNT; k++)
-        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0};
+        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0, 0};
     struct row_setup row = row_setup_default(domino, COUNT, DOM_NAN);
     assert_status(ask_row_run(&row, true, NULL, NULL, &solid), DOM_OK);
     row.walls = 0.001;
-    assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);
-    assert_status(domq_box_find(48, 7, 24, 1, &found), DOM_OK);
-    assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
-    assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
+    for (int wide = 0; wide < 2; wide++) {
+        for (size_t k = 0; k < COUNT; k++)
+            domino[k].width = wide ? (domq_real)0.009 : 0; /* 0 stands for half the height */
+        assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);
+        assert_status(domq_box_find(48, 7, wide ? 9 : 24, 1, &found), DOM_OK);
+        assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
+        assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
+    }
 }

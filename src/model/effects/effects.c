@@ -82,7 +82,8 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "row without a file, masses then follow from the volumes of the blocks and boxes, and 'q' "
                 "has no effect. The moments of inertia of boxes, and masses computed from a density, take "
                 "the walls into account. Walls half as thick as the domino make a solid block. A domino is "
-                "half as wide as it is tall. The moment of inertia about the lower edge is that of a solid "
+                "half as wide as it is tall, unless a file or 'change' gives its width. The moment of "
+                "inertia about the lower edge is that of a solid "
                 "block of the same mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v "
                 "= (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =

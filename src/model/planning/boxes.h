@@ -1,9 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells which dominoes of a row are boxes with walls, and which are solid. */
+/* Tells which dominoes of a row are boxes with walls, and how much wood they have. */
 #ifndef DOM_BOXES_H
 #define DOM_BOXES_H
 
 #include "numerics/api.h"
+
+/* Returns the width of a domino in m. */
+static inline dom_real width_of(const struct dom_domino *domino)
+{
+    return domino->width > 0 ? domino->width : domino->height / 2;
+}
 
 /* Returns the thickness of the walls of a domino in m, or 0 if the domino is solid. */
 static inline dom_real walls_of(const struct dom_row *row, dom_real height)
@@ -20,5 +26,13 @@ static inline dom_real height_of_kind(const struct dom_row *row, dom_real before
         return height < most ? height : most;
     return height > least ? height : least < before ? least : before;
 }
+
+/* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
+dom_real wood_volume(const struct dom_row *row, const struct dom_domino *domino);
+
+/* Returns the factor by which the mass changes when the sizes of a domino change and the density of its wood
+ * does not. Returns `solid` if the row has no boxes, or if the walls do not fit. */
+dom_real wood_factor(const struct dom_row *row, const struct dom_domino *before,
+                     const struct dom_domino *after, dom_real solid);
 
 #endif

@@ -89,16 +89,17 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
                       const struct dom_error *error, struct dom_domino *d)
 {
     const dom_real factor = factor_next(draw, error);
+    const struct dom_domino before = *d;
     switch (kind) {
     case DOM_ERROR_height:
-        d->mass *= factor;
+        d->width = width_of(d);
         d->height = height_of_kind(row, d->height, d->height * factor);
+        d->mass *= wood_factor(row, &before, d, factor);
         break;
     case DOM_ERROR_thickness: {
-        const dom_real thickness = d->thickness,
-                       least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
-        d->thickness = fmax(thickness * factor, fmin(least, thickness));
-        d->mass *= d->thickness / thickness;
+        const dom_real least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
+        d->thickness = fmax(d->thickness * factor, fmin(least, d->thickness));
+        d->mass *= wood_factor(row, &before, d, d->thickness / before.thickness);
         break;
     }
     case DOM_ERROR_mass:

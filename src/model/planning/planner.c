@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/planner.h"
+#include "planning/boxes.h"
 #include "planning/shape.h"
 
 /* After a failure the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
@@ -95,8 +96,7 @@ bool row_write(struct planner *p, struct choice c)
     const struct dom_row row = row_of(p, c, p->wish->push, NULL);
     for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
         struct dom_domino *d = &p->domino[k], *first = p->domino;
-        d->mass = wood_volume(&row, d->height, d->thickness, d->height / 2) /
-                  wood_volume(&row, first->height, first->thickness, first->height / 2);
+        d->mass = wood_volume(&row, d) / wood_volume(&row, first);
         if (!(d->mass > 0)) {
             p->status = DOM_NO_ROOM;
             return false;

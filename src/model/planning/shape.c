@@ -67,27 +67,17 @@ static dom_real growth_excess(const struct shape *s, const double *growth)
     return (sum - log(d[gaps].height / d[0].height)) / (dom_real)gaps;
 }
 
-dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness, dom_real width)
-{
-    const dom_real walls = walls_of(row, height), volume = height * width * thickness;
-    struct dom_box box;
-    return walls == 0                                                      ? volume
-           : dom_box_find(height, thickness, width, walls, &box) == DOM_OK ? volume * box.filled
-                                                                           : 0;
-}
-
 void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, dom_real thickness)
 {
-    const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
-                   before =
-                       s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness, d->height / 2) : 0,
-                   after = before > 0 ? wood_volume(s->row, height, thickness, height / 2) : 0;
-    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the mass
-     * hardly depends on the thickness. */
-    d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
+    const struct dom_domino before = *d;
+    const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q;
+    d->width *= x;
     d->radius *= x;
     d->height = height;
     d->thickness = thickness;
+    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the mass
+     * hardly depends on the thickness. */
+    d->mass *= wood_factor(s->row, &before, d, pow(x, q - 1) * pow(slimmer, q - 3));
 }
 
 /* Returns the multiple of the grid nearest to a length, but at least one grid step. */

@@ -20,9 +20,6 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to those of shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns the volume of the wood in a domino with these sizes, or 0 if its walls do not fit. */
-dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness, dom_real width);
-
 /* Returns true if a domino of this height must have the thickness of one of the boards. A box may have any
  * thickness. If no boards are given, so may every domino. */
 bool shape_from_board(const struct shape *shape, dom_real height);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/trial.h"
-#include "planning/shape.h"
+#include "planning/boxes.h"
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
@@ -206,11 +206,11 @@ dom_real trial_now(const struct trial *t)
  * the walls and the width stay the same. */
 static void size_set(const struct dom_row *row, struct dom_domino *d, dom_real *size, dom_real value)
 {
-    const dom_real width = d->height / 2, times = value / *size,
-                   before = row->walls > 0 ? wood_volume(row, d->height, d->thickness, width) : 0;
+    const struct dom_domino before = *d;
+    const dom_real times = value / *size;
+    d->width = width_of(d);
     *size = value;
-    const dom_real after = before > 0 ? wood_volume(row, d->height, d->thickness, width) : 0;
-    d->mass *= after > 0 ? after / before : times;
+    d->mass *= wood_factor(row, &before, d, times);
 }
 
 void trial_change(struct trial *t, dom_real value)

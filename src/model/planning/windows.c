@@ -128,7 +128,7 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     for (size_t i = k - 1; equal && i <= k + 1; i++) {
         const struct dom_domino *a = &row->domino[i - 1], *b = a + 1;
         equal = a->height == b->height && a->thickness == b->thickness && a->gap == b->gap &&
-                a->mass == b->mass && a->radius == b->radius && a->lean == b->lean;
+                a->mass == b->mass && a->radius == b->radius && a->lean == b->lean && a->width == b->width;
     }
     return equal;
 }

@@ -22,7 +22,8 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
     real g = (real)row->g, walls = (real)row_walls(row, k),
-         box = walls != 0 ? walls_box(d, WALLS_WIDTH, walls).inertia : 1;
+         width = domino->width > 0 ? (real)(domino->width / domino->height) : WALLS_WIDTH,
+         box = walls != 0 ? walls_box(d, width, walls).inertia : 1;
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
 }
 

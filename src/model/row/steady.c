@@ -13,12 +13,12 @@ enum { STEADY_FIRST = 256 };
  * fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
-/* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */
+/* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
 static bool equal(const struct row_request *row, size_t k)
 {
     const struct dom_domino *a = &row->domino[k], *b = a - 1;
     return a->height == b->height && a->thickness == b->thickness && a->gap == b->gap && a->mass == b->mass &&
-           a->radius == b->radius && a->lean == b->lean;
+           a->radius == b->radius && a->lean == b->lean && a->width == b->width;
 }
 
 KERNEL enum dom_status row_ready(struct run *run, size_t k)

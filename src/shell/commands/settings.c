@@ -65,7 +65,7 @@ static size_t gaps_changed(const struct listed_row *row)
 {
     size_t count = 0;
     for (size_t k = 0; k < row->changes; k++)
-        count += isnan(row->change[k].domino.gap) ? 0 : 1;
+        count += isnan(row->change[k].gap) ? 0 : 1;
     return count;
 }
 

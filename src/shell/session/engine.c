@@ -44,7 +44,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
 {
     struct domq_box box;
     if (row->walls == 0 || d->height <= row->boxes_above ||
-        domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
+        domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
+            DOM_OK)
         return 0;
     /* box.inertia is the ratio of the two moments of inertia about the lower edge. By the parallel axis
      * theorem, their ratio about the centre is 4 box.inertia - 3. */

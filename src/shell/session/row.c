@@ -22,30 +22,26 @@ static void row_weigh(const struct scene *scene, struct domq_domino *domino, siz
         domino[k].mass *= by;
 }
 
-void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_real *width, size_t count)
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     const struct listed_row *listed = &scene->listed;
     if (listed->domino)
         memcpy(domino, listed->domino, count * sizeof *domino);
     else
         domq_row_of_train(&scene->train, &scene->scale, 1, domino, count);
-    for (size_t k = 0; !listed->domino && scene_boxes_above(scene) > 0 && k < count; k++) {
+    for (size_t k = 0; !listed->domino && k < count; k++) {
         struct domq_domino *d = &domino[k];
-        d->mass = d->height * d->height / 2 * d->thickness *
-                  scene_filled(scene, d->height, d->thickness, d->height / 2);
+        d->width = d->height / 2;
+        if (scene_boxes_above(scene) > 0)
+            d->mass = d->height * d->width * d->thickness * scene_filled(scene, d);
     }
     for (size_t k = 0; listed->from_volumes && k < count; k++)
-        domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
+        domino[k].mass *= scene_filled(scene, &domino[k]);
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
-    for (size_t k = 0; k < count; k++) {
-        struct measured_domino d = {domino[k], listed->domino ? listed->width[k] : domino[k].height / 2};
-        row_changes_apply(scene, k, &d);
-        domino[k] = d.domino;
-        if (width)
-            width[k] = d.width;
-    }
-    /* a change may have affected the first domino, for which m g h/2 must be 1 */
+    for (size_t k = 0; k < count; k++)
+        row_changes_apply(scene, k, &domino[k]);
+    /* a change may have affected the first domino, whose m g h / 2 must be 1 */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
@@ -57,8 +53,8 @@ static bool walls_fit(const struct scene *scene, const struct domq_domino *domin
     struct domq_box box;
     for (size_t k = 0; k < count; k++)
         if (domino[k].height > scene_boxes_above(scene) &&
-            domq_box_find(domino[k].height, domino[k].thickness, domino[k].height / 2, scene_walls(scene),
-                          &box) != DOM_OK)
+            domq_box_find(domino[k].height, domino[k].thickness, domino[k].width, scene_walls(scene), &box) !=
+                DOM_OK)
             return problem_no_room(problem, scene, k + 1, domino[k].thickness);
     return true;
 }
@@ -71,11 +67,10 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     if (!effect[DOM_EFFECT_row].on)
         return problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
-    row->domino = malloc(count * (sizeof *row->domino + sizeof *row->width));
+    row->domino = malloc(count * sizeof *row->domino);
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    row->width = (domq_real *)(row->domino + count);
-    scene_row_fill(scene, row->domino, row->width, count);
+    scene_row_fill(scene, row->domino, count);
     if (scene_walls(scene) > 0 && !walls_fit(scene, row->domino, count, problem)) {
         free(row->domino);
         row->domino = NULL;
@@ -161,13 +156,13 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
                          quad_text(value, 10), write);
 }
 
-domq_real scene_row_measure(const struct scene *scene, const struct scene_row *row, size_t k,
+domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure)
 {
-    struct measured_domino d = {row->domino[k], row->width[k]};
-    return measure == MEASURE_LEAN                             ? lean_offset(&d.domino)
-           : measure == MEASURE_RADIUS && d.domino.radius == 0 ? scene->train.rho * d.domino.height
-                                                               : *row_measure_at(&d, measure);
+    struct domq_domino d = *domino;
+    return measure == MEASURE_LEAN                      ? lean_offset(&d)
+           : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
+                                                        : *row_measure_at(&d, measure);
 }
 
 /* Returns the lean angle of a domino whose top is `off` m from plumb. */
@@ -183,15 +178,14 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
 {
     const enum row_measure measure = change->measure;
     const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
-    struct measured_domino d = {row->domino[k], row->width[k]};
-    struct domq_domino *domino = &d.domino;
-    domq_real *member = row_measure_at(&d, measure),
-              now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, row, k, measure),
+    struct domq_domino d = row->domino[k], *domino = &d;
+    domq_real *member = row_measure_at(domino, measure),
+              now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, domino, measure),
               value = change->how == CHANGE_TO   ? change->value
                       : change->how == CHANGE_BY ? now + change->value
                                                  : now * change->value;
     const struct listed_row *listed = &scene->listed;
-    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].domino.mass : DOMQ_NAN;
+    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].mass : DOMQ_NAN;
     char message[MISFIT_MESSAGE];
     if (change->is_bare && !bare_likely(row->domino, k, measure, now, value, problem))
         return false;

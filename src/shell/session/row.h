@@ -6,15 +6,11 @@
 #include "session/engine.h"
 #include "session/row_change.h"
 
-/* The row of a scene. The caller frees `domino`; the memory block of that array also contains `width`. */
+/* The row of a scene. The caller frees `domino`. */
 struct scene_row {
     struct domq_row row;
     struct domq_compute compute;
     struct domq_domino *domino;
-    /* The widths of the dominoes in m. A domino is half as wide as it is tall, unless the file of the row has
-     * widths or 'change' has changed the width. A domino whose height 'change' has changed keeps its width.
-     */
-    domq_real *width;
     struct engine_report report; /* additional results of the engine, for the commands that show them */
     /* `row.engine` may point to this member, so the struct must not be copied. */
     struct scene_engine engine;
@@ -31,16 +27,17 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the measurements that 'change'
- * has changed. Writes their widths in m to `width` unless it is NULL. */
-void scene_row_fill(const struct scene *scene, struct domq_domino *domino, domq_real *width, size_t count);
+ * has changed. A domino is half as wide as it is tall, unless the file of the row has widths or 'change' has
+ * changed the width. A domino whose height is changed by 'change' keeps its width. */
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
 /* Returns true if the masses of the row are known. If they are known, energies are in J. Otherwise, energies
  * are in units of m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of domino k, counted from 0, in m or kg. A lean is returned as the distance of the
- * top from plumb. A domino without a radius of its own has the radius of 'effect edges'. */
-domq_real scene_row_measure(const struct scene *scene, const struct scene_row *row, size_t k,
+/* Returns a measurement of a domino in m or kg. A lean is returned as the distance of the top from plumb. A
+ * domino without a radius of its own has the radius of 'effect edges'. */
+domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 
 /*

@@ -11,16 +11,16 @@ const char *row_measure_names(const void *context, int k)
     return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
 }
 
-domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure)
+domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
 {
     static const size_t member[ROW_MEASURES] = {
-        [MEASURE_HEIGHT] = offsetof(struct measured_domino, domino.height),
-        [MEASURE_THICKNESS] = offsetof(struct measured_domino, domino.thickness),
-        [MEASURE_GAP] = offsetof(struct measured_domino, domino.gap),
-        [MEASURE_MASS] = offsetof(struct measured_domino, domino.mass),
-        [MEASURE_RADIUS] = offsetof(struct measured_domino, domino.radius),
-        [MEASURE_LEAN] = offsetof(struct measured_domino, domino.lean),
-        [MEASURE_WIDTH] = offsetof(struct measured_domino, width),
+        [MEASURE_HEIGHT] = offsetof(struct domq_domino, height),
+        [MEASURE_THICKNESS] = offsetof(struct domq_domino, thickness),
+        [MEASURE_GAP] = offsetof(struct domq_domino, gap),
+        [MEASURE_MASS] = offsetof(struct domq_domino, mass),
+        [MEASURE_RADIUS] = offsetof(struct domq_domino, radius),
+        [MEASURE_LEAN] = offsetof(struct domq_domino, lean),
+        [MEASURE_WIDTH] = offsetof(struct domq_domino, width),
     };
     return (void *)((char *)domino + member[measure]);
 }
@@ -31,23 +31,17 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-/* Returns the fraction of the domino's volume that is wood. Changing a size may turn a solid domino into a
- * box, or a box into a solid domino. */
-static domq_real wood(const struct scene *scene, const struct measured_domino *d)
-{
-    return scene_filled(scene, d->domino.height, d->domino.thickness, d->width);
-}
-
-void row_changes_apply(const struct scene *scene, size_t k, struct measured_domino *d)
+void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *d)
 {
     for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
         domq_real value = changed(&scene->listed, k, m), *member = row_measure_at(d, m);
         if (isnan(value))
             continue;
         if (row_measure_is_size(m)) {
-            d->domino.mass *= value / *member / wood(scene, d);
+            /* A change of a size may turn a solid domino into a box, or a box into a solid domino. */
+            d->mass *= value / *member / scene_filled(scene, d);
             *member = value;
-            d->domino.mass *= wood(scene, d);
+            d->mass *= scene_filled(scene, d);
         } else
             *member = m == MEASURE_MASS ? *member * value : value;
     }

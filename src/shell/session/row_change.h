@@ -21,7 +21,7 @@ struct row_change {
 
 /* Returns a pointer to the member that holds a measurement of a domino. In an element of listed_row.change,
  * the member holds the change of that measurement. */
-domq_real *row_measure_at(struct measured_domino *domino, enum row_measure measure);
+domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
 /* Returns true for the height, the thickness and the width. If one of these sizes changes, the domino keeps
  * its density. */
@@ -31,7 +31,7 @@ static inline bool row_measure_is_size(enum row_measure measure)
 }
 
 /* Applies the stored changes to domino k of the row, counted from 0. */
-void row_changes_apply(const struct scene *scene, size_t k, struct measured_domino *domino);
+void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *domino);
 
 /* Allocates the array of changes for a row of `count` dominoes, unless the row already has one. Returns false
  * if memory runs out. */

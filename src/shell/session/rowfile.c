@@ -94,7 +94,7 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino. The arrays grow when the count is 0 or a power of 2. Returns false if
+/* Makes room for one more domino. The array grows when the count is 0 or a power of 2. Returns false if
  * memory runs out. */
 static bool row_grow(struct listed_row *rows)
 {
@@ -102,11 +102,7 @@ static bool row_grow(struct listed_row *rows)
         return true;
     size_t room = 2 * (rows->count + 1);
     void *more = realloc(rows->domino, room * sizeof *rows->domino);
-    if (!more)
-        return false;
-    rows->domino = more;
-    more = realloc(rows->width, room * sizeof *rows->width);
-    rows->width = more ? more : rows->width;
+    rows->domino = more ? more : rows->domino;
     return more;
 }
 
@@ -137,7 +133,8 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
         .gap = rows->count > 0 ? value[MEASURE_GAP] : 0,
         .mass = csv->column[MEASURE_MASS] ? value[MEASURE_MASS] : density * height * thickness * width,
         .radius = csv->column[MEASURE_RADIUS] ? value[MEASURE_RADIUS] : 0,
-        .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0};
+        .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0,
+        .width = width};
     char message[MISFIT_MESSAGE];
     if (csv->column[RELATIVE] && !rows->has_masses)
         domino.mass = value[RELATIVE];
@@ -148,7 +145,6 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
         return false;
     if (!row_grow(rows))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    rows->width[rows->count] = width;
     rows->domino[rows->count++] = domino;
     return true;
 }

@@ -25,7 +25,6 @@ void listed_free(struct listed_row *row)
 {
     if (row->holders && --*row->holders == 0) {
         free(row->domino);
-        free(row->width);
         free(row->path);
         free(row->others);
         free(row->holders);
@@ -37,7 +36,7 @@ void listed_free(struct listed_row *row)
 bool listed_share(struct listed_row *to, const struct listed_row *from)
 {
     size_t size = from->changes * sizeof *from->change;
-    struct measured_domino *change = size ? malloc(size) : NULL;
+    struct domq_domino *change = size ? malloc(size) : NULL;
     *to = (struct listed_row){.domino = NULL};
     if (size && !change)
         return false;
@@ -78,17 +77,19 @@ void effects_reset(struct scene *scene)
     effects_apply(scene);
 }
 
-domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width)
+domq_real scene_filled(const struct scene *scene, const struct domq_domino *d)
 {
     struct domq_box box = {.filled = 1};
-    domq_real walls = height > scene_boxes_above(scene) ? scene_walls(scene) : 0;
-    return walls > 0 && domq_box_find(height, thickness, width, walls, &box) == DOM_OK ? box.filled : 1;
+    domq_real walls = d->height > scene_boxes_above(scene) ? scene_walls(scene) : 0;
+    return walls > 0 && domq_box_find(d->height, d->thickness, d->width, walls, &box) == DOM_OK ? box.filled
+                                                                                                : 1;
 }
 
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness)
 {
-    domq_real filled = scene_filled(scene, height, thickness, height / 2);
-    return scene->mass > 0 ? scene->mass : scene->density * height * height * thickness / 2 * filled;
+    const struct domq_domino d = {.height = height, .thickness = thickness, .width = height / 2};
+    return scene->mass > 0 ? scene->mass
+                           : scene->density * height * d.width * thickness * scene_filled(scene, &d);
 }
 
 domq_real scene_mass(const struct scene *scene)

@@ -30,11 +30,6 @@ enum row_measure {
     ROW_MEASURES
 };
 
-struct measured_domino {
-    struct domq_domino domino;
-    domq_real width; /* m */
-};
-
 /* The dominoes of a row that was read from a file, and the changes that 'change' has made to single dominoes.
  * A row that does not come from a file can have changes, too. */
 struct listed_row {
@@ -42,7 +37,6 @@ struct listed_row {
     size_t count;
     bool has_masses;   /* the masses are in kg; if false, only the ratios of the masses are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
-    domq_real *width;  /* the widths in m, or NULL if the row does not come from a file */
     char *path;
     /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
      * domino. Each cell begins with a comma, and each line ends with a NUL byte. */
@@ -50,10 +44,10 @@ struct listed_row {
     /* The changed measurements of each domino. Measurements that have not been changed are NaN. A changed
      * mass is stored as a factor, because the mass also changes with the size of the domino. NULL if nothing
      * has been changed. */
-    struct measured_domino *change;
+    struct domq_domino *change;
     size_t changes; /* the number of elements of `change` */
     bool saved;     /* the changes have been saved to a file */
-    /* the reference count of `domino`, `width`, `path` and `others`; NULL if these are NULL */
+    /* the reference count of `domino`, `path` and `others`; NULL if these are NULL */
     size_t *holders;
 };
 
@@ -116,9 +110,8 @@ domq_real scene_walls(const struct scene *scene);
  * or if all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
-/* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. Lengths are
- * in m. */
-domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);
+/* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. */
+domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);
 
 /* Returns the mass in kg of the first domino, given its height and thickness in m. Returns 0 if neither mass
  * nor density is known. */

@@ -182,7 +182,7 @@ static void plan_rows(const struct plan *p, struct answer *a)
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
                      cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
-                     cell_real(thickness->low), cell_real(thickness->high), cell_real(scene->width[k]),
+                     cell_real(thickness->low), cell_real(thickness->high), cell_real(d->width),
                      cell_real(lean_offset(d)), cell_real(d->mass));
     }
 }

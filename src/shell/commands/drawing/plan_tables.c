@@ -102,7 +102,7 @@ bool plan_size_table(struct plan *p, bool has_masses)
         snprintf(line->cell[0], GUIDE_CELL, "%zu", k + 1);
         window_put(line, 1, p, DOM_WINDOW_HEIGHT, k, d->height);
         window_put(line, 4, p, DOM_WINDOW_THICKNESS, k, d->thickness);
-        mm(line->cell[7], scene->width[k], 0);
+        mm(line->cell[7], d->width, 0);
         snprintf(line->cell[8], GUIDE_CELL, "%.4g",
                  (double)(has_masses ? d->mass : d->mass / scene->domino[0].mass));
     }
@@ -135,7 +135,7 @@ static size_t pieces_of(const struct plan *p, size_t k, struct piece piece[3])
     const struct domq_domino *d = &scene->domino[k];
     const struct domq_row *row = &scene->row;
     const double walls = d->height > row->boxes_above ? (double)row->walls : 0, height = (double)d->height,
-                 thick = (double)d->thickness, width = (double)scene->width[k], inside = thick - 2 * walls;
+                 thick = (double)d->thickness, width = (double)d->width, inside = thick - 2 * walls;
     if (!p->is_thin && !(walls > 0 && inside > 1e-6 && width - 2 * walls > 1e-6)) {
         piece[0] = (struct piece){thick, height, width, k + 1, 1};
         return 1;

@@ -40,7 +40,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
             (is_near(a->gap, b->gap) || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
             (is_near(a->height, b->height) ||
              change_to(scene, k, MEASURE_HEIGHT, false, b->height, problem)) &&
-            (!sizes || width_keep(scene, k, now.width[k], a, b, problem)) &&
+            (!sizes || width_keep(scene, k, a->width, a, b, problem)) &&
             (is_near(a->thickness, b->thickness) ||
              change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));

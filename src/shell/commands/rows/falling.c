@@ -56,7 +56,7 @@ void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *conte
 {
     struct scene scene = *(const struct scene *)context;
     scene.train.r = r;
-    scene_row_fill(&scene, domino, NULL, count);
+    scene_row_fill(&scene, domino, count);
 }
 
 bool row_run_tipped(const struct row_run *run, size_t k)

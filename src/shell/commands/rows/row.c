@@ -33,7 +33,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     for (size_t k = 0; k < scene.row.count; k++) {
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
-        has_widths = has_widths || scene.width[k] != scene.domino[k].height / 2;
+        has_widths = has_widths || scene.domino[k].width != scene.domino[k].height / 2;
     }
     answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
     if (!has_radii)
@@ -53,7 +53,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
                 cell_real(d->thickness),      cell_real(d->gap),
                 cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
                 cell_real(d->radius),         cell_real(lean_offset(d)),
-                cell_real(scene.width[k])};
+                cell_real(d->width)};
             for (int i = 1; i < 9 && !writes; i++)
                 answer_largest(a, row_columns[i].key, cells[i].number);
             if (writes)
@@ -306,7 +306,7 @@ static domq_real *measures_list(const struct scene *scene, enum row_measure meas
     *count = row.row.count;
     domq_real *list = malloc(*count * sizeof *list);
     for (size_t k = 0; list && k < *count; k++)
-        list[k] = scene_row_measure(scene, &row, k, measure);
+        list[k] = scene_row_measure(scene, &row.domino[k], measure);
     free(row.domino);
     if (!list)
         problem_status(problem, scene, DOM_NO_MEMORY);
