@@ -468,12 +468,12 @@ struct dom_error {
 };
 
 /*
- * The random errors of a row. A domino keeps its density, or a box the density of its wood and the
- * thickness of its walls, so its mass changes with its height and its thickness. Dominoes that would overlap
- * are placed so that they touch. No error makes a size smaller than 1/100 of its value. A domino that would
- * fall over by itself gets the largest lean at which it stands. A friction or a push that would be negative
- * becomes 0. Errors of radii have an effect only with rounded edges, errors of the floor only with an engine,
- * and errors of the push only with a push.
+ * The random errors of a row. A solid domino keeps its density. A box keeps the density of its wood and the
+ * thickness of its walls. So the mass of a domino changes with its height and its thickness. Dominoes that
+ * would overlap are placed so that they touch. No error reduces a size to less than 1/100 of its intended
+ * value. A domino that would fall over by itself gets the largest lean at which it stands. A friction or a
+ * push that would be negative becomes 0. Errors of radii have an effect only with rounded edges, errors of
+ * the floor only with an engine, and errors of the push only with a push.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];
@@ -486,7 +486,7 @@ struct dom_placement {
 
 /* How many rows of a placement fall. */
 struct dom_study {
-    size_t rows, fall; /* the number of rows, and the number of rows in which every domino falls */
+    size_t rows, fall; /* the number of rows, and the number of those in which every domino falls */
     /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). Undecided rows
      * widen the interval. */
     size_t unknown;

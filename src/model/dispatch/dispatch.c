@@ -54,8 +54,8 @@ static enum dom_status request_check(const struct request *q)
 }
 #undef CHECK
 
-/* Arguments for the macro DOM_DYNAMICS, which then lists the values of all effects of a train or of a row, in
- * the order of enum dom_effect_name. */
+/* Given one of these arguments, the macro DOM_DYNAMICS lists the values of all effects of a train or of a
+ * row, in the order of enum dom_effect_name. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 

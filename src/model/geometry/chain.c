@@ -31,7 +31,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* If the domino contributes less than the rounding errors, its detaching changes nothing. */
+        /* If the domino contributes less than the rounding errors, it does not matter whether it detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);

@@ -27,8 +27,8 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Returns a factor for bounds: the omitted terms are at most this factor times (z / radius)^order. It is
- * estimated from the last coefficients. */
+/* Returns a factor for bounds: the omitted terms are at most this factor times (z / radius)^order. The factor
+ * is estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;

@@ -100,7 +100,7 @@ struct geometry {
     } h;
     /* r^-q theta_1'(theta_inf): far down the train, each term of H1 is this multiple of the term before */
     real decay;
-    /* in estimates of the tail of J, successive terms are taken to have at least this ratio */
+    /* the smallest ratio of successive terms that is assumed in estimates of the tail of J */
     real decay_J;
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
@@ -165,7 +165,7 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 
 /*
  * Returns the smaller of two tilts of the head: theta_u, and the tilt at which a follower that starts near
- * pi/2 has clearly moved away from pi/2. Still smaller tilts do not matter at the beginning of a cycle. If
+ * pi/2 has clearly moved away from pi/2. Tilts below both do not matter at the beginning of a cycle. If
  * theta_u is 0 (edges of radius d/2), returns the second tilt.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)

@@ -138,7 +138,7 @@ static struct apart apart_next(const struct walk *a, const struct walk *b, struc
     return apart_by((t + t_D) / (1 - t * t_D));
 }
 
-/* Returns the difference between the tilts of the follower of a and of a itself. */
+/* Returns the difference between the tilt of the follower of a and the tilt of a. */
 static struct apart apart_turn(const struct walk *a)
 {
     return (struct apart){.by = a->rolling.turn, .t = a->link.contact.X / (1 + a->link.contact.Y)};

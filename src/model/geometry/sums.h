@@ -88,8 +88,8 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Every 4096 dominoes, checks whether there is an interrupt, whether the search has taken too much work, and
- * whether the pass is too long. */
+/* Every 4096 dominoes, checks for an interrupt, for a search that has taken too much work, and for a pass
+ * that is too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)

@@ -186,9 +186,9 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes more samples near the best one, in smaller and smaller steps. This replaces the exclusion of
- * intervals if no bounds are known. If the train stops at every sample, the steps cover all s from the reach
- * at r = 1 down to 0.5. */
+/* Takes more samples near the best one, in smaller and smaller steps. If no bounds are known, this search
+ * takes the place of search_between, which excludes intervals. If the train stops at every sample, the steps
+ * cover all s from the reach at r = 1 down to 0.5. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -361,8 +361,8 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
  * Finds the error bounds on s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
  * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
  * error of this slope. That error, divided by the derivative of the slope, is the error bound on s. At a kink
- * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max includes the change
- * of r_max over the error bound on s.
+ * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max includes how much
+ * r_max changes if s is off by its error bound.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {

@@ -282,7 +282,7 @@ static real down_first(real whole)
 /*
  * Shows that the margin is positive at growths just below `root`, which is the reach if the margin is
  * positive even there. Works downwards from `root` to `from`, strip by strip, without computing any margin.
- * *down receives the growth down to which this succeeds, or `root` if it fails at once. Over the first strip,
+ * *down receives the lowest growth that this reaches, or `root` if no strip succeeds. Over the first strip,
  * the bounds show that the margin decreases. Each later strip uses two bounds at its upper end, which follow
  * from the strips above it: a lower bound on the margin, and an upper bound on the barrier.
  */

@@ -12,7 +12,7 @@
 struct margin {
     real kinetic, barrier;
     bool most;   /* true if `barrier` is only an upper bound */
-    real unsure; /* error of the barrier if it exceeds the tolerance (`unsure` in struct dynamics) */
+    real unsure; /* with friction, an estimate of the error of the barrier (`unsure` in struct dynamics) */
     real error;
 };
 
@@ -38,7 +38,8 @@ struct margin_context {
         /* use an upper bound on the barrier, or one local maximum of H, if that decides the sign of the
          * margin */
         MARGIN_SIGN,
-        /* use one local maximum of H if that decides the sign of the margin, but never an upper bound */
+        /* use one local maximum of H if that decides the sign of the margin, but never an upper bound on the
+         * barrier */
         MARGIN_TOPS,
         MARGIN_FOLLOW, /* follow one local maximum of H from growth to growth */
     } how;

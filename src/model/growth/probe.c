@@ -97,10 +97,10 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Takes further samples between two samples, and looks for the first sign change between them. A sign change
- * that comes after p->root is not needed. At `lo` the margin has the same sign as at the start of the search.
- * If the margin has the opposite sign at `hi`, first finds a root between `lo` and `hi`, and then looks for
- * an earlier one. */
+/* Takes more samples between `lo` and `hi`, and looks for the first sign change. A sign change that comes
+ * after p->root is not needed. At `lo` the margin has the same sign as at the start of the search. If the
+ * margin has the opposite sign at `hi`, first finds a root between `lo` and `hi`, and then looks for an
+ * earlier one. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {

@@ -121,8 +121,8 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h of the next domino is lower by the integral of g over the angle asin X >= X between the two
-         * dominoes */
+        /* h of the next domino is lower by the integral of g over the angle between the two dominoes, which
+         * is asin X >= X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -135,9 +135,9 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 
 /*
  * Finds a lower bound on the tilt of the head at the maximum of H, for trains whose barrier is at least
- * `kinetic`. At this maximum the head has gained at least the height of the barrier plus the energy that the
- * first follower has lost. This loss increases with the tilt of the head, and is at least the loss at hi
- * divided by `grows`.
+ * `kinetic`. At this maximum the energy of the head has increased by at least the barrier plus the energy
+ * that the first follower has lost. This loss increases with the tilt of the head, and is at least the loss
+ * at hi divided by `grows`.
  */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
@@ -321,8 +321,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Rounding errors can keep the computed tilts from reaching theta_inf. The second number in this
-         * maximum allows for that. */
+        /* Rounding errors can keep the computed tilts from reaching theta_inf. The second argument of fmax
+         * allows for that. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;

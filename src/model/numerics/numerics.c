@@ -104,8 +104,8 @@ struct span {
     real peak, width, from, to, *value;
 };
 
-/* Returns the value of the integral on a level of the rule. Each level has more nodes than the previous
- * one. */
+/* Returns the integral as computed with the nodes of one level of the rule. Each level has more nodes than
+ * the previous one. */
 typedef real span_level(struct span *s, int level);
 
 /* Estimates the relative error of the last level from `off` and `off_before`, the relative differences
@@ -248,8 +248,8 @@ static real chebyshev_level(struct span *s, int level)
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n && !s->failed; j++) {
-        /* The last coefficients of the Chebyshev series show how well the nodes resolve f. Those of T_n,
-         * T_(n-1) and T_(n-2) are sums with alternating signs. */
+        /* The last coefficients of the Chebyshev series show how well the nodes resolve f. The coefficients
+         * of T_n, T_(n-1) and T_(n-2) are sums with alternating signs. */
         real value = s->value[(size_t)j * stride], c = cosine[j];
         real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
         if (2 * j <= n) /* node n - j has the weight of node j */
