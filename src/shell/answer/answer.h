@@ -25,11 +25,11 @@ struct column {
 
 /* The appearance of the rows, which is fixed before the first row is written. */
 struct layout {
-    bool is_planned;  /* the layout has been fixed */
-    bool on_terminal; /* the answer goes to a terminal */
-    bool letters;     /* the terminal can show Greek letters */
-    bool bold;        /* the terminal has colours */
-    int width;        /* the width of the terminal in columns, or 0 if there is no terminal */
+    bool is_planned;
+    bool on_terminal;
+    bool letters; /* the terminal can show Greek letters */
+    bool bold;    /* the terminal has colours */
+    int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
     /* bit i is set if column i has error bounds, which csv and json write as a column of their own */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */

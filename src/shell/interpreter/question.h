@@ -12,8 +12,8 @@
 
 struct question {
     const struct command *command;
-    int key;   /* index of the requested column of the answer, or -1 for the whole answer */
-    int count; /* number of arguments */
+    int key; /* index of the requested column of the answer, or -1 for the whole answer */
+    int count;
     struct item item[ARGUMENTS_MAX];
     /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;

@@ -34,10 +34,10 @@ struct pager {
     FILE *to; /* memory while the state is HELD; later the terminal, or the pipe to the pager program */
     char *text, *messages;
     size_t text_size, messages_size;
-    double begun;      /* when the first text arrived, as a time of terminal_clock; 0 before that */
-    int width, height; /* the size of the terminal */
-    int rows;          /* the number of terminal rows that the current page fills so far */
-    double screens;    /* a text of at least this many screens is paged */
+    double begun; /* when the first text arrived, as a time of terminal_clock; 0 before that */
+    int width, height;
+    int rows;       /* the number of terminal rows that the current page fills so far */
+    double screens; /* a text of at least this many screens is paged */
     bool may_run;
     const volatile sig_atomic_t *interrupt;
     pid_t child;
@@ -57,7 +57,6 @@ static int line_rows(const char *line, const char *end, int width)
     return columns > width ? (columns + width - 1) / width : 1;
 }
 
-/* Returns the beginning of the next line. */
 static const char *line_next(const char *line, const char *end)
 {
     const char *last = memchr(line, '\n', (size_t)(end - line));

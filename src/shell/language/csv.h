@@ -52,7 +52,7 @@ struct csv_file {
     const char *cut_short; /* the reason why `text` is only the beginning of the file, or NULL if it is the
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
-    bool locale_comma;     /* the locale has decimal commas */
+    bool locale_comma;
     /* What is known about '.', or about ',', as the decimal mark, from the numbers read so far. */
     struct csv_mark {
         bool is_used;

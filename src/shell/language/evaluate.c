@@ -144,7 +144,6 @@ static bool compare(enum tree_operator op, domq_real a, domq_real b)
                                      : a != b;
 }
 
-/* Adds, subtracts or compares two values. */
 static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
 {
     bool adds = t->op >= OPERATOR_PLUS;

@@ -79,7 +79,6 @@ void expression_report(struct expression_error *error, const char *at, bool of_v
 #define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
 #define expression_no_value(error, at, ...) (expression_report(error, at, true, __VA_ARGS__), false)
 
-/* The state of the parser. */
 struct parse {
     const char *text; /* the beginning of the expression */
     const char *end;  /* the end of the expression, or the position of an error */
@@ -93,14 +92,13 @@ struct parse {
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */
-    int nodes;         /* the number of nodes so far */
+    int nodes;
 };
 
 /* Parses the longest expression that begins at parse->text. After an error, sets *parse->error and returns
  * NULL. */
 struct tree *expression_parse(struct parse *parse);
 
-/* The state of an evaluation. */
 struct evaluation {
     struct expression_error *error;
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
@@ -117,7 +115,6 @@ bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree,
  * *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
-/* Returns the name of a built-in function. */
 const char *function_name(const struct function *function);
 
 /* A names_list (see names.h) of the built-in names. */

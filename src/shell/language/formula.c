@@ -134,7 +134,6 @@ static void chain(const struct formula *f, const struct tree *t)
     }
 }
 
-/* Writes the name of a function with its arguments. */
 static void function(const struct formula *f, const struct tree *t)
 {
     const char *name = function_name(t->function);
