@@ -105,12 +105,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 
 @test "edges: step, why, thetac and scene name their equations; no paper fuel, no proof; a file of the row keeps radii" {
     run -0 "$DOMINO" -e 'effect edges 0.01; step; step; step; why; thetac; scene'
-    for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Newton's method"; do
+    for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Halley's method"; do
         [[ $output == *"$text"* ]]
     done
     [[ $output != *'- 1) omega_1'* && $output != *'1/J(0)'* && $output != *': sin theta_c'* && $output != *'no trigonometry'* ]]
     run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step; effect row 4; scene'
-    [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Newton's method"* ]]
+    [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Halley's method"* ]]
     # A domino that detaches keeps its potential energy, which depends on the floor and on the edges.
     for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in 41; A17 and 42; A18)|0.0625102'; do
         IFS='|' read -r effect label keeps <<<"$with"
