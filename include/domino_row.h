@@ -333,14 +333,16 @@ struct dom_window {
  *
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
  * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
- * times the current height, with the same lean, width and density (of the wood, if it is a box), if the
- * domino can stand on the slope. Thicknesses are tried in the same way, if walls and rounded edges fit.
- * Frictions are tried from 0 up to 2, or up to 4 times the current friction if that is more, but not above
- * DOM_MU_HIGHEST. Leans are tried in both directions, until the domino falls over by itself. The search makes
- * the same steps as dom_row_mend, and all dominoes fall with low and with high. An interval narrower than a
- * step, in which the row does not fall, can be missed. With an engine, a window is searched in a quarter of
- * the steps and has three digits. A value at which the engine cannot decide how the row ends counts as
- * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
+ * times the current height, if the domino can stand on the slope. The lean, the width and the density stay
+ * the same; the density of a box is that of its wood. Thicknesses are tried in the same way, if walls and
+ * rounded edges fit. Frictions are tried from 0 up to 2, or up to 4 times the current friction if that is
+ * more, but not above DOM_MU_HIGHEST. Leans are tried in both directions, until the domino falls over by
+ * itself.
+ *
+ * The search makes the same steps as dom_row_mend, and all dominoes fall with low and with high. An interval
+ * narrower than a step, in which the row does not fall, can be missed. With an engine, a window is searched
+ * in a quarter of the steps and has three digits. A value at which the engine cannot decide how the row ends
+ * counts as outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
  * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
