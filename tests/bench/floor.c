@@ -23,7 +23,7 @@ static inline struct point next(struct point p, double r, double L, double d)
 }
 
 /* Returns the time in nanoseconds of one link of a train with rounded edges (src/model/geometry/rounded.h):
- * an arc sine and one step of Halley's method for the turn, the tilt, and nothing else. */
+ * the estimate and the first correction of turn_solve for the turn, the tilt, and nothing else. */
 static double rounded_link(double rho)
 {
     const struct setup train = setup_default();
@@ -39,10 +39,10 @@ static double rounded_link(double rho)
             theta *= 0.0;
             for (int i = 0; i < DOMINOES; i++) {
                 double G = L * y - d + (rho - rho_1) * (1 - y - x + theta * y), c = rho_1 * y,
-                       X = G / (l + c), Y = sqrt(1 - X * X), U = asin(X), of_S = 1 / (l * Y + c),
-                       by = c * (X - U) * of_S;
-                by += by * by * l * X * of_S / 2;
-                double sine = X + by * (Y - by * X / 2), cosine = Y - by * (X + by * Y / 2);
+                       X = G / (l + c), z = X * X,
+                       excess = z * (0.1604 + z * 0.1353 - z * z * (0.1387 - z * 0.2231)),
+                       w = X - c / (l + c) * X * excess, Y = sqrt(1 - w * w), U = asin(w),
+                       by = (G - l * w - c * U) / (l * Y + c), sine = w + by * Y, cosine = Y - by * w;
                 struct point next = {cosine * x + sine * y, cosine * y - sine * x};
                 x = next.x;
                 y = next.y;

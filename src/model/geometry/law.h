@@ -10,19 +10,19 @@
 
 #include "geometry/sums.h"
 
-/* The contact of a domino with its follower: struct contact, and quantities that only rounded edges need. */
-struct rolling {
-    struct contact contact;
-    real turn;  /* theta_1 - theta */
-    real b;     /* lever arm of the contact force on the follower */
-    real curve; /* d2 theta_1 / d theta2 */
+/* The turn from a domino to its follower: the angle theta_1 - theta, and its sine and cosine. */
+struct turn {
+    real angle;
+    struct tilt tilt;
 };
 
 /* The current domino of a walk down a chain, which starts at the head. With sharp edges only `link` is
  * set. */
 struct walk {
     struct link link;
-    struct rolling rolling;
+    struct turn turn;
+    real b;                 /* lever arm of the contact force on the follower */
+    real curve;             /* d2 theta_1 / d theta2 */
     real theta;             /* the tilt of the domino as an angle */
     real second_derivative; /* theta_i'' */
 };

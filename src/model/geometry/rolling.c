@@ -93,13 +93,10 @@ struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts from t, the tangent of half the angle between them. t keeps its
- * relative accuracy along the chain, even for the smallest differences. */
+/* Returns the difference between two tilts from t, the tangent of half the angle between them. */
 static struct apart apart_by(real t)
 {
-    real square = t * t;
-    return (struct apart){
-        square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5)) : 2 * atan(t), t};
+    return (struct apart){2 * atan(t), t};
 }
 
 /* Returns h(A) - h(B) of one domino, like energy_change in sharp_change.c. */
@@ -114,6 +111,16 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
     return -rolling_rise(geometry, t, standing, apart_by(half_of_tilt(t)));
 }
 
+/* Returns 2 tan(D/2) - D, by a power series where the terms would cancel. */
+KERNEL_LOOP real tangent_excess(real D)
+{
+    const real square = D * D, small = square * square * square * square * square;
+    if (small > 65536 * UNIT)
+        return 2 * tan(D / 2) - D;
+    return D * square * ((real)1 / 12) *
+           (1 + square * ((real)1 / 10) * (1 + square * ((real)17 / 168) * (1 + square * ((real)31 / 306))));
+}
+
 /*
  * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
  * tilts of a and b themselves. Let D be the difference between the turns of a and b. Subtracting their
@@ -122,26 +129,27 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
  * where every term of R has the small factor apart.by. The difference D of the computed turns would be too
- * inaccurate, and is used only for the factor tan(D/2) / D.
+ * inaccurate, and is used only for the small difference between 2 tan(D/2) and D. So both members of the
+ * result keep their relative accuracy along the chain, even for the smallest differences.
  */
-static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
+KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
     const struct geometry *geometry = a->link.geometry;
     const struct rounded *of = &geometry->rounded;
     struct tilt A = a->link.tilt, B = b->link.tilt;
     real by = apart.by, t = apart.t, sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
-    real more = of->rho - of->rho_1, rough = a->rolling.turn - b->rolling.turn;
+    real more = of->rho - of->rho_1, c = of->rho_1 * A.y,
+         excess = tangent_excess(a->turn.angle - b->turn.angle);
     real R = more * (sines - cosines + by * A.y - b->theta * sines) +
-             sines * (of->rho_1 * b->rolling.turn - geometry->L);
-    real half = rough == 0 ? (real)0.5 : tan(rough / 2) / rough;
-    real t_D = half * R / (of->tall_1 * (a->link.contact.Y + b->link.contact.Y) * half + of->rho_1 * A.y);
-    return apart_by((t + t_D) / (1 - t * t_D));
+             sines * (of->rho_1 * b->turn.angle - geometry->L);
+    real t_D = (R + c * excess) / (of->tall_1 * (a->turn.tilt.y + b->turn.tilt.y) + 2 * c);
+    return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
 }
 
 /* Returns the difference between the tilt of the follower of a and the tilt of a. */
 static struct apart apart_turn(const struct walk *a)
 {
-    return (struct apart){.by = a->rolling.turn, .t = a->link.contact.X / (1 + a->link.contact.Y)};
+    return (struct apart){.by = a->turn.angle, .t = half_of_tilt(a->turn.tilt)};
 }
 
 /* Returns the smallest product of a with a number in [lo, hi]. */
@@ -178,7 +186,7 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
     const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
                Y_most = X < 0 ? 1 : a->link.contact.Y, step = a->link.step, step_most = b->link.step,
                arm_most = of->tall_1 + of->rho_1, more = of->rho - of->rho_1;
-    const real Q = self->L - of->rho_1 * fmax(b->rolling.turn, 0), M = Q - fmax(more, 0), low = self->d / 2,
+    const real Q = self->L - of->rho_1 * fmax(b->turn.angle, 0), M = Q - fmax(more, 0), low = self->d / 2,
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
@@ -222,63 +230,142 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
+/* A chain, its difference from another chain b, and the sums of contact_law.change. */
+struct rolling_pair {
+    struct walk a;
+    struct apart apart; /* the difference between the tilts of the current dominoes of a and b */
+    struct sum_state state;
+    real H2;
+};
+
+/* Sets *p to the heads of both chains, at the tilts `from` and `head`. t is the tangent of half the angle
+ * between them. */
+static void rolling_begin(struct rolling_pair *p, const struct geometry *geometry, struct tilt from,
+                          struct tilt head, real t)
+{
+    *p = (struct rolling_pair){.a = rounded_begin(geometry, head)};
+    p->apart = from.x == 0 ? (struct apart){p->a.theta, t} : apart_by(t);
+}
+
+/* Adds the current domino to the sums. */
+KERNEL_LOOP void rolling_add(struct rolling_pair *p, const struct walk *b)
+{
+    const struct link *link = &p->a.link;
+    rounded_add_J(&p->state, link);
+    rounded_add_H1(&p->state, link);
+    series_add(&p->state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b->link.tilt, p->apart));
+    p->H2 += link->weight * (p->a.second_derivative * geometry_lift(link->geometry, link->tilt) -
+                             link->slope * link->slope * geometry_height(link->geometry, link->tilt));
+}
+
+/* Moves on to `next`, the difference between the followers. Returns true if their terms no longer matter. */
+KERNEL_LOOP bool rolling_done(struct rolling_pair *p, struct apart next)
+{
+    const struct link *link = &p->a.link;
+    const struct geometry *self = link->geometry;
+    const real by = p->apart.by, shrinks = by == 0 ? 1 : fabs(next.by / by);
+    p->apart = next;
+    return series_done(&p->state.dH, link->weight * fabs(by) * (self->reach + fabs(self->rounded.roll)),
+                       fmax(self->weight * shrinks, self->decay), self->tol) &&
+           done_J(&p->state, link) && rolling_done_H1(&p->state, link, self->tol);
+}
+
+static bool rolling_near(const struct rolling_pair *p, const struct walk *b)
+{
+    return far_near(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
+}
+
+/* Adds the current domino and all behind it to the sums, by the far series. */
+static void rolling_add_far(struct rolling_pair *p, const struct walk *b)
+{
+    const struct far_point rest = far_add(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
+    p->H2 += far_H2(&p->a.link, p->a.second_derivative, &rest);
+}
+
 /* Does for rounded edges what energy_change_between does for sharp edges, but finds no error bounds. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error)
 {
     (void)error;
     bool pushes = pass == PASS_PUSHES;
-    struct sum_state state = {0};
-    struct walk a = rounded_begin(geometry, head), b = rounded_begin(geometry, from);
-    struct apart apart = apart_by(t);
-    real H2 = 0;
+    struct rolling_pair p;
+    struct walk b = rounded_begin(geometry, from);
+    const struct link *link = &p.a.link;
+    rolling_begin(&p, geometry, from, head, t);
     const bool closes =
         geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS && !pushes;
     for (;;) {
-        const struct link *link = &a.link;
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (closes && far_near(geometry, &state, link, &b.link, apart.t)) {
-            const struct far_point rest = far_add(geometry, &state, link, &b.link, apart.t);
-            H2 += far_H2(link, a.second_derivative, &rest);
+        if (closes && rolling_near(&p, &b)) {
+            rolling_add_far(&p, &b);
             break;
         }
-        rounded_add_J(&state, link);
-        rounded_add_H1(&state, link);
-        series_add(&state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b.link.tilt, apart));
-        H2 += link->weight * (a.second_derivative * geometry_lift(link->geometry, link->tilt) -
-                              link->slope * link->slope * geometry_height(link->geometry, link->tilt));
+        rolling_add(&p, &b);
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
         if (!link->leads) { /* The follower has detached during this cycle and keeps the tilt theta_f. */
             if (pass == PASS_SHIFT)
-                b = a;
+                b = p.a;
             else
-                rounded_next(&b);
-            state.left = link->weight * geometry->weight *
-                         rolling_rise(geometry, geometry->f, b.link.tilt,
-                                      apart_by(half_turn(b.link.tilt, geometry->f)));
-            series_add(&state.dH, state.left);
+                rounded_step(&b);
+            p.state.left = link->weight * geometry->weight *
+                           rolling_rise(geometry, geometry->f, b.link.tilt,
+                                        apart_by(half_turn(b.link.tilt, geometry->f)));
+            series_add(&p.state.dH, p.state.left);
             break;
         }
-        pushes = pushes && rounded_pushes(&a, &b);
-        struct apart next = pass == PASS_SHIFT ? apart_turn(&a) : apart_next(&a, &b, apart);
-        real shrinks = apart.by == 0 ? 1 : fabs(next.by / apart.by);
-        const struct geometry *self = link->geometry;
-        bool done =
-            series_done(&state.dH, link->weight * fabs(apart.by) * (self->reach + fabs(self->rounded.roll)),
-                        fmax(self->weight * shrinks, self->decay), geometry->tol);
-        if (done && done_J(&state, link) && rolling_done_H1(&state, link, geometry->tol))
+        if (pushes) {
+            rounded_levers(&b);
+            pushes = rounded_pushes(&p.a, &b);
+        }
+        if (rolling_done(&p, pass == PASS_SHIFT ? apart_turn(&p.a) : apart_next(&p.a, &b, p.apart)))
             break;
-        apart = next;
         if (pass == PASS_SHIFT)
-            b = a;
+            b = p.a;
         else
-            rounded_next(&b);
-        rounded_next(&a);
+            rounded_step(&b);
+        rounded_next(&p.a);
     }
-    enum dom_status status = rolling_result(geometry, &state, H2, a.link.i + 1, sums);
+    enum dom_status status = rolling_result(geometry, &p.state, p.H2, link->i + 1, sums);
     sums->pushes = pushes;
     return status;
+}
+
+/* The two passes run side by side, as in sharp_both. Each domino of the upright chain is the one before it in
+ * the chain whose head is at theta_c. */
+KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                    struct sums *at_c)
+{
+    struct rolling_pair up, down;
+    rolling_begin(&up, geometry, standing, head, half_of_tilt(head));
+    rolling_begin(&down, geometry, standing, geometry->c, half_of_tilt(geometry->c));
+    struct walk b = {.link = {.tilt = standing}, .turn = {down.a.theta, geometry->c}};
+    const bool closes = geometry->far.order > 0;
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, up.a.link.i);
+        if (status != DOM_OK)
+            return status;
+        if (closes && rolling_near(&up, &b) && rolling_near(&down, &b)) {
+            rolling_add_far(&up, &b);
+            rolling_add_far(&down, &b);
+            break;
+        }
+        rolling_add(&up, &b);
+        rolling_add(&down, &b);
+        const bool done = rolling_done(&up, apart_next(&up.a, &b, up.apart));
+        if (rolling_done(&down, apart_turn(&down.a)) && done)
+            break;
+        b = down.a;
+        rounded_factors(&up.a);
+        rounded_factors(&down.a);
+        rounded_step(&up.a);
+        rounded_step(&down.a);
+        rounded_levers(&up.a);
+        rounded_levers(&down.a);
+    }
+    *at_c = sums_of(&down.state, 0, up.a.link.i + 1);
+    return sums_finite(at_c) ? rolling_result(geometry, &up.state, up.H2, up.a.link.i + 1, sums)
+                             : DOM_NOT_FINITE;
 }

@@ -20,11 +20,10 @@ static void rounding_next(struct rounding *e, const struct walk *k, real S, real
 {
     const struct link *link = &k->link;
     const struct geometry *self = link->geometry;
-    const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->rolling.curve),
-               whole = self->r * k->rolling.b, ratio = fabs(a / b);
+    const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->curve),
+               whole = self->r * k->b, ratio = fabs(a / b);
     const real of_b = link->contact.X < 0 ? (2 * whole - b) / fabs(b) : 1,
-               of_curve =
-                   curve + 2 * (self->L * link->tilt.y + self->rounded.rho_1 * link->tilt.x) / k->rolling.b;
+               of_curve = curve + 2 * (self->L * link->tilt.y + self->rounded.rho_1 * link->tilt.x) / k->b;
     e->S = e->S * ratio + fabs(S) * ((2 * whole - a) / fabs(b) + ratio * of_b);
     e->second_derivative = e->second_derivative * step + 2 * fabs(k->second_derivative) +
                            slope * (slope * of_curve + 2 * e->slope * curve);
@@ -60,7 +59,7 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
             break;
         const struct arms arms = rounded_arms(link);
         real a = arms.a, b = arms.b, ratio = fabs(arms.ratio),
-             curve = fabs(k.second_derivative) + slope * slope * (fabs(k.rolling.curve) + 1),
+             curve = fabs(k.second_derivative) + slope * slope * (fabs(k.curve) + 1),
              next = fmax(self->inertia * ratio, fmax(self->decay, self->decay_J));
         if (series_done(&C, link->weight * size * lift, fmax(self->weight * ratio, self->decay),
                         geometry->tol) &&

@@ -26,60 +26,57 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 /* The largest number of steps of an iteration. One to four steps are enough, unless there is no solution. */
 enum { TURN_STEPS = 40 };
 
+static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
+
 /*
  * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The final sine and
  * cosine include the last step up to the second order. The iteration ends when the third-order terms of a
  * step are negligible.
  */
-static real turn_iterate(real l, real c, real G, real turn, real *sine, real *cosine)
+static struct turn turn_iterate(real l, real c, real G, real turn)
 {
     for (int i = 0; i < TURN_STEPS; i++) {
         turn = fmin(fmax(turn, -PI / 2), PI / 2);
         real x = sin(turn), y = cos(turn), off = l * x + c * turn - G, slope = l * y + c;
         real bend = l * x / slope, by = -off / (slope + off * bend / 2);
-        if (fabs(by * by * by) * (1 + bend * bend) <= REAL_EPSILON * fabs(turn)) {
-            *sine = x + by * (y - by * x / 2);
-            *cosine = y - by * (x + by * y / 2);
-            return turn + by;
-        }
+        if (fabs(by * by * by) * (1 + bend * bend) <= REAL_EPSILON * fabs(turn))
+            return (struct turn){turn + by, tilt_make(x + by * (y - by * x / 2), y - by * (x + by * y / 2))};
         turn += by;
     }
-    return *sine = *cosine = REAL_NAN;
+    return no_turn;
 }
 
 /*
- * Returns the solution u in [-pi/2, pi/2] of l sin u + c u = G, where l and c >= 0, and sets its sine and
- * cosine. Returns NaN if there is no solution. For edges that are nearly sharp, u is close to U, where sin U
- * = X = G / (l + c). With the cosine Y of U, and S = l Y + c, the difference delta = u - U obeys
+ * Returns the solution u in [-pi/2, pi/2] of l sin u + c u = G, where l and c >= 0, or NaN if there is none.
+ * With w = sin u the equation is
  *
- *     delta = -c (U - X) / S + k delta^2 + m delta^3 - k/12 delta^4 - m/20 delta^5 + k/360 delta^6 + ...,
- *     k = l X / 2 S, m = l Y / 6 S.
+ *     w = X - c / (l + c) (asin w - w),   X = G / (l + c),
+ *
+ * and a polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and D =
+ * (G - l x - c U) / S, the difference delta = u - U obeys
+ *
+ *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / 2 S,   m = l y / 6 S.
+ *
+ * The result contains the terms up to D^3 of the angle, of its sine and of its cosine. None of them waits for
+ * another.
  */
-KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
+KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 {
-    real X = G / (l + c), left = (1 - X) * (1 + X);
-    if (!(left > 0))
-        return turn_iterate(l, c, G, X * (1 + l / (l + c) * X * X / 6), sine, cosine);
-    real U = asin(X), Y = sqrt(left), of_S = 1 / (l * Y + c), first = c * (X - U) * of_S;
-    real k = l * X * of_S / 2, m = l * Y * of_S / 6, delta = first * (1 + k * first);
-    real square = delta * delta;
-    real off =
-        first - delta + square * (k * (1 - square / 12 * (1 - square / 30)) + delta * m * (1 - square / 20));
-    real step = off / (1 - delta * (2 * k + 3 * m * delta));
-    delta += step;
-    square = delta * delta;
-    /* Accept u only if the omitted terms, and the change that a third step would make, are below a quarter of
-     * a rounding error. */
-    if (!(fabs(square * square * square * delta) <= 600 * REAL_EPSILON * fabs(X) &&
-          fabs(k) * step * step <= REAL_EPSILON / 8 * fabs(X)))
-        return turn_iterate(l, c, G,
-                            fabs(k * delta) < (real)0.02 ? U + delta : X * (1 + l / (l + c) * X * X / 6),
-                            sine, cosine);
-    real less = square / 2 * (1 - square / 12 * (1 - square / 30)),
-         by = delta * (1 - square / 6 * (1 - square / 20));
-    *sine = X + (Y * by - X * less);
-    *cosine = Y - (X * by + Y * less);
-    return U + delta;
+    const real of = 1 / (l + c), X = G * of, z = X * X;
+    const real excess = z * ((real)0.1604 + z * (real)0.1353 - z * z * ((real)0.1387 - z * (real)0.2231));
+    const real x = X - c * of * X * excess, y = sqrt((1 - x) * (1 + x)), U = asin(x), of_S = 1 / (l * y + c);
+    const real D = (G - l * x - c * U) * of_S, square = D * D, c_S = c * of_S, k = l * x * of_S / 2,
+               third = 2 * k * k - c_S * ((real)1 / 6); /* 2 k^2 + m - 1/6 */
+    /* Accept u only if the omitted terms are below an eighth of a rounding error. */
+    if (!(square * square * (1 + 6 * k * k) <= REAL_EPSILON / 16))
+        return turn_iterate(l, c, G, fabs(k * D) < (real)0.02 ? U + D : X);
+    const real down = D * x + square * ((l + c * y) * of_S / 2 + D * (x * third + k * y));
+    return (struct turn){
+        .angle = U + (D + square * (k + D * (third + (real)1 / 6))),
+        .tilt = {.x = x + (D * y - square * c_S * (x / 2 + D * (y * ((real)1 / 6) + k * x))),
+                 .y = y - down,
+                 .v = x * x / (1 + y) + down},
+    };
 }
 
 /*
@@ -87,20 +84,18 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
  * pi/2 - u obeys l (1 - cos e) + c e = E. No digits cancel in this form, whereas turn_solve would lose the
  * digits of cos u. Returns NaN if there is no solution.
  */
-static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
+static struct turn turn_near_reach(real l, real c, real E)
 {
     real e = E > 0 ? 2 * E / (c + sqrt(c * c + 2 * l * E)) : E;
     for (int i = 0; i < TURN_STEPS && e >= 0; i++) {
         real x = sin(e), y = cos(e), off = l * x * x / (1 + y) + c * e - E, slope = l * x + c;
         real by = off == 0 ? 0 : -off / (slope - off * l * y / (2 * slope));
-        if (fabs(by * by * by) <= REAL_EPSILON * e * e * e) {
-            *sine = y - by * (x + by * y / 2);
-            *cosine = x + by * (y - by * x / 2);
-            return PI / 2 - (e + by);
-        }
+        if (fabs(by * by * by) <= REAL_EPSILON * e * e * e)
+            return (struct turn){PI / 2 - (e + by),
+                                 tilt_make(y - by * (x + by * y / 2), x + by * (y - by * x / 2))};
         e += by;
     }
-    return *sine = *cosine = REAL_NAN;
+    return no_turn;
 }
 
 /* Returns sin theta - theta cos theta. Uses a power series if the two terms would cancel. */
@@ -127,6 +122,12 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
+/* Returns the angle of a tilt up to pi/2, by an arc sine where this is accurate. */
+static real tilt_theta(struct tilt t)
+{
+    return t.v < (real)0.5 ? asin(t.x) : tilt_angle(t);
+}
+
 /* If G is at least this fraction of l + c, the turn is so near to pi/2 that turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
@@ -139,55 +140,72 @@ static real left_of_reach(const struct geometry *geometry, struct tilt leader, r
            (of->rho - of->rho_1) * (leader.v - sine_excess(leader, theta));
 }
 
-KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct tilt leader, real theta)
+/* Finds the turn from a domino to its follower. */
+static void rounded_turn(struct walk *k)
 {
+    const struct geometry *geometry = k->link.geometry;
     const struct rounded *of = &geometry->rounded;
-    real more = of->rho - of->rho_1, c = of->rho_1 * leader.y, x = 0, y = 1;
-    real G = geometry->s - geometry->L * leader.v + more * unequal(leader, theta);
-    real turn = G < TURN_NEAR * (of->tall_1 + c)
-                    ? turn_solve(of->tall_1, c, G, &x, &y)
-                    : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, theta), &x, &y);
-    /* The derivative of the contact equation is b turn' = -x M + rho_1 x turn. */
-    real M = geometry->L - more * (1 - theta), b = of->tall_1 * y + c,
-         arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
-    real curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
-                  leader.x * more) /
-                 b;
-    return (struct rolling){
-        .contact = {.X = x, .Y = y, .arm = geometry->r * arm, .step = slope},
-        .turn = turn,
-        .b = b,
-        .curve = curve,
-    };
+    const struct tilt leader = k->link.tilt;
+    const real c = of->rho_1 * leader.y,
+               G = geometry->s - geometry->L * leader.v + (of->rho - of->rho_1) * unequal(leader, k->theta);
+    k->turn = G < TURN_NEAR * (of->tall_1 + c)
+                  ? turn_solve(of->tall_1, c, G)
+                  : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, k->theta));
 }
 
-/* A copy of rolling_here that is not inlined, for code outside of the loops. */
-static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
+KERNEL void rounded_levers(struct walk *k)
 {
-    return rolling_here(geometry, leader, theta);
+    const struct geometry *geometry = k->link.geometry;
+    const struct rounded *of = &geometry->rounded;
+    const struct tilt leader = k->link.tilt;
+    const real x = k->turn.tilt.x, y = k->turn.tilt.y, turn = k->turn.angle, more = of->rho - of->rho_1;
+    /* The derivative of the contact equation is b turn' = -x M + rho_1 x turn. */
+    const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
+               arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
+    k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .step = slope};
+    k->link.step = slope;
+    k->b = b;
+    k->curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
+                leader.x * more) /
+               b;
+}
+
+/* Returns a domino that leans by theta, and its contact with its follower. */
+static struct walk rounded_at(const struct geometry *geometry, real theta)
+{
+    struct walk k = {.link = {.geometry = geometry, .tilt = tilt_of(theta)}, .theta = theta};
+    rounded_turn(&k);
+    rounded_levers(&k);
+    return k;
 }
 
 /* ---- The chain ---- */
 
-static void rounded_contact(struct walk *k)
+/* Finds out whether a follower leans on a domino, and the turn to this follower. */
+static void rounded_follower(struct walk *k)
 {
-    const struct geometry *geometry = k->link.geometry;
+    struct link *link = &k->link;
+    const struct geometry *geometry = link->geometry;
     /* geometry->n is the number of dominoes up to the end of the chain. In a train they are counted from the
      * head, in a row from this domino. */
-    const size_t before = geometry->follower ? 0 : k->link.i;
-    k->link.leads = before + 1 < geometry->n &&
-                    (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
-    if (k->link.leads) {
-        k->rolling = rolling_here(geometry, k->link.tilt, k->theta);
-        k->link.contact = k->rolling.contact;
-        k->link.step = k->link.contact.step;
-    }
+    const size_t before = geometry->follower ? 0 : link->i;
+    link->leads = before + 1 < geometry->n &&
+                  (!geometry->detaches || link->tilt.v < geometry->leave.v || link->tilt.x == 0);
+    if (link->leads)
+        rounded_turn(k);
+}
+
+static void rounded_contact(struct walk *k)
+{
+    rounded_follower(k);
+    if (k->link.leads)
+        rounded_levers(k);
 }
 
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
 {
     struct walk k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
-                     .theta = head.v < (real)0.5 ? asin(head.x) : tilt_angle(head)};
+                     .theta = tilt_theta(head)};
     rounded_contact(&k);
     return k;
 }
@@ -201,26 +219,40 @@ KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b)
     return middle;
 }
 
-KERNEL void rounded_next(struct walk *k)
+KERNEL void rounded_factors(struct walk *k)
 {
     struct link *link = &k->link;
-    const struct geometry *geometry = link->geometry;
-    k->second_derivative = link->step * k->second_derivative + k->rolling.curve * link->slope * link->slope;
-    link->i++;
-    link->tilt = tilt_follower(link->tilt, link->contact);
-    k->theta += k->rolling.turn;
+    k->second_derivative = link->step * k->second_derivative + k->curve * link->slope * link->slope;
     link->slope *= link->step;
-    link->weight *= geometry->weight;
-    link->inertia *= geometry->inertia;
-    if (geometry->follower)
-        link->geometry = geometry->follower;
-    rounded_contact(k);
+    link->weight *= link->geometry->weight;
+    link->inertia *= link->geometry->inertia;
+}
+
+KERNEL void rounded_step(struct walk *k)
+{
+    struct link *link = &k->link;
+    const struct tilt leader = link->tilt, turn = k->turn.tilt;
+    const real v = turn.v + (turn.y * leader.v + turn.x * leader.x);
+    link->i++;
+    link->tilt = (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
+    k->theta += k->turn.angle;
+    if (link->geometry->follower)
+        link->geometry = link->geometry->follower;
+    rounded_follower(k);
+}
+
+KERNEL void rounded_next(struct walk *k)
+{
+    rounded_factors(k);
+    rounded_step(k);
+    if (k->link.leads)
+        rounded_levers(k);
 }
 
 static void rounded_touch(struct walk *k)
 {
-    k->rolling = rolling_of(k->link.geometry, k->link.tilt, k->theta);
-    k->link.contact = k->rolling.contact;
+    rounded_turn(k);
+    rounded_levers(k);
     k->link.step = 0;
 }
 
@@ -255,26 +287,30 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 
 /*
  * Returns theta_inf, the tilt at which a follower leans as much as its leader. There the right side of the
- * contact equation is 0. Up to pi/2 the right side decreases and is concave, so Newton's method converges. It
- * starts from the tilt for sharp edges. *slope receives the slope of the follower at theta_inf.
+ * contact equation is 0. As a function of v = 1 - cos theta, the right side decreases and is concave up to
+ * pi/2, so Newton's method converges. It starts from the tilt for sharp edges. *theta receives the angle, and
+ * *slope the slope of the follower at theta_inf.
  */
-static real rounded_inf(const struct geometry *geometry, real *slope)
+static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {
     const struct rounded *of = &geometry->rounded;
     const real more = of->rho - of->rho_1;
-    struct tilt t = tilt_make(sqrt(geometry->s * (geometry->s + 2 * geometry->d)) / geometry->L,
-                              geometry->d / geometry->L);
-    real theta = tilt_angle(t);
+    struct tilt t = {.v = geometry->s / geometry->L};
+    real falls = 0, by = 1;
+    *theta = 0;
     for (int i = 0; i < TURN_STEPS; i++) {
-        const real left = geometry->s - geometry->L * t.v + more * unequal(t, theta),
-                   falls = t.x * (geometry->L - more * (1 - theta)), by = left / falls;
-        *slope = 1 - falls / (of->tall_1 + of->rho_1 * t.y);
-        theta = fmin(theta + by, PI / 2);
-        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * theta) /* a step reduces the error to about its square */
+        t = (struct tilt){.x = sqrt(t.v * (2 - t.v)), .y = 1 - t.v, .v = t.v};
+        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* a step reduces the error to about its square */
+            *theta += by / t.x;
             break;
-        t = tilt_of(theta);
+        }
+        *theta = tilt_theta(t);
+        falls = geometry->L - more * (1 - *theta);
+        by = (geometry->s - geometry->L * t.v + more * unequal(t, *theta)) / falls;
+        t.v = fmin(t.v + by, 1);
     }
-    return theta;
+    *slope = 1 - t.x * falls / (of->tall_1 + of->rho_1 * t.y);
+    return t;
 }
 
 /*
@@ -293,11 +329,11 @@ static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
     for (int i = 0; i <= 2 * TURN_STEPS && hi - lo > 2 * REAL_EPSILON * hi; i++) {
         if (!(*theta > lo && *theta < hi))
             *theta = (lo + hi) / 2;
-        const struct rolling at = rolling_of(geometry, tilt_of(*theta), *theta);
-        const real by = -at.contact.step / at.curve;
-        *(at.contact.step >= 0 ? &lo : &hi) = *theta;
-        if (!isnan(at.turn))
-            follower = *theta + at.turn + by * at.contact.step / 2;
+        const struct walk at = rounded_at(geometry, *theta);
+        const real by = -at.link.step / at.curve;
+        *(at.link.step >= 0 ? &lo : &hi) = *theta;
+        if (!isnan(at.turn.angle))
+            follower = *theta + at.turn.angle + by * at.link.step / 2;
         *theta += by;
         /* near the root, a step reduces the error to about its square */
         if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
@@ -318,12 +354,10 @@ static real beyond(const struct rounded *of, real sharp)
  * head. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
-    real x = 1, y = 0;
-    if (gap < TURN_NEAR * (of->tall + of->rho))
-        turn_solve(of->tall, of->rho, gap, &x, &y);
-    else
-        turn_near_reach(of->tall, of->rho, left, &x, &y);
-    return tilt_make(x, fmax(y, 0));
+    struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt
+                                                             : turn_near_reach(of->tall, of->rho, left).tilt;
+    hit.y = fmax(hit.y, 0);
+    return hit;
 }
 
 static struct tilt rounded_hit(const struct geometry *geometry, real gap)
@@ -341,12 +375,11 @@ static enum dom_status rounded_set(struct geometry *geometry)
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    const real theta_inf = rounded_inf(geometry, &slope); /* the tilt that far followers approach */
-    geometry->inf = geometry->f = tilt_of(theta_inf);
+    geometry->inf = geometry->f = rounded_inf(geometry, &of->theta_inf, &slope);
     geometry->decay = geometry->weight * fmax(0, slope);
     geometry->detaches = slope < 0;
     if (geometry->detaches) {
-        geometry->f = tilt_of(rounded_leave(geometry, theta_inf, &theta_leave));
+        geometry->f = tilt_of(rounded_leave(geometry, of->theta_inf, &theta_leave));
         geometry->leave = tilt_of(theta_leave);
     }
     return DOM_OK;
@@ -360,7 +393,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     of->tall_1 = follower->rounded.tall / geometry->r;
     geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
     geometry->leave = (struct tilt){0, -1, 2};
-    if (!(rolling_of(geometry, tilt_of(PI / 2), PI / 2).contact.step >= 0)) {
+    if (!(rounded_at(geometry, PI / 2).link.step >= 0)) {
         rounded_leave(geometry, PI / 2, &theta);
         geometry->leave = tilt_of(theta);
     }
@@ -375,7 +408,7 @@ struct led {
 static real led_by(real theta, void *context)
 {
     const struct led *led = context;
-    return theta + rolling_of(led->geometry, tilt_of(theta), theta).turn - led->follower;
+    return theta + rounded_at(led->geometry, theta).turn.angle - led->follower;
 }
 
 static struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
@@ -418,7 +451,7 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
     const struct rounded *of = &geometry->rounded;
     const real x = geometry->inf.x, y = geometry->inf.y, more = of->rho - of->rho_1;
     /* The series of cos theta and theta, of the turn, and of the sine and cosine of the turn. */
-    real C[FAR_ORDER + 2] = {y}, theta[FAR_ORDER + 2] = {tilt_angle(geometry->inf)};
+    real C[FAR_ORDER + 2] = {y}, theta[FAR_ORDER + 2] = {of->theta_inf};
     real turn[FAR_ORDER + 2], sine[FAR_ORDER + 2], cosine[FAR_ORDER + 2] = {1};
     for (int k = 1; k <= order; k++) {
         const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
@@ -461,6 +494,7 @@ static const struct contact_law rounded_edges = {
     .sign = rounded_sign,
     .sum = rounded_sum,
     .change = rounded_change,
+    .both = rounded_both,
     .rates = rounded_rates,
     .equation = rounded_equation,
 };

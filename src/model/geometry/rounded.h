@@ -29,6 +29,16 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
  * of struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
+
+/*
+ * The parts of rounded_next: rounded_factors updates theta_i', theta_i'' and the weights, rounded_step moves
+ * on to the follower and finds the turn to the next one, and rounded_levers finds the lever arms and the
+ * derivatives of the new contact. A chain of which only the tilts matter needs rounded_step alone. Two chains
+ * side by side take the same part one after the other: the processor then works on the turns of both at once.
+ */
+KERNEL void rounded_factors(struct walk *walk);
+KERNEL void rounded_step(struct walk *walk);
+KERNEL void rounded_levers(struct walk *walk);
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 KERNEL struct arms rounded_arms(const struct link *link);
 KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
@@ -41,6 +51,8 @@ KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error);
+KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                    struct sums *at_c);
 KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
                                      struct sums *sums, real *half_J1);
 KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,
