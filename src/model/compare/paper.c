@@ -78,7 +78,6 @@ static enum dom_status paper_begin(const struct request *t, double r, struct pap
     return p->status != DOM_OK ? p->status : isfinite(p->kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* Finds the first maximum of H: raises theta step by step until H decreases. */
 static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *height)
 {
     double step = p->theta_c * sqrt(p->tol) / 2, H0 = paper_chain(p, 0).H, H = H0;

@@ -6,7 +6,6 @@
 
 #include "numerics/api.h"
 
-/* Returns true if an effect with this value is on. */
 static inline bool dynamics_on(dom_real value)
 {
     return value != 0;

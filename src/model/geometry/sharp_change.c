@@ -73,7 +73,6 @@ KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivati
                         k->slope * k->slope * geometry_height(k->geometry, k->tilt));
 }
 
-/* Adds one pair of dominoes to the sums. */
 KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const struct link *b, real t)
 {
     add_J(state, a);

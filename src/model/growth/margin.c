@@ -118,7 +118,6 @@ KERNEL struct margin_context margin_of_pair(const struct request *train)
     return c;
 }
 
-/* Finds the margin at the growth r to the relative tolerance tol. */
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct geometry geometry = c->geometry;

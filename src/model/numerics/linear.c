@@ -181,7 +181,6 @@ KERNEL real num_rough_G(const struct num_rough *s, real u)
     return exp(series_at(s->ln_G, ROUGH + 1, u));
 }
 
-/* Returns the index of the panel that contains x. */
 static int panel_of(const struct num_linear *s, real x)
 {
     int k = s->panels - 1;

@@ -140,7 +140,6 @@ KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, stru
 KERNEL real num_rough_v(const struct num_rough *solution, real u);
 KERNEL real num_rough_G(const struct num_rough *solution, real u);
 
-/* Frees the panels. */
 KERNEL void num_linear_free(struct num_linear *solution);
 
 /* Finds ln G and v at x, which must lie within the range of the solution. */
