@@ -60,7 +60,7 @@ struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* 1 - 2 rho and d - 2 rho: the lengths of the flat parts */
     real rho_1, tall_1; /* rho and tall of the follower, relative to the height of this domino */
-    real theta_inf;     /* geometry.inf as an angle, only in a train */
+    real theta_inf;     /* theta_inf as an angle; set only for a train */
     real roll;          /* the term that a foot rolling down a slope adds to dh/dtheta */
     struct {
         real c, x, y;

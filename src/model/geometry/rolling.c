@@ -111,7 +111,7 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
     return -rolling_rise(geometry, t, standing, apart_by(half_of_tilt(t)));
 }
 
-/* Returns 2 tan(D/2) - D, by a power series where the terms would cancel. */
+/* Returns 2 tan(D/2) - D. Uses a power series if the two terms would cancel. */
 KERNEL_LOOP real tangent_excess(real D)
 {
     const real square = D * D, small = square * square * square * square * square;
@@ -129,8 +129,8 @@ KERNEL_LOOP real tangent_excess(real D)
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
  * where every term of R has the small factor apart.by. The difference D of the computed turns would be too
- * inaccurate, and is used only for the small difference between 2 tan(D/2) and D. So both members of the
- * result keep their relative accuracy along the chain, even for the smallest differences.
+ * inaccurate, and is used only for the small difference between 2 tan(D/2) and D. So the result keeps its
+ * relative accuracy along the chain, even for the smallest differences.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -230,7 +230,7 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* A chain, its difference from another chain b, and the sums of contact_law.change. */
+/* A chain a, its difference from another chain b, and the sums that `change` in struct contact_law finds. */
 struct rolling_pair {
     struct walk a;
     struct apart apart; /* the difference between the tilts of the current dominoes of a and b */
@@ -238,8 +238,8 @@ struct rolling_pair {
     real H2;
 };
 
-/* Sets *p to the heads of both chains, at the tilts `from` and `head`. t is the tangent of half the angle
- * between them. */
+/* Starts chain a at the tilt `head`; chain b starts at the tilt `from`. t is the tangent of half the angle
+ * from `from` to `head`. */
 static void rolling_begin(struct rolling_pair *p, const struct geometry *geometry, struct tilt from,
                           struct tilt head, real t)
 {
@@ -258,7 +258,8 @@ KERNEL_LOOP void rolling_add(struct rolling_pair *p, const struct walk *b)
                              link->slope * link->slope * geometry_height(link->geometry, link->tilt));
 }
 
-/* Moves on to `next`, the difference between the followers. Returns true if their terms no longer matter. */
+/* Replaces the difference between the current dominoes by `next`, the difference between their followers.
+ * Returns true if the terms of the followers, and of all dominoes behind them, no longer matter. */
 KERNEL_LOOP bool rolling_done(struct rolling_pair *p, struct apart next)
 {
     const struct link *link = &p->a.link;
@@ -275,7 +276,8 @@ static bool rolling_near(const struct rolling_pair *p, const struct walk *b)
     return far_near(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
 }
 
-/* Adds the current domino and all behind it to the sums, by the far series. */
+/* Adds the contributions of the current domino, and of all dominoes behind it, to the sums, by the far
+ * series. */
 static void rolling_add_far(struct rolling_pair *p, const struct walk *b)
 {
     const struct far_point rest = far_add(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
@@ -333,8 +335,8 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     return status;
 }
 
-/* The two passes run side by side, as in sharp_both. Each domino of the upright chain is the one before it in
- * the chain whose head is at theta_c. */
+/* The two passes run side by side, as in sharp_both. Each domino of the upright chain has the tilt of the
+ * domino before it in the chain whose head is at theta_c. */
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c)
 {

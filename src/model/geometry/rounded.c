@@ -50,15 +50,15 @@ static struct turn turn_iterate(real l, real c, real G, real turn)
  * Returns the solution u in [-pi/2, pi/2] of l sin u + c u = G, where l and c >= 0, or NaN if there is none.
  * With w = sin u the equation is
  *
- *     w = X - c / (l + c) (asin w - w),   X = G / (l + c),
+ *     w = X - c / (l + c) (asin w - w),   X = G / (l + c).
  *
- * and a polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and D =
- * (G - l x - c U) / S, the difference delta = u - U obeys
+ * A polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and D = (G -
+ * l x - c U) / S, the difference delta = u - U obeys
  *
  *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / 2 S,   m = l y / 6 S.
  *
- * The result contains the terms up to D^3 of the angle, of its sine and of its cosine. None of them waits for
- * another.
+ * The angle, its sine and its cosine are computed separately, each with the terms up to D^3, so that none of
+ * them has to wait for another.
  */
 KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 {
@@ -122,7 +122,7 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* Returns the angle of a tilt up to pi/2, by an arc sine where this is accurate. */
+/* Returns the angle of a tilt up to pi/2. Uses an arc sine if that is accurate. */
 static real tilt_theta(struct tilt t)
 {
     return t.v < (real)0.5 ? asin(t.x) : tilt_angle(t);
@@ -181,7 +181,7 @@ static struct walk rounded_at(const struct geometry *geometry, real theta)
 
 /* ---- The chain ---- */
 
-/* Finds out whether a follower leans on a domino, and the turn to this follower. */
+/* Finds out whether a follower leans on the domino. If so, also finds the turn to this follower. */
 static void rounded_follower(struct walk *k)
 {
     struct link *link = &k->link;
@@ -288,8 +288,8 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /*
  * Returns theta_inf, the tilt at which a follower leans as much as its leader. There the right side of the
  * contact equation is 0. As a function of v = 1 - cos theta, the right side decreases and is concave up to
- * pi/2, so Newton's method converges. It starts from the tilt for sharp edges. *theta receives the angle, and
- * *slope the slope of the follower at theta_inf.
+ * pi/2, so Newton's method converges. It starts from the tilt for sharp edges. *theta receives theta_inf as
+ * an angle, and *slope the slope of the follower there.
  */
 static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {

@@ -31,10 +31,11 @@ KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt he
 KERNEL void rounded_next(struct walk *walk);
 
 /*
- * The parts of rounded_next: rounded_factors updates theta_i', theta_i'' and the weights, rounded_step moves
- * on to the follower and finds the turn to the next one, and rounded_levers finds the lever arms and the
- * derivatives of the new contact. A chain of which only the tilts matter needs rounded_step alone. Two chains
- * side by side take the same part one after the other: the processor then works on the turns of both at once.
+ * rounded_next consists of three parts. rounded_factors updates theta_i', theta_i'' and the weights.
+ * rounded_step moves on to the follower, and finds the turn from there to the next follower. rounded_levers
+ * finds the lever arms and the derivatives of the new contact. If only the tilts of a chain matter,
+ * rounded_step is enough. To walk down two chains side by side, call each part for one chain and then for the
+ * other: the processor can then work on the turns of both chains at once.
  */
 KERNEL void rounded_factors(struct walk *walk);
 KERNEL void rounded_step(struct walk *walk);
