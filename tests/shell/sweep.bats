@@ -154,7 +154,7 @@ END
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each of them\.$' <<<"$output"
     # Reasons from an argument, from a command inside an expression, and from a row.
-    grep -q 'a fallen domino is as high as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
+    grep -q 'a fallen domino has as much potential energy as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max has no value here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"

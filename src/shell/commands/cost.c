@@ -223,9 +223,9 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 
 /*
  * Adds rows for proofs to the table, if the measured quantity is that of rmax or pair. There is a row for
- * each tolerance to which the value can be proved. Its error is (high - low) / (2 low), where low and high
- * are the proved bounds. Each proof is timed only once, because it takes a long time. Returns how many
- * seconds the proof with a tolerance of 1e-12 takes, or NaN if there is no such proof.
+ * each tolerance to which the value can be proved. The error in a row is (high - low) / (2 low), where low
+ * and high are the proved bounds. Each proof is timed only once, because it takes a long time. Returns how
+ * many seconds the proof with a tolerance of 1e-12 takes, or NaN if there is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {

@@ -12,7 +12,6 @@
 /* The names of the quantities that can be measured, as a names_list (see names.h). */
 const char *cost_names(const void *context, int k);
 
-/* One measurement of a quantity. */
 struct cost_row {
     enum dom_method method;
     enum dom_precision precision;
@@ -31,7 +30,7 @@ struct cost {
     double cheapest; /* time of the quickest measurement, in seconds */
 };
 
-/* Measures the quantity with index `which` in cost_names for the train of the scene. If this fails, sets
+/* For the train of the scene, measures the quantity with index `which` in cost_names. On failure, sets
  * *problem and returns false. */
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
 

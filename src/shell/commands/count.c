@@ -51,7 +51,7 @@ struct tower {
     const char *stops;       /* why the endless train stops, or NULL */
     struct start start;      /* the result of running the row, including the domino to topple */
     struct start_growths growths;
-    bool falls; /* true if the row falls */
+    bool falls;
 };
 
 /* Runs a row of `dominoes` dominoes, followed by the domino that they should topple, and finds whether all of

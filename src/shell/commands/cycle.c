@@ -113,7 +113,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, computed as 'set fuel' says, minus the energy lost to friction", 0},
+    {"fuel", "mgh/2", "P by the formula that 'set fuel' chooses, minus the energy lost to friction", 0},
     {"fuel_exact", "mgh/2", "P from the balance of energy over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},

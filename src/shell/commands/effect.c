@@ -152,7 +152,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
     answer_leave_out(
-        a, "adds source"); /* in a table these columns are left out; effects_say prints them as sentences */
+        a,
+        "adds source"); /* a table has no columns 'adds' and 'source'; effects_say prints them as sentences */
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
@@ -230,12 +231,13 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_engine)
         return;
     if (is_row)
-        part_row(a, "contact", "signs of the forces by a bound, or else from the forces at four tilts", n,
+        part_row(a, "contact", "signs of the forces, from a bound or else from the forces at four tilts", n,
                  "no contact may pull");
     else
         part_row(a, "barrier",
-                 has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
-                 "always");
+                 has_friction ? "roots of C, and omega^2 at each root"
+                              : "roots of H', and H at each root (26; c8)",
+                 n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
     struct domq_error error[DOM_ERROR_COUNT];
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;

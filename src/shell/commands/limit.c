@@ -221,7 +221,7 @@ struct curve {
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool has_missing;       /* no growth is possible at one or more of the points */
+    bool has_missing;       /* true if no growth is possible at one or more of the points */
     enum dom_status status; /* status of the most recent point */
 };
 

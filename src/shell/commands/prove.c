@@ -130,10 +130,10 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
 static const struct {
     const char *result, *sentence;
 } cycle_verdicts[] = {
-    [DOM_PROVED_GOES_ON] = {"goes on", "the train keeps falling: at no tilt of the cycle does the climb take "
-                                       "more energy than the train has"},
-    [DOM_PROVED_STOPS] =
-        {"stops", "the train stops: at one tilt of the cycle the climb takes more energy than the train has"},
+    [DOM_PROVED_GOES_ON] =
+        {"goes on", "the train keeps falling: at every tilt of the cycle it has enough energy for the climb"},
+    [DOM_PROVED_STOPS] = {"stops",
+                          "the train stops: at one tilt of the cycle it has too little energy for the climb"},
     [DOM_PROVED_NO_FUEL] = {"no fuel", "the train stops: a cycle releases no energy"},
     [DOM_PROVED_OUT_OF_REACH] = {"out of reach", "r s > 1: the head falls past the next domino"},
     [DOM_PROVED_NOTHING] = {"not proved", NULL},

@@ -60,7 +60,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
         start->stops_at = verdict.domino;
-        /* With this push, omega^2 h/2 = g, the first domino is lifted off the floor: its weight can no longer
+        /* A push omega with omega^2 h/2 = g lifts the first domino off the floor: its weight can no longer
          * keep its centre, h/2 above the hinge, on a circle. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)

@@ -11,8 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Prints a sentence about a change. If the output is for programs, as with csv and json, the sentence goes
- * to standard error. */
+/* Prints a sentence about a change. If the output is csv or json, the sentence goes to standard error. */
 static void __attribute__((format(printf, 3, 4)))
 change_say(const struct query *query, struct answer *a, const char *format, ...)
 {
@@ -228,7 +227,7 @@ const struct command session_commands[] = {
      .shortest = "re",
      .synonyms = "undo default clear restore variable delete remove unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
-     .summary = "set the parameter NAME, or all of the model, to the default",
+     .summary = "set the parameter NAME, or the whole model, to the default",
      .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "
              "session (threads, output, digits, angle, errors, timing, hints) or the variables. 'reset x' "
              "removes the variable x.",
@@ -298,8 +297,9 @@ const struct command session_commands[] = {
                    .bind = definition_bind}},
      .summary = "give a value a name, or define a function",
      .help =
-         "'let x = 0.9*rmax' keeps the value that the expression has now, and every expression can use x. "
-         "'let f(s) = rmax(s)*s' keeps the text, and f(0.3) evaluates it with s = 0.3. A function takes 1 to "
+         "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x. "
+         "'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes 1 "
+         "to "
          "4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
          "removes x. 'let' lists all variables and functions, and 'save' writes them into its file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",

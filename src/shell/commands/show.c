@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands show and diff, which print the parameters, effects and variables of the session as a table. */
+/* The commands 'show' and 'diff', which print the parameters, effects and variables of the session as a
+ * table. */
 #include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command cycle, which prints one cycle of the train as a table, and the commands that walk through
- * cycles from event to event: step, back, goto and where. The command why is defined in why.c. */
+/* The command 'cycle', which prints one cycle of the train as a table, and the commands that walk through
+ * cycles from event to event: 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -218,7 +218,7 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
 {
     long steps = query->given->count > 0 ? (long)query->given->number[0] : 1;
     bool moved = begun, goes_on = true;
-    /* A new walk begins at the launch of the first cycle, which counts as its first step forward. */
+    /* A new walk begins at the launch of the first cycle. Going there counts as the first step forward. */
     for (steps -= begun && forward; goes_on && steps > 0; steps--) {
         goes_on = walk_step(w, forward);
         moved = moved || goes_on;

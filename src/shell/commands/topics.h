@@ -15,7 +15,7 @@ struct topic {
 };
 
 /* Fills in topic number k. The commands come first, in the order of 'help', and then the parameters and
- * effects. Returns false if there are no more than k topics. */
+ * effects. Returns false if there is no topic with this number. */
 bool topic_at(int k, struct topic *topic);
 
 /* Fills in the topic for a variable or function that was defined with 'let'. */

@@ -203,16 +203,16 @@ bool definition_parse(struct reader *r, struct question *q)
     const char *value = definition_head(r->at, v);
     offer_kind(r, OFFER_VARIABLE);
     if (!value)
-        return problem_error(
-            r->problem,
-            "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function of 1 .. %d values",
-            EXPRESSION_ARGUMENTS);
+        return problem_error(r->problem,
+                             "enter for example 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "
+                             "of 1 to %d values",
+                             EXPRESSION_ARGUMENTS);
     if (!name_free(r->problem, v->name))
         return false;
     for (int i = 0; i < v->count; i++)
         for (int k = 0; k < i; k++)
             if (strcmp(v->argument[i], v->argument[k]) == 0)
-                return problem_error(r->problem, "two values of '%s' have the name '%s'", v->name,
+                return problem_error(r->problem, "two values of '%s' have the same name '%s'", v->name,
                                      v->argument[i]);
     r->at = skip_blanks(value);
     reader_place(r, r->at);

@@ -39,7 +39,7 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
                    domq_law(&query->scene->train)->dissipates ? ", friction included" : "");
 }
 
-/* Prints one sentence without symbols: how much the dominoes may grow or, if the train stops, what to change.
+/* Prints advice without symbols: how much the dominoes may grow or, if the train stops, what to change.
  */
 static void advice_say(const struct query *query, struct answer *a, bool falls,
                        const struct domq_limit *limit)

@@ -49,8 +49,8 @@ struct fit_data {
     bool intervals;
 };
 
-/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. On
- * failure, sets *problem and returns false. The caller calls fit_data_free in both cases. */
+/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. On failure,
+ * sets *problem and returns false; the caller calls fit_data_free even then. */
 bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
               struct problem *problem);
 void fit_data_free(struct fit_data *data);
@@ -104,8 +104,8 @@ double fit_error(const struct fit *fit, size_t k);
  * deviations and correlations. On failure, sets *problem and returns false. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
-/* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false.
- * The caller calls fit_free in both cases. */
+/* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false; the
+ * caller calls fit_free even then. */
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 

@@ -84,8 +84,8 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement. In csv and json, the fitted values are in columns, too;
- * below a table, sentences show them instead. */
+/* Makes the columns for the kind of measurement. In csv and json, columns also show the fitted values; below
+ * a table, sentences do. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
@@ -110,8 +110,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
 }
 
 /* Finds the measured number, the fitted number and the residual of point k. If times are compared as
- * intervals, these numbers are differences between successive times. Returns false for the first hit of a
- * run, because there is no hit before it. */
+ * intervals, these numbers are differences between successive times; then returns false for the first hit of
+ * a run, which has no hit before it. */
 static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {
     *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);

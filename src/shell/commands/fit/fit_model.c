@@ -10,8 +10,8 @@ struct trial {
     struct query query;
 };
 
-/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row; if the gap of
- * the run is known, the row has this gap. On failure, sets f->problem and returns false. */
+/* Makes a scene in which the unknowns have the values in `value`. For hits and angles, the scene has a row;
+ * if the gap of the run is known, the row has this gap. On failure, sets f->problem and returns false. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -83,7 +83,7 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 
 /* ---- Angles ---- */
 
-/* A list of tilts to find: tilt[k] is the tilt of the domino of point[k] at the time of that point. The times
+/* A list of tilts to find: tilt[k] is the tilt of domino point[k].domino at the time point[k].time. The times
  * must not decrease. */
 struct watch {
     const struct fit_point *point;

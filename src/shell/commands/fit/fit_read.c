@@ -102,7 +102,8 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-/* Begins a new run if the row of the file belongs to a different run from the row above it. */
+/* Counts the current row of the file to the last run, or begins a new run if the row has another run number
+ * than the row above it. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,
@@ -128,8 +129,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of a row of the file, from its frame if it has no time. The time is NaN if the row has
- * neither a time nor a frame. */
+/* Finds the time of the current row of the file. If the row has only a frame, divides its number by the frame
+ * rate. The time is NaN if the row has neither a time nor a frame. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;

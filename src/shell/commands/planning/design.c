@@ -28,8 +28,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Finds to what value the friction of the scene would have to decrease for equal dominoes to have this
- * safety. Returns this friction, to three digits, or 0 if there is none. */
+/* Returns the largest friction with which equal dominoes have this safety, to three digits. Searches only
+ * below the friction of the scene. Returns 0 if there is no such friction. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -77,7 +77,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row fulfils the wish, and what to change so that there is one. */
+/* Writes why no row fulfils the wish, and what the user can change. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -93,16 +93,18 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(
             text, size,
-            "infeasible: the start is too weak for safety %s at the next domino; it would need a push of %s "
+            "infeasible: the start is too weak for safety %s at the second domino; it would need a push of "
+            "%s "
             "at the top of domino 1, but a push of more than %s throws this domino off the floor; enter a "
             "smaller safety",
             safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
-        snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s at the next domino; a push of %.40s rad/s "
-                 "(%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
-                 safety.text, push.text, push_speed(wish, d->needs).text, push.text);
+        snprintf(
+            text, size,
+            "infeasible: the start is too weak for safety %s at the second domino; a push of %.40s rad/s "
+            "(%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
+            safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(text, size,
                  "infeasible: the start is too weak for safety %s, and no push that was tried is enough; try "
@@ -134,8 +136,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* Tries the wish without its boards and its grid. If there is then a design, writes that the boards and the
- * grid rule it out, and returns true. */
+/* Tries the wish without its boards and its grid. If this gives a design, writes that the boards and the grid
+ * rule it out, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -262,7 +264,6 @@ static bool design_improve(const struct query *query, const struct wishes *w, st
     return true;
 }
 
-/* Returns the sizes that the dominoes may have. */
 static struct domq_limits design_limits(const struct query *query, const struct wishes *w)
 {
     return (struct domq_limits){.sizes = true,

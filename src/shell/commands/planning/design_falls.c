@@ -24,8 +24,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run so that about 20 of them fail if the probability is `falls`. In the
- * engine, about 10 must be enough, because a row takes thousands of times as long there. */
+/* Returns how many random rows to run so that about 20 of them fail if each falls with the probability
+ * `falls`. In the engine, about 10 must be enough, because a row takes thousands of times as long there. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),

@@ -6,11 +6,10 @@
 
 #include "interpreter/command.h"
 
-/* The dominoes of a design. */
 struct designed_row {
     struct domq_domino *domino;
     size_t count;
-    bool has_masses; /* true if masses are in kg; otherwise they are relative to that of the first domino */
+    bool has_masses; /* true if masses are in kg, and false if they are relative to the first domino's mass */
     bool hollow;
     bool is_improved; /* true if 'improve sizes' has changed the dominoes: they no longer grow by a constant
                          factor */
@@ -48,7 +47,7 @@ enum { REASON = 640 };
 
 /* Finds the design with the fewest dominoes that falls with at least the probability `falls` under the random
  * errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. Unless the
- * output is csv or json, prints a table of the numbers of dominoes that were tried. If there is no such
+ * output is csv or json, prints a table of all numbers of dominoes that were tried. If there is no such
  * design, design->limit is not DOM_DESIGN_FITS, and `reason` says why. Sets *problem and returns false if
  * rows cannot be run. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,

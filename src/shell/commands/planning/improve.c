@@ -35,7 +35,7 @@ struct improvement {
     struct domq_study study[2];
     /* the length of the row in m before and after the changes, including its fallen last domino */
     domq_real before, after;
-    size_t changed; /* the number of dominoes that have changed */
+    size_t changed;
 };
 
 static domq_real length_of(const struct domq_domino *d, size_t count)
@@ -52,7 +52,7 @@ static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
 }
 
 /* Sets up the scene's row, the limits of the changes and the random errors. On failure, sets *problem and
- * returns false. The caller frees the memory in both cases. */
+ * returns false; the caller frees the memory even then. */
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {

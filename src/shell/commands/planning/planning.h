@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Types and functions that the files in this directory share, and the commands that are defined in them. */
+/* Types and functions that the files in this directory share, and the commands that these files define. */
 #ifndef SHELL_PLANNING_H
 #define SHELL_PLANNING_H
 
@@ -85,7 +85,6 @@ bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 
-/* The result of an improvement. */
 struct improved {
     struct domq_study study[2]; /* the studies before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
@@ -130,7 +129,7 @@ const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);
 const char *assert_names(const void *context, int k);
 
-/* Finds the range in which 'solve' searches a parameter of solve_names if the user gives no range. */
+/* Finds the default range in which 'solve' varies a parameter. `name` is one of solve_names. */
 void solve_range(const char *name, double *from, double *to);
 
 #endif

@@ -14,7 +14,7 @@ const struct command design_commands[] = {
                    .parse = design_parse,
                    .bind = wishes_bind,
                    .choices = design_wishes}},
-     .summary = "a row whose last domino is H tall, with safety",
+     .summary = "a safe row whose last domino is H tall",
      .help =
          "'design' finds a gap and a growth. With them, every domino after the first has at least 'safety' "
          "times the energy that it needs, both in the endless train and in the row. The first domino, "
@@ -142,11 +142,11 @@ const struct command design_commands[] = {
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
      .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-             "'friction, push'. FILE is a csv file of one of three kinds. With the columns 'domino' and "
-             "'time (s)' (or 'frame'), it says when each domino of the row is hit, as a camera shows it. "
-             "With the columns 'time (s)' (or 'frame') and 'angle (deg)', it says how domino 1 turns, or the "
-             "domino whose number is in the column 'domino'. With the columns 'gap (mm)' and 'speed (m/s)', "
-             "each line has the speed of one row of equal dominoes. FPS is the number of frames per second; "
+             "'friction, push'. FILE is a csv file of one of three kinds. A file with the columns 'domino' "
+             "and 'time (s)' (or 'frame') says when each domino of the row is hit, as a camera shows it. A "
+             "file with 'time (s)' (or 'frame') and 'angle (deg)' says how domino 1 turns, or the domino "
+             "whose number is in a column 'domino'. In a file with 'gap (mm)' and 'speed (m/s)', each line "
+             "has the speed of one row of equal dominoes. FPS is the number of frames per second; "
              "a column 'rate' can give it instead. A column 'run' numbers several runs, each with its own "
              "clock; a column 'gap (mm)' gives the gap of each run; a column 'error' gives standard errors. "
              "The dominoes are those of 'effect row'; without this effect, their growth is r. Each residual "

@@ -11,7 +11,6 @@ bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
 
-/* The grid and the answers of a sweep. */
 struct sweep_shape {
     const struct grid *grid;
     const struct command *command; /* the command that is swept, or the first one of a list */

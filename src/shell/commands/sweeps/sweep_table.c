@@ -23,7 +23,7 @@ const struct command sweep_commands[] = {
              "values of the parameters and then the answer, which may take several lines. If a point has no "
              "answer, csv and json give the reason. The parameters of the session do not change. Points are "
              "computed on all cores ('set threads'), and the output does not depend on their number. 'domino "
-             "--shard 2/7' gives the second of seven parts.",
+             "--shard 2/7' computes only the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,
