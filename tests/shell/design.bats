@@ -60,6 +60,15 @@ END
     grep -qE '^mass +433\.6' <<<"$output"
     run -0 "$DOMINO" -e "$wood; set q massive; design 8 m"
     grep -qE '^domino +height +thickness +gap +at +relative +volume$' <<<"$output"
+    # The volume is that of the wood, also if only the dominoes above 10 cm are boxes.
+    for above in 0 0.1; do
+        volume=$(json "effect walls 2 mm $above m; set q 3; design 20 cm; plan > boxes.csv" | values volume)
+        wood=$(awk -F, -v above=$above 'NR > 1 {
+            hollow = $7 > above ? 0.002 * 2 : $7
+            sum += $7 * $10 * $13 - ($7 - hollow) * ($10 - hollow) * ($13 - hollow) * (hollow < $7)
+        } END { printf "%.8g", sum }' boxes.csv)
+        close "volume above $above" "$wood" "$volume" 1e-4
+    done
 }
 
 @test "design: what does not fit, and the number that would fit" {

@@ -12,8 +12,8 @@ const struct column design_columns[] = {
     {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
     {"length", "m", "the length of the row, including its fallen last domino", 0},
     {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
-    {"surface", "m^2", "the surface area of the walls of all dominoes, if q is 3", 0},
-    {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
+    {"surface", "m^2", "the surface area of all dominoes, if q is 3 and their walls are not known", 0},
+    {"volume", "m^3", "the volume of the wood in all dominoes, if there is no surface", 0},
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
     {"weakest", "", "the number of the weakest domino", 0},
     {"train", "", "the safety of the endless train", 0},
@@ -39,27 +39,28 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     const domq_real mass = scene_mass(query->scene);
     *p = (struct designed_row){.count = d->steps + 1,
                                .has_masses = mass > 0,
-                               .hollow = query->scene->train.q == 3,
+                               .scene = query->scene,
+                               .hollow = query->scene->train.q == 3 && scene_walls(query->scene) == 0,
                                .limits = limits};
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     const enum dom_status status = domq_design_dominoes(&query->scene->train, wish, limits, d, p->domino);
-    for (size_t k = 0; k < p->count && p->has_masses; k++)
-        p->domino[k].mass *= mass;
+    for (size_t k = 0; k < p->count; k++) {
+        p->domino[k].width = p->domino[k].height / 2;
+        p->domino[k].mass *= p->has_masses ? mass : 1;
+    }
     if (status == DOM_OK)
         return true;
     free(p->domino);
     return problem_status(problem, query->scene, status);
 }
 
-/* Returns the surface area of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half
- * as wide as they are tall. */
+/* Returns the surface area of a hollow domino whose walls are not known, or else the volume of its wood. */
 static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
-    domq_real width = d->height / 2;
-    return p->hollow ? 2 * (d->height * width + d->height * d->thickness + width * d->thickness)
-                     : d->height * width * d->thickness;
+    return p->hollow ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)
+                     : d->height * d->width * d->thickness * scene_filled(p->scene, d);
 }
 
 void designed_list(struct answer *a, const struct designed_row *p, bool file)

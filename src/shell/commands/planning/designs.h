@@ -10,7 +10,8 @@ struct designed_row {
     struct domq_domino *domino;
     size_t count;
     bool has_masses; /* true if masses are in kg, and false if they are relative to the first domino's mass */
-    bool hollow;
+    const struct scene *scene; /* the scene, for the walls of boxes */
+    bool hollow;               /* the dominoes are hollow, and the thickness of their walls is not known */
     bool is_improved; /* true if 'improve sizes' has changed the dominoes: they no longer grow by a constant
                          factor */
     const struct domq_limits
