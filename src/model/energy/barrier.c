@@ -312,11 +312,12 @@ KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct ba
     return tilt_half(half_near(geometry, b));
 }
 
-KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, struct barrier *b)
+KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
+                           struct barrier *b)
 {
     struct slope_context c = {.geometry = geometry, .from = standing, .known = -1};
     struct top top = {.hi = half_of_highest(geometry), .p = half_near(geometry, b)};
-    if (barrier_climb(&c, at, &top, TOP_TOL(geometry)) != DOM_OK)
+    if (barrier_climb(&c, at, &top, tol) != DOM_OK)
         return false;
     b->half = top.p;
     b->height = top.height;

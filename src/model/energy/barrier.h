@@ -18,8 +18,11 @@ struct barrier {
 };
 
 /* Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The cube root
- * suffices, because the error in the height is of third order in the last step of the search. */
-#define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
+ * suffices, because the error in the height is of third order in the last step of the search. In most trains
+ * the error is a hundredth of the third power of this step, so TOP_TOL_ROUGH usually suffices as well. It is
+ * for heights that are not a result. */
+#define TOP_TOL(geometry)       (cbrt((geometry)->tol) / 4)
+#define TOP_TOL_ROUGH(geometry) (4 * cbrt((geometry)->tol))
 
 /* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the
  * height is needed. */
@@ -27,14 +30,16 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
                                       struct barrier *barrier);
 
 /*
- * barrier_follow finds one top by Newton's method, and stores it in *b. Returns false if it finds no top. It
- * does not check whether the top is the highest; barrier_tops does. The search starts at the tilt that
+ * barrier_follow finds one top by Newton's method, and stores it in *b. tol is the relative tolerance of its
+ * tilt. Returns false if it finds no top. It does not check whether the top is the highest; barrier_tops
+ * does. The search starts at the tilt that
  * barrier_near returns, which is close to the top if *b holds the top of a similar train. If the caller has
  * already computed the sums at this tilt (with PASS_SECOND_DERIVATIVE), `at` points to them; otherwise it is
  * NULL.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
-KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, struct barrier *b);
+KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
+                           struct barrier *b);
 
 /* Searches [0, theta_c] for tops of H that are higher than the top in *b, and stores the highest in *b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);

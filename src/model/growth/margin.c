@@ -23,7 +23,10 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     }
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
-        bool top = barrier_follow(geometry, near, b);
+        /* Before its last steps, a root search needs only to come closer to the root. */
+        const bool rough = c->how == MARGIN_FOLLOW && geometry->tol > c->geometry.tol;
+        const real tol = rough ? TOP_TOL_ROUGH(geometry) : TOP_TOL(geometry);
+        const bool top = barrier_follow(geometry, near, tol, b);
         m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start, so the barrier is at least 0 */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
