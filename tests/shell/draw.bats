@@ -70,7 +70,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
     one_line "'9' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 9'
-    one_line "'sideways' is neither a value nor one of the words; usage: draw" 'draw sideways'
+    one_line "'sideways' is neither a value nor a word that fits here; usage: draw" 'draw sideways'
     one_line "'forces' is one argument too many; usage: draw" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
@@ -80,7 +80,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
     one_line 'FILE is missing; usage: animate FILE [HOW]' animate
     for what in 0 2.5 10 1e7; do
-        one_line 'N is an integer in 1 .. 9, the most cycles that one picture can show at this r' "animate a.gif $what"
+        one_line 'at this r, N is an integer in 1 .. 9, because one picture can show no more cycles' "animate a.gif $what"
     done
     one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
     one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'
@@ -269,14 +269,14 @@ END
 @test "rows that cannot be drawn: an error in one line that says what works" {
     one_line "'draw at' shows a moment of a row; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows that" "$record; draw at 8 s > a.svg"
-    one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last" "$record; draw at domino 11"
+    one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
     one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "the clock starts at 0 s, with the push; 'draw at 0' shows that moment" 'effect row 5; effect push 5; draw at -1'
-    one_line "the moment is a time in s, not a length; an example is 'draw at 2.5 s'" "$record; draw at 2 m"
+    one_line "the moment must be a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
     one_line 'the moment is missing; usage: draw, draw at 2.5 s, ' "$record; draw at"
-    one_line "'never' is neither a value nor one of the words; usage: draw" "$record; draw at never"
+    one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
     one_line "'a.mov' is not the name of an animation: use the extension .gif, .webm or .mp4" "$record; animate a.mov"
@@ -284,7 +284,7 @@ END
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
     one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
-    one_line "'quickly' is neither a value nor one of the words; usage: animate row.gif" "$record; animate a.gif quickly"
+    one_line "'quickly' is neither a value nor a word that fits here; usage: animate row.gif" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

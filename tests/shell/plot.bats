@@ -37,7 +37,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
             grep -q -- "${word//\~/ }" picture || same "plot $what" "$word" "$(cat picture)"
         done
     done <<'END'
-fall|Energy~to~spare more~than~it~needs,~in~% the~weakest,~domino All~6~fall.~Domino
+fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~6~fall.~Domino
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
 gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
 placement 50|How~likely rows~that~fall,~in~% standard~deviation~of~every~gap 95~%~interval
@@ -213,17 +213,17 @@ END
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
     wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, but a picture needs one number for each point"
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, but this grid has 3'
-    wrong 'plot sweep fuel exact, paper : rmax' 'has words here, but a curve needs numbers'
+    wrong 'plot sweep fuel exact, paper : rmax' "the values of 'fuel' are words, but a curve needs numbers"
     wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
     wrong 'plot sweep r 3 4 3 : duration > a.svg' 'none of the 3 points has a number'
     for what in fall speed gaps placement; do
         wrong "plot $what > a.svg" "there is no row"
     done
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
-    wrong 'effect row 1; plot speed > a.svg' "a front needs two dominoes; 'effect row 5' sets up five"
+    wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'effect row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
-    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'because bounce is on, and computes no energies'
-    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends before the front has a speed'
+    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'which runs this row because bounce is on, computes no energies'
+    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends too early for a speed'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'
@@ -304,8 +304,8 @@ END
     "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
     "$DOMINO" -e 'plot growth width 8 cm > d.gp' && grep -q '^set terminal pdfcairo size 8cm' d.gp
     all_fail <<END
-plot growth width 2 cm > a.svg|width is 2 cm; it is 6 .. 30 cm
-plot growth font 40 > a.svg|font is 40; it is 5 .. 30 points
+plot growth width 2 cm > a.svg|width is 2 cm; it must be in 6 .. 30 cm
+plot growth font 40 > a.svg|font is 40; it must be in 5 .. 30 points
 plot growth width|the value of 'width' is missing
 plot growth title "x|never closed
 plot growth paper paper|one argument too many

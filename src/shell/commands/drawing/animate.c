@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command animate, which makes a film of the falling row with a clock, or a film of several cycles of the
- * train, each r times as large as the one before. */
+/* The command 'animate', which makes a film of the falling row, with a clock, or of several cycles of the
+ * train. Each cycle is r times as large as the one before. */
 #include "commands/drawing/animate_train.h"
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
@@ -14,11 +14,12 @@
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-/* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
+/* The view follows the falling dominoes if the largest domino is more than this many times as tall as the
+ * smallest. */
 #define FOLLOWED 30
 #define HELD     1 /* time for which the last frame is shown, in s */
-/* Longest playing time of the motion, in s; a longer motion is shown faster, unless the user gives the
- * speed. */
+/* The longest time, in s, that the motion takes in a film. A longer motion is shown faster, unless the user
+ * gives the speed. */
 #define SHORTEST 9
 
 struct row_film {
@@ -30,9 +31,8 @@ struct row_film {
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
-/* Points the view of a frame at the front and at the dominoes that have just fallen. `head` is the number,
- * from 1, of the last domino that was hit. Between two hits, the view moves on to the next domino and grows
- * exponentially to its size. */
+/* Points the view of a frame at the domino that was hit last, which has the number `head`, counted from 1.
+ * Until the next domino is hit, the view moves on to it, and grows exponentially to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];
@@ -75,8 +75,8 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Returns the speed of the film. Unless the user gives the speed, a long row is shown faster than in real
- * time, so that the film does not become too large to send. */
+/* Returns the speed of the film. Unless the user gives the speed, a long fall is shown faster than in real
+ * time, which keeps the file small. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_what *what = f->film.what;
@@ -126,9 +126,11 @@ static bool animate_row(const struct film *film, double tower)
     f.film.delay = (int)quad(round)(100 / film->what->value[DRAW_RATE]);
     if (!falling_row_make(film->query, film->problem, script_marks, &f.row))
         return false;
-    if (film->answer)
-        answer_columns(film->answer, film->answer->columns)[1] =
-            (struct column){"domino", "", "the last domino that was hit", 0};
+    if (film->answer) {
+        struct column *column = answer_columns(film->answer, film->answer->columns);
+        column[0].meaning = "time of the frame, counted as in 'fall'";
+        column[1] = (struct column){"domino", "", "the last domino that was hit", 0};
+    }
     falling_row_reach(&f.row, true);
     stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
     /* Makes room for the largest caption of a frame. A caption has two lines, and the second line is longest
@@ -164,8 +166,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
             problem,
             "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
     if (a->path && !film.answer)
-        return problem_error(problem, "the animation is written into FILE, and nothing is left for the file "
-                                      "after '>'; leave out the '>'");
+        return problem_error(problem, "the film is written into FILE, so there is nothing to write into the "
+                                      "file after '>'; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)

@@ -23,7 +23,7 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 #define FILM_TOL ((domq_real)1 / 1000000000)
 
 /* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
- * units of tau of that head. */
+ * units of its tau. */
 struct train_film {
     struct film film;
     struct domq_train train;
@@ -79,8 +79,8 @@ static bool cycles_count(struct train_film *f)
         return true;
     f->film.problem->place = what->column;
     return problem_no_answer(f->film.problem,
-                             "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
-                             "picture can show at this r",
+                             "N = %s is out of range; at this r, N is an integer in 1 .. %d, because one "
+                             "picture can show no more cycles",
                              quad_text(cycles, 10), most);
 }
 
@@ -104,7 +104,7 @@ static bool train_film_make(struct train_film *f)
     f->cycles = f->stops ? 1 : f->cycles;
     f->duration = (double)events[count - 1].time;
     struct place last = place_at(f, (double)INFINITY);
-    /* The total length of the dominoes that lean on the first head. */
+    /* The length of floor that the dominoes behind the first head take up. */
     double behind = f->pitch * f->r / (f->r - 1);
     double whole = last.begun + f->duration * last.slower;
     f->whole.top = pow(f->r, f->cycles);
@@ -118,8 +118,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Adds the heads of later cycles, which still stand, to the dominoes of a cycle. Then scales and shifts all
- * dominoes to the size and position that they have in this cycle. */
+/* Adds the heads of later cycles, which still stand, to the stage of the cycle p. Then scales and shifts all
+ * dominoes from the units of this cycle to those of the film. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command draw, which draws the row or the train to scale, at one moment. */
+/* The command 'draw', which shows the row or the train at one moment, to scale. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/drawing/tower.h"
@@ -35,14 +35,15 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Returns a cell with a coordinate of domino k. A value that differs from 0 only by rounding becomes 0. */
+/* Returns a cell with a coordinate of a domino. A value that differs from 0 only by rounding errors becomes
+ * 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
     return cell_double(fabs(value) < least ? 0 : value);
 }
 
-/* Writes a row of data for each domino. `forces` is the status of the computation of the forces. */
+/* Writes a line of data for each domino. `forces` is the status of the computation of the forces. */
 static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
     a->style.errors = 0; /* a picture shows no error bounds */
@@ -73,7 +74,7 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
     size_t count = row->stage.count, end = row->run.verdict.domino;
     if (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino))
         return problem_no_answer(
-            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
+            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last one",
             quad_text(domino, 10), count, count);
     size_t number = (size_t)domino;
     *time = (domq_real)falling_row_hit(row, number - 1);
@@ -178,7 +179,7 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     text_add(stage->caption, CAPTION, "%s\n0: head; 1, 2, ...: its followers%s",
              t->rho != 0 ? "" : "to scale", mark.contacts);
     if (stage->domino[0].height > stage->top)
-        text_add(stage->caption, CAPTION, "; the next is %.4g h tall", stage->domino[0].height);
+        text_add(stage->caption, CAPTION, "; the next domino is %.4g h tall", stage->domino[0].height);
     if (!stage->forces)
         return;
     text_add(stage->caption, CAPTION, "\n%s",
@@ -186,7 +187,7 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
          k++) {
         const struct drawn *d = &stage->domino[k];
-        text_add(stage->caption, CAPTION, drawn_locked(d) ? "%s %d: none is enough" : "%s %d: %.3g",
+        text_add(stage->caption, CAPTION, drawn_locked(d) ? "%s %d: no force is enough" : "%s %d: %.3g",
                  k > 1 ? "," : "", d->number, d->of_own);
     }
 }
@@ -195,8 +196,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_what *what)
 {
     struct stage stage;
-    /* If no tilt is given, the train is drawn at the current position of the walk, with the walk's finer
-     * tolerance. */
+    /* If no tilt is given, the train is drawn where 'step' and 'goto' have led, with the finer tolerance of
+     * struct walk. */
     const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
@@ -260,10 +261,10 @@ const struct command draw_commands[] = {
              "row, or with 'draw train', the endless train is drawn: at the tilt that you give, as in 'draw "
              "0.3', or where 'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw "
              "forces' add the contact forces. 'draw tower' after 'count 112 m' shows the row of that answer "
-             "with a tower of 112 m at its end, and its smallest dominoes once more, enlarged. In the "
-             "terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
-             ".svg, .png or .pdf (with gnuplot), .gp for gnuplot's script, or .txt. csv and json have the "
-             "corners, in m for a row, and the contacts and forces of a train.",
+             "with a tower of 112 m at its end. The smallest dominoes are drawn once more, enlarged. In the "
+             "terminal the picture is made of characters. 'draw > row.svg' makes a file, whose name can also "
+             "end in .png or .pdf (with gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json "
+             "have the corners of all dominoes (in m for a row), and for a train the contacts and forces.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",
@@ -285,9 +286,9 @@ const struct command draw_commands[] = {
          "largest domino is more than 30 times as tall as the smallest, the view follows the front and grows "
          "with it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a "
          "tower of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the "
-         "endless train, and 'animate train.gif train 4' four of them. Each cycle lasts sqrt(r) times as "
-         "long as the one before, and is r times as large, so at most 9 can be seen together at r = 1.5. "
-         "The name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the "
+         "endless train, and 'animate train.gif train 4' shows four of them. Each cycle is r times as large "
+         "as the one before and lasts sqrt(r) times as long, so at r = 1.5 one film can show at most 9. The "
+         "name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the "
          "frames. csv and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",

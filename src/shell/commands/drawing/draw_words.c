@@ -41,7 +41,7 @@ static bool wrong_word(struct reader *r, bool many, const char *usage)
 {
     const char *word = read_word(r, false);
     return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : ""),
-                         many ? "is one argument too many" : "is neither a value nor one of the words",
+                         many ? "is one argument too many" : "is neither a value nor a word that fits here",
                          usage);
 }
 
@@ -137,16 +137,17 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
     bool plain = quantity_bare(quantity);
     if (value == DRAW_TIME)
         return quantity_plain(quantity) || quantity_alike(quantity, (struct quantity){.time = 1}) ||
-               problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
+               problem_error(problem,
+                             "the moment must be a time, not %s; write, for example, 'draw at 2.5 s'",
                              expression_kind(quantity));
     if (value == DRAW_SPEED && !(plain && number >= (domq_real)0.001 && number <= 1000))
         return problem_error(
             problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, and 0.5 is half as fast"
-                           : "the speed is a plain number");
+                           : "the speed must be a number without a unit");
     plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
     return value != DRAW_RATE || (plain && number >= 1 && number <= 50) ||
            problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"
-                                        : "the rate is a plain number");
+                                        : "the rate must be a number, such as 25 or 25/s");
 }
 
 static const struct draw_what usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] = 25}};

@@ -7,11 +7,11 @@
 
 enum draw_value {
     DRAW_TIME,   /* the time at which to show the row, in s */
-    DRAW_DOMINO, /* number of the domino that is hit at the moment to show; may be out of range */
+    DRAW_DOMINO, /* the row is shown when the domino with this number is hit; may be out of range */
     DRAW_TILT,   /* the tilt of the head at which to show the train */
-    DRAW_CYCLES, /* number of cycles of the train; may be out of range */
+    DRAW_CYCLES, /* the number of cycles to show; may be out of range */
     DRAW_SPEED,  /* the speed of the film, where 1 is real time */
-    DRAW_RATE,   /* frames per second of playing time */
+    DRAW_RATE,   /* the number of frames per second */
     DRAW_VALUES
 };
 

@@ -65,7 +65,6 @@ double falling_row_smallest(const struct falling_row *row)
     return smallest;
 }
 
-/* Returns the height of the tallest domino. */
 static double tallest(const struct falling_row *row)
 {
     double most = 0;

@@ -6,9 +6,8 @@
 #include "commands/rows/falling.h"
 #include "picture/stage.h"
 
-/* A row whose fall has been simulated, and the stage on which it is drawn. Lengths are in m, and times in s
- * on the clock of struct domq_fall.
- */
+/* A row whose fall has been simulated, and the stage on which it is drawn. Lengths are in m. Times are in s,
+ * counted as in struct domq_fall. */
 struct falling_row {
     struct row_run run;
     struct stage stage;
@@ -17,8 +16,8 @@ struct falling_row {
     struct marks marks; /* words for captions, which explain the marks in the drawing */
 };
 
-/* Runs the row, and places its dominoes on the stage as they stand before the fall. If this fails, sets
- * *problem and returns false; nothing needs to be freed then. */
+/* Runs the row, and places its dominoes on the stage as they stand before the fall. On failure, sets *problem
+ * and returns false, and nothing needs to be freed. */
 bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);

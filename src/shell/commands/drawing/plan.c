@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command plan, which writes a guide for building the row: sizes and boards for the workshop, and places
- * for the hall. */
+/* The command 'plan', which writes a guide for building the row: sizes and boards for the workshop, and
+ * places for the hall. */
 #include "commands/drawing/plan.h"
 #include "commands/drawing/plan_tables.h"
 #include "language/quad.h"
@@ -14,14 +14,15 @@ const struct column plan_columns[] = {
     {"front", "m", "distance from the back of domino 1 to the front of this domino", 0},
     {"back_low", "m", "the smallest value of 'back' at which all dominoes fall, if only this domino moves",
      0},
-    {"back_high", "m", "the largest such value", 0},
+    {"back_high", "m", "the largest value of 'back' at which all dominoes fall, if only this domino moves",
+     0},
     {"gap", "m", "clear distance to the domino before it", 0},
     {"height", "m", "height of the domino", 0},
     {"height_low", "m", "the smallest height at which all dominoes fall", 0},
-    {"height_high", "m", "the largest such height", 0},
+    {"height_high", "m", "the largest height at which all dominoes fall", 0},
     {"thickness", "m", "thickness of the domino", 0},
     {"thickness_low", "m", "the smallest thickness at which all dominoes fall", 0},
-    {"thickness_high", "m", "the largest such thickness", 0},
+    {"thickness_high", "m", "the largest thickness at which all dominoes fall", 0},
     {"width", "m",
      "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
     {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
@@ -35,18 +36,19 @@ bool plan_parse(struct reader *r, struct question *q)
     if (!title)
         return false;
     if (!reader_takes(r, "title"))
-        return reader_ends(r) ||
-               problem_error(r->problem, "a title is written as in 'plan title \"The hall\"'");
+        return reader_ends(r) || problem_error(r->problem, "write a title as in 'plan title \"The hall\"'");
     reader_place(r, r->at);
     if (reader_ends(r))
-        return problem_error(r->problem, "the title is missing, as in 'plan title \"The hall\"'");
+        return problem_error(r->problem,
+                             "the title is missing; write, for example, 'plan title \"The hall\"'");
     *title = read_text(r);
     return *title != NULL;
 }
 
 /* ---- The numbers ---- */
 
-/* The number of random rows. The engine needs as much time for one row as the model needs for hundreds. */
+/* The number of random rows. The engine runs fewer, because it takes hundreds of times as long for a row as
+ * the model. */
 enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)
@@ -58,8 +60,8 @@ static void plan_free(struct plan *p)
     falling_row_free(&p->row);
 }
 
-/* Computes everything that the guide shows. If this fails, sets *problem and returns false; nothing needs to
- * be freed then. */
+/* Computes everything that the guide shows. On failure, sets *problem and returns false, and nothing needs to
+ * be freed. */
 static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
                       struct plan *p)
 {
@@ -72,7 +74,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     const size_t count = scene->row.count;
     if (v->end != DOM_ROW_FALLS) {
         problem_no_answer(problem,
-                          "this row ends at domino %zu, so there is nothing to build yet; 'mend' finds a "
+                          "this row ends at domino %zu, so there is nothing to build yet; 'mend' looks for a "
                           "change that saves it",
                           v->domino);
         falling_row_free(&p->row);
@@ -113,7 +115,7 @@ static bool person_add(struct stage *stage)
     return true;
 }
 
-/* Writes how to start the row. A push is given as a speed, because people can judge a speed. */
+/* Writes how to start the row. A push is given as a speed, which a builder can judge. */
 static void push_words(const struct scene_row *scene, char *text, size_t size)
 {
     const struct domq_row *row = &scene->row;
@@ -149,17 +151,20 @@ static void caption_write(struct plan *p)
     falling_row_weakest(&p->row, weakest);
     errors_words(p->error, errors, sizeof errors);
     push_words(&p->row.run.scene, start, sizeof start);
-    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; a person 1.75 m tall. %s %s%s%s", summary,
-                      measured((domq_real)stage->right, "m", 3).text, start, verdict, *weakest ? " " : "",
-                      weakest);
+    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; the person is 1.75 m tall. %s %s%s%s",
+                      summary, measured((domq_real)stage->right, "m", 3).text, start, verdict,
+                      *weakest ? " " : "", weakest);
     char *text = stage->caption + at;
     const size_t room = CAPTION - (size_t)at;
     if (s->rows > 0)
-        at = snprintf(text, room, " With errors (%s) %zu of %zu rows fall: a probability of %.1f to %.1f %%.",
+        at = snprintf(text, room,
+                      " With errors (%s), %zu of %zu rows fall; the probability is %.1f to %.1f %%, with 95 "
+                      "%% confidence.",
                       errors, s->fall, s->rows, floor(1000 * s->low) / 10, ceil(1000 * s->high) / 10);
     else
-        at = snprintf(text, room,
-                      " To see how likely it is to fall, enter errors, such as 'effect placement 2 mm'.");
+        at =
+            snprintf(text, room,
+                     " To see how likely the row is to fall, enter errors, such as 'effect placement 2 mm'.");
     if (p->windows.count > 1 && at < (int)room)
         snprintf(text + at, room - (size_t)at,
                  " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "

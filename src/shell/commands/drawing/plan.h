@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command plan, which writes a guide for building the row. */
+/* The command 'plan', which writes a guide for building the row. */
 #ifndef SHELL_PLAN_H
 #define SHELL_PLAN_H
 

@@ -21,8 +21,8 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
         snprintf(cell, GUIDE_CELL, "%.1f", tenths / 10);
 }
 
-/* Writes a value and the two ends of its window into three cells, and makes the cells bold if the window of
- * domino k is the tightest of all windows of this kind. */
+/* Writes a value and the two ends of its window into three cells. The cells are bold if domino k has the
+ * tightest window of this kind. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {

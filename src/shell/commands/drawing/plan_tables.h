@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of the command plan: places, sizes, and boards to cut. */
+/* The tables of the command 'plan': places, sizes, and boards to cut. */
 #ifndef SHELL_PLAN_TABLES_H
 #define SHELL_PLAN_TABLES_H
 

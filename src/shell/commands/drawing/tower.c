@@ -8,12 +8,14 @@
 #include <string.h>
 
 #define TOWER_WIDTH 0.2 /* width of the tower, as a fraction of its height */
-/* Dominoes smaller than this fraction of the tower's height are drawn again, larger. */
-#define TOO_SMALL  0.012
-#define ZOOM_WIDE  0.36 /* largest width of the larger copy, as a fraction of the width of the picture */
-#define ZOOM_HIGH  0.4
-#define ZOOM_ABOVE 0.52 /* height at which the copy stands, as a fraction of the tower's height */
-/* The distance between the tower and the last domino in a film, in units of that domino's height. */
+/* Dominoes smaller than this fraction of the tower's height are drawn a second time, enlarged. */
+#define TOO_SMALL 0.012
+#define ZOOM_WIDE 0.36 /* largest width of the enlarged copy, as a fraction of the width of the picture */
+#define ZOOM_HIGH 0.4
+#define ZOOM_ABOVE                                                                                           \
+    0.52 /* height of the enlarged copy above the floor, as a fraction of the tower's height                 \
+          */
+/* The distance in a film from the last domino to the tower, divided by the height of this domino. */
 #define BEYOND     1.1
 #define ZOOM_LEAST 2 /* a copy that would be enlarged by less than this factor is not drawn */
 
@@ -38,7 +40,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     return query_with(query, assigned, 2, state, changed, problem);
 }
 
-/* Adds a larger copy of the first dominoes. */
+/* Adds an enlarged copy of the dominoes that are too small to be seen, and mentions it in the caption. */
 static void zoom_add(struct stage *stage, size_t count, double height)
 {
     const double left = stage->domino[0].foot - stage->domino[0].thickness;
@@ -74,9 +76,9 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, at a distance of `distance` times its height, and allocates room for
- * `copies` more dominoes. Does not include the tower in stage->count. Returns false if memory runs out.
- */
+/* Puts the tower behind the last domino, from which its distance is `distance` times the height of this
+ * domino. Allocates room for `copies` more dominoes. Does not include the tower in stage->count. Returns
+ * false if memory runs out. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
     const size_t count = stage->count;

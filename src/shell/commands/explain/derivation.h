@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Derivations show where a number comes from. Each quantity has its equation as a text for the expression
- * parser, and a second text that computes the same number with the library. The program shows the library's
- * number, and a test compares it with the number that the equation gives. */
+/* Derivations show where a number comes from. Each quantity has two texts for the expression parser: its
+ * equation, and an expression that computes the same number with the library. The program shows the number of
+ * the library, and a test compares it with the number that the equation gives. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -43,10 +43,10 @@ struct derived {
                       derivation ends */
     enum sum sum;
     const char *equation; /* NULL if there is no equation in closed form; the derivation then ends here */
-    /* Where the number comes from: '$' followed by the name of a parameter or effect, '#' followed by the
-     * name of a member of struct domq_fall, or an expression that computes the number with the library. In
-     * the expression, '@' stands for the value that the user typed after the question. This member is NULL
-     * for a quantity that differs from term to term of a sum. */
+    /* How to find the number: '$' and the name of a parameter or effect, '#' and a name for fall_value, or an
+     * expression that computes the number with the library. In the expression, '@' stands for the value that
+     * the user typed after the question. This member is NULL for a quantity that differs from term to term of
+     * a sum. */
     const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
@@ -55,11 +55,11 @@ struct derived {
 };
 extern const struct derived derived_list[];
 
-/* A question of the command explain, and the quantities that answer it. */
+/* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
     const char *name;
     const char *value; /* name of the value after the question: "theta", "s" or "H", or NULL for none */
-    const char *roots; /* the names of these quantities, with blanks between them */
+    const char *roots; /* the names of the quantities that answer the question, with blanks between them */
 };
 extern const struct explained explained_list[];
 
@@ -86,15 +86,16 @@ struct step {
 };
 
 struct derivation {
-    struct query query; /* a query about the changed state below */
+    struct query query; /* a query about the member `state` */
     /* A changed copy of the session's state, which borrows the memory of the original. */
     struct state *state;
     struct problem *problem;
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    const struct domq_fall *fall; /* the domino of a row that is to be explained, or NULL */
-    const char *energy_unit;      /* the unit of the energies in `fall` */
+    /* for a question about a row: the hit of the domino that is explained; otherwise NULL */
+    const struct domq_fall *fall;
+    const char *energy_unit; /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
     /* The tilts and slopes of all dominoes: at launch, and at the tilt of the head for which the current sum

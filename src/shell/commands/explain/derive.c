@@ -22,7 +22,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
             text_add(filled, size, "%c", *text);
 }
 
-/* Returns a quantity of one hit by its name, such as "margin". */
+/* Returns the quantity of a hit that has this name, such as "margin". */
 static domq_real fall_value(const struct domq_fall *fall, const char *name)
 {
     return strcmp(name, "margin") == 0    ? fall->margin
@@ -243,8 +243,8 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
-/* If the question is about the largest growth at a separation, sets s of the train to this separation and r
- * to the largest growth, and sets *reach to true if the reach limits the growth. On failure, sets *problem
+/* For a question about the largest growth at a separation, sets s of the train to this separation, and r to
+ * the largest growth. Sets *reach to true if the growth is limited by the reach. On failure, sets *problem
  * and returns false. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command explain, which shows where a number comes from. */
+/* The command 'explain', which shows where a number comes from. */
 #include "commands/explain/derivation.h"
 #include "commands/explain/paper.h"
 #include "commands/rows/falling.h"
@@ -15,10 +15,11 @@
 static const struct column explain_columns[] = {
     {"quantity", "", "the quantity", 9},
     {"equation", "",
-     "its equation, written as expressions are typed; 'sum' stands for the sum over all dominoes i", 40},
+     "the equation of the quantity, as one would type it; 'sum' stands for the sum over all dominoes i", 40},
     {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
     {"value", "", "the number that the program computes", 0},
-    {"unit", "", "its unit: h is the height of the head, mgh/2 its energy, tau its unit of time", 6},
+    {"unit", "", "the unit of the value: h is the height of the head, mgh/2 its energy, tau its unit of time",
+     6},
     {"needs", "", "the quantities that the equation contains", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
     {"depth", "", "how many equations lie between this quantity and the answer", 5},
@@ -85,8 +86,8 @@ static bool explain_bind(const struct question *q, const struct query *query, st
 
 /* ---- Rows ---- */
 
-/* Returns the equation of a step as allocated text, with numbers in place of the names if `numbers` is true.
- * Returns NULL if memory runs out. */
+/* Returns the equation of a step as text, which the caller frees. If `numbers` is true, the text has numbers
+ * in place of the names. Returns NULL if memory runs out. */
 static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
 {
     char *text = NULL;
@@ -135,8 +136,8 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine, which is used because %s, has no equations; 'fall' "
-                                 "shows how it runs the row",
+                                 "the rigid-body engine, which runs this row because %s, has no equations; "
+                                 "'fall' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
@@ -156,7 +157,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
         NULL; /* the note would say that the answer is about the train, but the answer is about the row */
     snprintf(verdict, VERDICT_TEXT,
              v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
-                                    : "Of %zu dominoes, k = %zu is the one at which the row stops.",
+                                    : "The row has %zu dominoes and stops at domino k = %zu.",
              count, k);
     return true;
 }
@@ -237,8 +238,8 @@ const struct command explain_commands[] = {
      .summary = "the paper's recipe for the largest growth, compared with this program",
      .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
              "shows the number that each step gives at the session's s and r, computed as in the paper and "
-             "by this program, and says where the two differ and why. With friction, a slope or rounded "
-             "edges there is no recipe.",
+             "by this program, and says where the two differ and why. With friction, a slope, walls or "
+             "rounded edges there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
      .unswept = "it compares the steps for one train",

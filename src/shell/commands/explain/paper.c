@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command paper, which recomputes numbers and figures of the paper, and compares them with the printed
+/* The command 'paper', which recomputes numbers and figures of the paper, and compares them with the printed
  * values. */
 #include "commands/explain/paper.h"
 #include "language/quad.h"
@@ -52,7 +52,7 @@ static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fu
     return limit;
 }
 
-/* Finds the separation beyond which the growth is limited by the reach, r = 1/s. */
+/* Finds the smallest separation at which the growth is limited by the reach, r = 1/s. */
 static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
 {
     domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;
@@ -118,8 +118,8 @@ static void cycle_rows(struct table *t)
               "the factor J(theta_c) was lost in print");
 }
 
-/* Writes rows for the quiz: how many dominoes it takes to topple the Domtoren at the growth that the paper
- * quotes, and at the largest growth. */
+/* Writes rows for the quiz: how many dominoes it takes to topple the Domtoren, a tower of 112 m, at the
+ * growth that the paper quotes, and at the largest growth. */
 static void quiz_rows(struct table *t)
 {
     const struct domq_scale scale = domq_scale_default();
@@ -156,12 +156,10 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
     }
     if (t.status != DOM_OK)
         return problem_status(problem, query->scene, t.status);
-    answer_say(
-        a,
-        "Why they differ: the second equality of (25; c7), the closed form of the fuel, leaves out the "
-        "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
-        "in print. A rigid-body engine agrees with the exact values. Where the reach limits the growth, both "
-        "fuels give the same growth.");
+    answer_say(a, "The numbers differ for two reasons. The closed form of the fuel, the second equality of "
+                  "(25; c7), leaves out the weights r^(-q i) of the dominoes, which are 1 only for r = 1. "
+                  "And (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with the "
+                  "exact values. Where the reach limits the growth, both fuels give the same growth.");
     answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
                   "steps for the dominoes of the session.");
     return true;

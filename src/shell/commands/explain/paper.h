@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands recipe and paper, which compare the paper with this program. */
+/* The commands 'recipe' and 'paper', which compare the paper with this program. */
 #ifndef SHELL_PAPER_H
 #define SHELL_PAPER_H
 

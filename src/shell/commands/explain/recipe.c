@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command recipe, which carries out the paper's steps to find the largest growth and compares the results
- * with those of the program. */
+/* The command 'recipe', which carries out the paper's steps to find the largest growth and compares the
+ * results with those of the program. */
 #include "commands/explain/paper.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -107,8 +107,8 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
         a, 1, angles->detaches ? "theta_f (42; A18)" : "theta_inf (40; A16)", angles->theta_f,
         angles->theta_f,
         angles->detaches
-            ? "the paper ends the chain where x_i exceeds x_f, which never happens, since theta_f is the "
-              "largest tilt; the program ends it where the leader reaches theta_leave"
+            ? "the paper ends the chain where x_i exceeds x_f, but this never happens, because theta_f is "
+              "the largest tilt; the program ends the chain where the leader reaches theta_leave"
             : NULL,
         true);
     recipe_row(a, 2, "J(0) (20; c2)", paper->J0, ours->J0, NULL, false);
@@ -116,12 +116,13 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
                "the printed relation lacks its last factor, J(theta_c)", false);
     recipe_row(a, 2, "P (25; c7)", paper->P, ours->P, weights, false);
     recipe_row(a, 2, "tau^2 omega(0)^2 (24; c6)", paper->w0, ours->w0,
-               "this speed is proportional to the fuel", false);
+               "this number is proportional to the fuel", false);
     recipe_row(a, 3, "theta_m (19; c1)", paper->theta_m, ours->theta_m, NULL, false);
     recipe_row(a, 3, "H(theta_m) - H(0) (26; c8)", paper->barrier, ours->barrier,
                "the paper takes the first maximum of H, and the program the largest one", false);
     recipe_row(a, 3, "tau^2 omega(theta_m)^2 (21; c3)", paper->wm, ours->wm,
-               "the two differ because the fuels differ; if this is below 0, the train stops", false);
+               "the two numbers differ because the fuels differ; if this number is below 0, the train stops",
+               false);
     recipe_row(a, 4, "r_max at this s", paper->r_max, ours->r_max, weights, false);
     recipe_row(a, 5, "s of the largest growth", paper->best_s, ours->best_s, weights, false);
     recipe_row(a, 5, "the largest growth", paper->best_r, ours->best_r, NULL, false);

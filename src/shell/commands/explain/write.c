@@ -12,7 +12,7 @@
 
 /* The struct that formula->context points to while a step is written. */
 struct writing {
-    const struct derivation *derivation; /* NULL to write names rather than numbers */
+    const struct derivation *derivation; /* NULL if names are written rather than numbers */
     int digits;
 };
 
@@ -104,7 +104,7 @@ struct writer {
     struct formula formula;
     enum dialect dialect;
     int digits;
-    domq_real value; /* the value in the question, or NaN */
+    domq_real value; /* the value that the user typed after the question, or NaN */
 };
 
 static void put(const struct writer *w, enum text text)
@@ -127,8 +127,8 @@ static void words_write(const struct writer *w, const struct step *s)
  * of the larger number, because each number is the result of a few dozen operations. */
 #define ROUNDINGS 64
 
-/* Returns true if a value is nothing but rounding error, because it would be 0 in exact arithmetic, as the
- * margin is at the largest growth. */
+/* Returns true if a value is nothing but rounding error, and would be 0 in exact arithmetic. An example is
+ * the margin at the largest growth. */
 static bool is_rounding(const struct writer *w, const struct step *s)
 {
     domq_real largest = 0;

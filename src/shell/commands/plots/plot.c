@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command plot, and the table of all plots. */
+/* The command 'plot', and the table of all plots. */
 #include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
@@ -25,11 +25,13 @@ static const struct column plot_columns[] = {
     {"solid_train", "", "marginal: r_max of a train of solid dominoes", 0},
     {"hollow_pair", "", "marginal: r_max of two hollow dominoes", 0},
     {"hollow_train", "", "marginal: r_max of a train of hollow dominoes", 0},
-    {"reach", "", "growth, marginal: 1/s, or less with rounded edges", 0},
+    {"reach", "",
+     "growth, marginal: growth up to which a domino reaches the next one: 1/s, or less with rounded edges",
+     0},
     {"domino", "", "fall, speed, gaps: number of the domino, from 1", 6},
     {"barrier", "mgh/2", "fall: energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
-    {"spare", "", "fall: margin divided by barrier; empty where the barrier is not above 0", 0},
+    {"spare", "", "fall: margin divided by barrier; empty for a domino that needs no energy", 0},
     {"place", "m", "speed: distance from the front foot of the first domino to the front foot of this one",
      0},
     {"speed", "m/s", "speed: speed of the front between the hit of this domino and the next hit", 0},
@@ -64,13 +66,13 @@ static const struct argument answer_argument = {.name = "NAME",
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
                              fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
-/* The plots, in the order in which completion offers them. Members that an axis or a curve leaves out are 0
- * on purpose, but clang would warn about them. */
+/* The plots, in the order in which completion offers them. Members that an entry leaves out are 0 on purpose,
+ * so the warning about them is turned off. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {
     {"fall", plot_fall, "domino kinetic barrier margin spare", .title = "Energy to spare, domino by domino",
-     .x = {"domino", "domino"}, .y = {NULL, "more than it needs,", .percent = true},
+     .x = {"domino", "domino"}, .y = {NULL, "spare energy / energy needed,", .percent = true},
      .curve = {{"spare", "", CHART_POINTS, INK_BLUE}}},
     {"speed", plot_speed, "domino place speed", .title = "Speed of the front along the row",
      .x = {"place", "distance from the first domino"}, .y = {"speed", "speed"},
@@ -91,7 +93,7 @@ static const struct plot plots[] = {
                {"reach", "", CHART_LINE, INK_GREY, 2}},
      .argument = &paper_argument},
     {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach",
-     .title = "Below the curve of a pair, a domino with just enough energy to tip over topples the next",
+     .title = "Below the curve of a pair, a domino with barely enough energy to tip over topples the next",
      .x = {"s", ""}, .y = {NULL, "growth r"},
      .curve = {{"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
                {"solid_train", "solid train", CHART_LINE, INK_BLUE, 0},
@@ -101,7 +103,7 @@ static const struct plot plots[] = {
     {"sweep", plot_sweep_rows, "", .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
     {"energy", plot_energy, "theta dH kinetic J event", .title = "Energy over a cycle",
      .x = {"theta", "tilt of the head"}, .y = {NULL, "energy in m g h/2 of the head"},
-     .curve = {{"dH", "potential energy, from the launch on", CHART_LINE, INK_BLUE, 0},
+     .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0},
                {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
     {"omega", plot_omega, "theta omegasq omega event", .title = "Angular velocity over a cycle",
      .x = {"theta", "tilt of the head"}, .y = {"omega", "angular velocity"},
@@ -136,15 +138,14 @@ struct plot_parsed {
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* The members of plot_parsed with their expressions evaluated. Expressions in the arguments of a fit are
- * evaluated only when the fit is drawn. */
+/* A struct plot_parsed whose expressions have been evaluated, except those in the arguments of a fit, which
+ * are evaluated when the fit is drawn. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;
     void *argument;
 };
 
-/* Parses the argument of a plot. */
 static bool argument_parse(struct reader *r, const struct plot *plot, struct question *q)
 {
     if (!plot->argument)
@@ -248,17 +249,17 @@ const struct command plot_commands[] = {
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =
          "For a row, 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
-         "front runs, and 'plot gaps' how far each gap may be off. 'plot placement 400' shows how likely the "
-         "whole row is to fall, from 400 random rows for each size of the errors. For trains, 'plot growth' "
-         "shows the largest growth, 'plot growth paper' compares it with the growth that the paper's fuel "
-         "gives, and 'plot marginal' with the growth of two dominoes. 'plot energy', 'plot omega', 'plot "
-         "inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot "
-         "sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters, and 'plot sweep s 0.1 0.9 "
-         "33 : rmax, pair' the curves of several answers. 'plot fit friction FILE' shows measurements "
-         "against the values that the model gives with the fitted friction. The picture appears in the "
-         "terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, .pdf, or .tex for \\input "
-         "in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json "
-         "give the data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth title "
+         "fall runs along the row, and 'plot gaps' how far each gap may be off. 'plot placement 400' shows "
+         "how likely the whole row is to fall, from 400 random rows for each size of the errors. For trains, "
+         "'plot growth' shows the largest growth, 'plot growth paper' compares it with the growth that the "
+         "paper's fuel gives, and 'plot marginal' with the growth of two dominoes. 'plot energy', 'plot "
+         "omega', 'plot inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows what accuracy "
+         "costs. 'plot sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters, and 'plot "
+         "sweep s 0.1 0.9 33 : rmax, pair' the curves of several answers. 'plot fit friction FILE' shows "
+         "measurements against the values that the model gives with the fitted friction. The picture appears "
+         "in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, .pdf, or .tex for "
+         "\\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json give the "
+         "data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth title "
          "\"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look: 'title', 'xlabel' and 'ylabel' with a text; "
          "'xrange' and 'yrange' with the two ends of an axis, in the unit that its label names; 'xscale' and "
          "'yscale' with 'log' or 'linear'; 'legend' with 'below', 'right' or 'off'; and for a file, 'width' "

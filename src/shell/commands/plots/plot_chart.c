@@ -73,8 +73,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis with a unit that suits the largest number on it. Returns the size of this unit
- * relative to the unit of the column. */
+/* Writes the label of an axis, with a unit that suits the largest number on the axis. Returns the size of
+ * this unit, relative to the unit of the column. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot energy, omega, inertia and chain: one cycle of the train, plotted against the tilt of its head. */
+/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of the train, plotted against the tilt of its
+ * head. */
 #include "commands/plots/plots.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
@@ -89,7 +90,7 @@ struct keyed {
     struct cell cell;
 };
 
-/* Writes a row of the cells for which the plot has a column. Ignores the other cells. */
+/* Writes a row with a cell for each column of the plot. Ignores cells for which the plot has no column. */
 static void keyed_write(struct answer *a, const struct keyed *cells, int count)
 {
     struct cell row[ANSWER_COLUMNS] = {{0}};
@@ -149,8 +150,8 @@ static enum dom_status samples_write(const struct cycle *c, int lines, struct an
     return status;
 }
 
-/* Writes the rows of a plot. If there is a chart, adds the parameters of the train to its title, and a line
- * with a label for each event. */
+/* Writes the rows of a plot. If there is a chart, adds the parameters of the train to the title of the chart,
+ * and a labelled line for each event. */
 static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot growth and plot marginal: the largest growth, plotted against the separation. */
+/* The plots 'growth' and 'marginal': the largest growth, plotted against the separation. */
 #include "commands/plots/plots.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -22,7 +22,7 @@ static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
 /* Finds the largest growth at separation s. Sets *r to NaN if no growth is possible, or if the paper's
- * formula for the fuel does not cover one of the effects that are on. */
+ * formula for the fuel is requested but does not hold. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {
@@ -34,7 +34,7 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
     train.q = (domq_real)of->q;
     train.fuel = of->fuel;
     *r = DOMQ_NAN;
-    /* The paper's formula for the fuel covers neither friction nor slopes nor rounded edges. */
+    /* The paper's formula for the fuel does not cover friction, slopes, walls or rounded edges. */
     if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER)
         return DOM_OK;
     enum dom_status status =
@@ -50,8 +50,8 @@ static domq_real reach_at(struct domq_train train, domq_real s)
     return domq_train_reach(&train);
 }
 
-/* Completes the chart. The vertical axis includes the growth of the session, unless this growth is far above
- * all curves. */
+/* Sets the labels and the ends of the axes, and marks the growth of the session. The vertical axis includes
+ * this growth, unless it is far above all curves. */
 static void limits_chart(const struct domq_train *t, double top, struct chart *chart)
 {
     double r = (double)t->r;

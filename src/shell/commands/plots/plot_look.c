@@ -56,7 +56,8 @@ static const char *look_names(const void *context, int k)
     return k < LOOK_WORDS ? words[k].name : NULL;
 }
 
-/* The limits of the width and height of a picture in a file, in cm, and of its font size, in points. */
+/* The limits for a picture in a file. Width and height are from SIZE_LEAST to MOST, in cm, and the font size
+ * is from FONT_LEAST to MOST, in points. */
 #define SIZE_LEAST 6
 #define MOST       30
 #define FONT_LEAST 5
@@ -73,10 +74,10 @@ static bool value_parse(struct reader *r, int k, struct item *item, const char *
     r->last = false;
     reader_place(r, r->at);
     if (reader_ends(r))
-        return problem_error(
-            r->problem,
-            "the value of '%s' is missing, as in 'title \"Growth\" width 8 cm xrange 0 0.6 yscale log'",
-            words[k].name);
+        return problem_error(r->problem,
+                             "the value of '%s' is missing; write, for example, 'title \"Growth\" width 8 cm "
+                             "xrange 0 0.6 yscale log'",
+                             words[k].name);
     if (!a)
         return (*text = read_text(r)) != NULL;
     if (a->choices)
@@ -127,7 +128,7 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
             return false;
         *number[k] = (double)value * (is_font ? 1 : 100);
         if (!(*number[k] >= least * (1 - 1e-12) && *number[k] <= most * (1 + 1e-12)))
-            return problem_error(problem, "%s is %.6g%s; it is %g .. %g%s", words[k].name, *number[k],
+            return problem_error(problem, "%s is %.6g%s; it must be in %g .. %g%s", words[k].name, *number[k],
                                  is_font ? "" : " cm", least, most, is_font ? " points" : " cm");
     }
     return true;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot placement: the probability that the whole row falls, plotted against the random errors of its gaps. */
+/* The plot 'placement': the probability that the whole row falls, plotted against the random errors of its
+ * gaps. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -11,9 +12,9 @@
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
 /*
- * Chooses the largest standard deviation in the chart: well above the deviation at which half of the rows
- * fall, and also above `now`, the deviation of the session, unless `now` is NaN. Uses only a few random rows,
- * because a rough result is enough.
+ * Chooses the largest standard deviation in the chart. It is well above the deviation at which half of the
+ * rows fall and, unless `now` is NaN, above `now`, the deviation of the session. A rough result is enough, so
+ * only a few random rows are run.
  */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
@@ -94,7 +95,7 @@ bool plot_placement(const struct query *query, struct answer *a, struct chart *c
     free(scene.domino);
     if (status == DOM_STOPS)
         return problem_no_answer(
-            problem, "fewer than half of the rows fall, even without random errors of the gaps: 'fall' "
-                     "shows where the row stops, and 'mend' finds what saves it");
+            problem, "fewer than half of the rows fall, even without random errors in the gaps; 'fall' shows "
+                     "where the row stops, and 'mend' looks for a change that saves it");
     return status == DOM_OK || row_status(query, problem, status);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot fall, speed and gaps: the energies and speeds along the row, and the ranges of gaps at which all
- * dominoes fall. */
+/* The plots 'fall', 'speed' and 'gaps': the energies and speeds along the row, and the ranges of gaps at
+ * which all dominoes fall. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes the note of the chart: how the row ends. */
+/* Writes how the row ends into the note of the chart. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -92,8 +92,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine runs the row, because %s, and computes no energies; "
-                                 "'plot speed' shows its run",
+                                 "the rigid-body engine, which runs this row because %s, computes no "
+                                 "energies; 'plot speed' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
@@ -108,9 +108,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     }
     bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
     if (idle)
-        problem_no_answer(problem,
-                          "the only domino is tipped over its edge, and needs no energy; 'effect row 5' "
-                          "sets up five");
+        problem_no_answer(problem, "the only domino is tipped over its edge, and needs no energy; 'effect "
+                                   "row 5' sets up five dominoes");
     else if (chart)
         fall_chart(&run, chart);
     row_run_free(&run);
@@ -141,7 +140,8 @@ static void speed_chart(const struct row_run *run, struct chart *chart)
 
 bool plot_speed(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
-    enum { DOTS = 120 }; /* more dots would hide the curve */
+    /* A dot marks each hit, unless there are so many dots that they would hide the curve. */
+    enum { DOTS = 120 };
     struct row_run run;
     if (!row_run(query, problem, true, &run))
         return false;
@@ -165,9 +165,9 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
         row_status(query, problem, DOM_NO_MARGIN);
     else if (!done)
         problem_no_answer(problem, run.scene.row.count == 1
-                                       ? "a front needs two dominoes; 'effect row 5' sets up five"
-                                       : "the row ends before the front has a speed; 'fall' shows where, and "
-                                         "'mend' finds what saves it");
+                                       ? "this plot needs at least two dominoes; 'effect row 5' sets up five"
+                                       : "the row ends too early for a speed; 'fall' shows where, and 'mend' "
+                                         "looks for a change that saves it");
     else if (chart)
         speed_chart(&run, chart);
     row_run_free(&run);

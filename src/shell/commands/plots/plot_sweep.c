@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot sweep: one number of any answer, plotted against one or two parameters. One parameter gives a curve.
- * Two parameters give a map or, if one of them has only a few values, a curve for each of these values. */
+/* The plot 'sweep': one number of any answer, plotted against one or two parameters. One parameter gives a
+ * curve. Two parameters give a map or, if one of them has only a few values, a curve for each of these
+ * values. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* The largest number of curves, the largest number of points that are marked on a curve, and the largest
- * number of parameters. */
+/* A chart shows at most FAMILY curves, and a sweep over at most AXES parameters. A curve of at most MARKED
+ * points shows each of them. */
 enum { FAMILY = 6, MARKED = 24, AXES = 2 };
 
 static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
@@ -166,7 +167,8 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                : numbers && axis[1].count <= FAMILY                          ? 0
                                                                              : -1;
     if (!two && !numbers)
-        return problem_error(problem, "'%s' has words here, but a curve needs numbers along its axis",
+        return problem_error(problem,
+                             "the values of '%s' are words, but a curve needs numbers along its axis",
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
         return problem_error(problem,
@@ -203,7 +205,9 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
                              shape.grid->axes);
     if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
         return problem_error(
-            problem, "a picture has up to %d answers over one parameter, or one answer over two", FAMILY);
+            problem,
+            "a picture can show up to %d answers over one parameter, or one answer over two parameters",
+            FAMILY);
     if (chart && shape.command->rows)
         return problem_error(problem,
                              "'%s' answers with a table, but a picture needs one number for each point; use "

@@ -45,7 +45,7 @@ struct study {
     domq_real sigma, heights;
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
-    bool causes; /* the rows were also run with each error left out in turn */
+    bool causes; /* the rows were also run without each kind of error */
     struct domq_study counts;
     size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
     /* `count` is the number of dominoes in the row. `stops` counts the rows that stop at each domino, in the
