@@ -124,8 +124,8 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* for the progress display: which fraction of the command's time this contender takes,
-                     roughly */
+    double share; /* roughly the fraction of the command's time that this contender takes, for the progress
+                     display */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},

@@ -29,8 +29,8 @@ static struct words mass_name(domq_real q)
     return name;
 }
 
-/* Finds whether a train keeps falling. Sets *why to the reason why the train stops, or to NULL if it keeps
- * falling or the computation fails. Returns DOM_OK unless the computation fails. */
+/* Finds whether a train keeps falling. Sets *why to the reason why the train stops, or else to NULL. Returns
+ * DOM_OK unless the computation fails. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
                                       const char **why)
 {

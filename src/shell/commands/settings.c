@@ -79,8 +79,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* A script gets no message that another parameter has changed: its next line may set that parameter as
-     * well. */
+    /* A script gets no message about a second parameter that has changed: its next line may set that
+     * parameter. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;

@@ -100,8 +100,8 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
  * error. */
 double fit_error(const struct fit *fit, size_t k);
 
-/* Finds the values of the unknowns for which the sum of the squared residuals is smallest, and their standard
- * deviations and correlations. On failure, sets *problem and returns false. */
+/* Finds the values of the unknowns with the smallest sum of squared residuals, and their standard deviations
+ * and correlations. On failure, sets *problem and returns false. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
 /* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false; the

@@ -25,7 +25,7 @@ struct tried {
 };
 
 /* Returns how many random rows to run so that about 20 of them fail if each falls with the probability
- * `falls`. In the engine, about 10 must be enough, because a row takes thousands of times as long there. */
+ * `falls`. For the engine, which takes thousands of times as long for a row, about 10 must be enough. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),

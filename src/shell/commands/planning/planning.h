@@ -51,7 +51,7 @@ struct scan {
         domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
     } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
     size_t answers;                    /* the number of points with an answer */
-    char no_answer[PROBLEM_TEXT / 2];  /* the reason why the first point without an answer has none */
+    char no_answer[PROBLEM_TEXT / 2];  /* the reason for the first missing answer */
 };
 
 /* Searches the whole range. Returns false after an error or an interrupt, which the caller has to report with

@@ -104,8 +104,8 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps past the wanted value, the solver finds a point at which the answer still differs
-     * from that value. */
+    /* If the answer jumps past the wanted value, the solver ends at a point where the answer is still
+     * different. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)

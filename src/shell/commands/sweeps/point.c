@@ -43,8 +43,8 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Returns true if an argument of the question sets the parameter that the command repeats in a column of its
- * answer. */
+/* Some commands repeat a parameter in a column of the answer. Returns true if an argument of the question
+ * takes the place of this parameter. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)

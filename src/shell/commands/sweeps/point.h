@@ -5,8 +5,8 @@
 
 #include "commands/sweeps/grid.h"
 
-/* The question that is evaluated at each point. There can be a list of questions; then the answer to each is
- * one number. */
+/* The question that is evaluated at each point. If there is a list of questions, the answer to each of them
+ * is one number. */
 struct point_question {
     struct question question;
     struct point_question *next; /* the next question of the list, or NULL */

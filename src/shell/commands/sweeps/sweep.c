@@ -146,8 +146,8 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. The output before the first row is laid out for a sample row, so that it
- * depends neither on the worker that computes the first row nor on the part that --shard selects. */
+/* Writes the rows of all points. What is printed before the first row is laid out for a sample row: it must
+ * not depend on which worker computes the first row, or on which part --shard selects. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
