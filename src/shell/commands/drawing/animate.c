@@ -32,7 +32,8 @@ struct row_film {
 };
 
 /* Points the view of a frame at the domino that was hit last, which has the number `head`, counted from 1.
- * Until the next domino is hit, the view moves on to it, and grows exponentially to its size. */
+ * Between two hits, the view moves to the next domino, and grows exponentially from the size of one domino to
+ * that of the next. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];

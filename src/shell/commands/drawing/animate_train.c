@@ -118,8 +118,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Adds the heads of later cycles, which still stand, to the stage of the cycle p. Then scales and shifts all
- * dominoes from the units of this cycle to those of the film. */
+/* Adds the heads of later cycles, which still stand, to the stage of one cycle. Then scales and shifts all
+ * dominoes to the size and position that this cycle has in the film. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];

@@ -76,9 +76,9 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, from which its distance is `distance` times the height of this
- * domino. Allocates room for `copies` more dominoes. Does not include the tower in stage->count. Returns
- * false if memory runs out. */
+/* Puts the tower behind the last domino, at a distance of `distance` times the height of this domino.
+ * Allocates room for `copies` more dominoes. Does not include the tower in stage->count. Returns false if
+ * memory runs out. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
     const size_t count = stage->count;

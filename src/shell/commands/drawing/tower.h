@@ -12,7 +12,7 @@
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);
 
-/* Adds the tower behind the last domino and, above the small end of the row, a larger copy of the dominoes
+/* Adds the tower behind the last domino and, above the small end of the row, an enlarged copy of the dominoes
  * that are too small to be seen. Returns false if memory runs out. */
 bool tower_add(struct falling_row *row, double height);
 

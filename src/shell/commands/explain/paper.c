@@ -64,7 +64,7 @@ static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
 }
 
 /* Writes rows for the figure of the growth as a function of the separation: points of the curve, its maximum,
- * and the separation at which the drop-off begins. */
+ * and the separation at which the curve begins to drop off as 1/s. */
 static void growth_rows(struct table *t)
 {
     struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};

@@ -28,8 +28,8 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds theta_m (the tilt at which the train is highest), the barrier, and tau^2 omega^2 at theta_m, which is
- * (K - B) / J(theta_m). */
+/* Finds three numbers: theta_m, which is the tilt at which the train is highest; the barrier; and tau^2
+ * omega^2 at theta_m, which is (K - B) / J(theta_m). */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {

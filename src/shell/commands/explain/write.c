@@ -123,8 +123,8 @@ static void words_write(const struct writer *w, const struct step *s)
             putc(*c, w->formula.out);
 }
 
-/* A difference of two numbers counts as rounding error if it is at most this many times the machine epsilon
- * of the larger number, because each number is the result of a few dozen operations. */
+/* A value counts as rounding error if it is at most this many times the machine epsilon, relative to the
+ * largest number from which it is computed. Each of these numbers is the result of a few dozen operations. */
 #define ROUNDINGS 64
 
 /* Returns true if a value is nothing but rounding error, and would be 0 in exact arithmetic. An example is

@@ -138,8 +138,8 @@ struct plot_parsed {
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* A struct plot_parsed whose expressions have been evaluated, except those in the arguments of a fit, which
- * are evaluated when the fit is drawn. */
+/* A struct plot_parsed after its expressions have been evaluated. Only the expressions in the arguments of a
+ * fit are evaluated later, when the fit is drawn. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;

@@ -9,8 +9,8 @@
 
 /* ---- The rows as numbers ---- */
 
-/* The functions of a binary output format, which writes a struct plot_rows with the keys and units of the
- * columns, and then each row as a struct plot_row. */
+/* The functions of a binary output format. The output begins with a struct plot_rows, which has the keys and
+ * units of the columns. A struct plot_row for each row follows. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct plot_rows rows = {.count = 0};

@@ -5,8 +5,8 @@
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
-/* Adds a curve for the method and precision of a row. Every chart shows the same method and precision in the
- * same colour and style. */
+/* Adds a curve for the method and precision of a row. The same method and precision have the same colour and
+ * style in every chart. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)
 {
     static const enum ink inks[] = {INK_SKY, INK_BLUE, INK_PURPLE};

@@ -13,8 +13,8 @@ enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
 /*
  * Chooses the largest standard deviation in the chart. It is well above the deviation at which half of the
- * rows fall and, unless `now` is NaN, above `now`, the deviation of the session. A rough result is enough, so
- * only a few random rows are run.
+ * rows fall and, unless `now` is NaN, above `now`, which is the deviation that 'effect placement' sets. A
+ * rough result is enough, so only a few random rows are run.
  */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)

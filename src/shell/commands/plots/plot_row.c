@@ -28,8 +28,8 @@ static void end_note(const struct row_run *run, struct chart *chart)
 /* ---- Energy to spare ---- */
 
 /* Returns the spare energy of the domino in run->fall[i], divided by its barrier. Returns NaN for a domino
- * that needs no energy, and for a first domino that was tipped over its edge, which has exactly the energy
- * that it needs. */
+ * that needs no energy. Also returns NaN for a first domino that was tipped over its edge, because this
+ * domino has exactly the energy that it needs. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];
@@ -184,7 +184,7 @@ static double window_room(const struct domq_window *w)
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Writes the note of the chart: which gap must be set most precisely or, if the row does not fall, which
+/* Writes into the note of the chart which gap must be set most precisely or, if the row does not fall, which
  * change of a gap would save it. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {

@@ -34,8 +34,8 @@ static size_t missing_at(const struct points *p, size_t k)
     return missing;
 }
 
-/* Returns the index of the column to plot: the number that the command stands for in expressions or, if it
- * has none, its first number. */
+/* Returns the index of the column to plot: the principal column of the command or, if it has none, the first
+ * column of its answer. */
 static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;

@@ -26,12 +26,12 @@ void row_run_free(struct row_run *run);
  * `timed` is true. On failure, sets *problem and returns false, and nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
-/* Returns true if domino k, counted from 0, is the first domino and starts the row without a push: it is
- * tipped until it falls by itself. */
+/* Returns true if domino k, counted from 0, is the first domino and is not pushed, but tipped until it falls
+ * by itself. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
 /* A callback for domq_row_rmax; the context is a scene. Fills in the row of this scene, but with the growth
- * r. Measurements that the user has changed stay changed. */
+ * r. Keeps the changes that the user has made to single dominoes. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */

@@ -83,7 +83,7 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5 and 3 at
+/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5, and 3 rows at
  * domino 6. Each entry begins with the prefix. Returns the length of the text. */
 static int stops_text(const size_t *stops, size_t count, const char *prefix, char *text, int size)
 {

@@ -23,8 +23,8 @@ struct slip {
     size_t domino, head;
 };
 
-/* The friction of the floor, and the friction that the feet of a row need: `motion` is about falling
- * dominoes, and `hit` about the moment at which one is hit. */
+/* How much friction the feet of a row need: `motion` while dominoes fall, and `hit` at the moment of a hit.
+ * `floor` is the friction of the floor. */
 struct feet {
     domq_real floor;
     struct needs {
@@ -48,8 +48,8 @@ struct study {
     bool causes; /* the rows were also run without each kind of error */
     struct domq_study counts;
     size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
-    /* `count` is the number of dominoes in the row. `stops` counts the rows that stop at each domino, in the
-     * order that domq_placement_causes describes. */
+    /* `count` is the number of dominoes in the row. `stops` counts the rows that stop at each domino (see
+     * domq_placement_causes). */
     size_t count, *stops;
 };
 
@@ -71,8 +71,8 @@ size_t *study_stops(const struct study *study, int kind);
 /* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
 void study_answer(struct answer *a, const struct study *study, const char *reason);
 
-/* Computes the part of a study that the option --shard selects, and prints it as blocks of counts. The blocks
- * are the same for any number of parts. */
+/* Computes the part of a study that the option --shard selects, and prints it as blocks of counts. The number
+ * of parts does not change the blocks. */
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
                   const struct scene_row *scene, const struct domq_placement *placement);
 
@@ -83,12 +83,12 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* kind[K] is an array with the window of each domino, where K is an enum dom_window_of. The friction
-     * between dominoes has a single window, the first element of its array. */
+    /* kind[K][k] is the window of domino k, counted from 0, where K is an enum dom_window_of. The friction
+     * between dominoes has a single window, with k = 0. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* For each kind of window, the number of the domino with the tightest limits, or 0 if it was not looked
-     * for. If the row does not fall, only the element for leans is set: to the domino whose lean needs the
-     * smallest change. */
+    /* For each kind of window, the number of the domino with the tightest limits, where 0 stands for none. If
+     * the row does not fall, only the element for leans is set: to the domino whose lean needs the smallest
+     * change. */
     size_t first[WINDOW_KINDS];
     bool falls;
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a study of random rows, and prints its answer: how many rows fall, where the others stop, and how many
- * would fall without each kind of error. */
+/* Runs a study of random rows, and prints its answer: how many rows fall, where the other rows stop, and how
+ * many would fall without each kind of error. */
 #include "commands/rows/rows.h"
 #include "language/text.h"
 #include "session/random_errors.h"
@@ -50,8 +50,8 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
 }
 
 /* Steps through an array of counts from the largest to the smallest, and skips counts of 0. Returns the index
- * that follows `last` in this order, or the first index if `last` is `count`. Returns `count` after the last
- * index. */
+ * that follows `last` in this order. To begin, pass `count` as `last`. After the last index, returns
+ * `count`. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -63,9 +63,9 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Steps through the kinds of errors, from the kind that costs the most rows to the kind that costs the
- * fewest. Returns the kind after `last`, or the first kind if `last` is DOM_ERROR_COUNT. Returns
- * DOM_ERROR_COUNT after the last kind. */
+/* Steps through the kinds of errors, beginning with the kind that costs the most rows. Returns the kind that
+ * follows `last` in this order. To begin, pass DOM_ERROR_COUNT as `last`. After the last kind, returns
+ * DOM_ERROR_COUNT. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */
