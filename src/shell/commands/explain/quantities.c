@@ -130,7 +130,7 @@ const struct derived derived_list[] = {
       "duration of a cycle: the integral of 1/(tau omega) from 0 to theta_c, by quadrature"),
     Q("seconds", "t", "t", 0, 0, SUM_NONE, "t_f*tau", "duration.seconds", "s", "", "duration of a cycle"),
     Q("speed", "v", "v", 0, 0, SUM_NONE, "(s + d)*r*h/seconds", "duration.speed", "m/s", "",
-      "front speed of a cycle"),
+      "speed of the front during a cycle"),
     Q("r_max", "r_max", "r_{\\max}", HAS_REACH, 0, SUM_NONE, "1/s", "rmax.r_max", "", "2; a2",
       "the largest growth: with a larger one, the head misses the next domino"),
     Q("r_max", "r_max", "r_{\\max}", 0, 0, SUM_NONE, NULL, "rmax.r_max", "", "26; c8",

@@ -9,7 +9,8 @@
 static const struct column plot_columns[] = {
     {"theta", "rad", "energy, omega, inertia, chain: tilt of the head", 0},
     {"dH", "mgh/2", "energy: potential energy of the train, H(theta) - H(0) (19; c1)", 0},
-    {"kinetic", "mgh/2", "energy: J tau^2 omega^2 (21; c3); fall: energy with which the domino is hit", 0},
+    {"kinetic", "mgh/2",
+     "energy: J tau^2 omega^2 (21; c3); fall: kinetic energy of all moving dominoes just after the hit", 0},
     {"J", "", "energy, inertia: inertia of the train (20; c2)", 0},
     {"omegasq", "", "omega: tau^2 omega(theta)^2 (21; c3)", 0},
     {"omega", "rad/s", "omega: angular velocity of the head", 0},

@@ -67,7 +67,7 @@ static void all_fall_say(struct answer *a, const struct falling *f)
         answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
                    measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
     else
-        answer_say(a, "%s, but one of them almost stops, so the time of its fall cannot be computed.",
+        answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",
                    fall.text);
 }
 

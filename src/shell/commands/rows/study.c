@@ -89,7 +89,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the standard deviation of the gaps at which rows fall with this probability", 0},
+    {"sigma", "m", "the standard deviation of the gaps for which this share of the rows falls", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -155,7 +155,7 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
     const bool all = call->kind == DOM_ERROR_COUNT;
     const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
     if (all)
-        snprintf(text, room, "All errors may be %s times as large", size_words(call, size).text);
+        snprintf(text, room, "All errors may be %s times as large as they are", size_words(call, size).text);
     else
         snprintf(text, room, "%s within %s (%s)", keep[call->kind], size_words(call, size).text,
                  uniform ? "uniform limits" : "one standard deviation");
@@ -210,8 +210,8 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
         return problem_no_answer(problem, "even without random errors, the row does not fall; 'mend' looks "
                                           "for a change that saves it");
     return problem_no_answer(problem,
-                             "even without the error of the %s, fewer rows fall than P asks for; enter a "
-                             "smaller P, or make the other errors smaller",
+                             "even with no error in the %s, fewer rows fall than P asks for; enter a smaller "
+                             "P, or make the other errors smaller",
                              error_names(NULL, (int)call->kind));
 }
 
@@ -243,7 +243,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     if (call->kind != DOM_ERROR_gap)
         answer_describe(
             a, "sigma", NULL,
-            "the size of the error, or the factor for all errors, at which rows fall with this probability");
+            "the size of the error, or the factor for all errors, for which this share of the rows falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,

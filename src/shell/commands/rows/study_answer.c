@@ -18,8 +18,8 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which most of the failed rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without the error in costs_most", 0},
-    {"stops_there", "", "the domino at which most rows stop because of the error in costs_most", 0},
+    {"without", "share", "the share of the rows that would fall without the error that costs_most names", 0},
+    {"stops_there", "", "the domino at which most rows stop because of the error that costs_most names", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -133,7 +133,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
                study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
                measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
     if (*text)
-        answer_say(a, "The others stop at domino %s.", text);
+        answer_say(a, "The other rows stop at domino %s.", text);
     causes_say(a, s);
     if (answer_for_people(a)) /* sentences show these values, so the columns are left out */
         answer_leave_out(a, "errors costs_most without stops_there");

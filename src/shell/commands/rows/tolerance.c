@@ -295,7 +295,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
         answer_say(a, "A rigid-body engine runs this row: the ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine finds no verdict.");
     if (!w->falls)
-        answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
+        answer_say(a, "The row does not fall now; a change to any value in one of these windows saves it.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
         if (least_room(w, sizes[i]) > 0)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));
