@@ -122,10 +122,10 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* Returns the angle of a tilt up to pi/2. Uses an arc sine if that is accurate. */
+/* Returns the angle of a tilt between -pi/2 and pi/2, faster than tilt_angle. */
 static real tilt_theta(struct tilt t)
 {
-    return t.v < (real)0.5 ? asin(t.x) : tilt_angle(t);
+    return t.v < (real)0.5 ? asin(t.x) : PI / 2 - asin(t.y);
 }
 
 /* If G is at least this fraction of l + c, the turn is so near to pi/2 that turn_near_reach finds it. */
