@@ -291,9 +291,13 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     (void)error;
     bool pushes = pass == PASS_PUSHES;
     struct rolling_pair p;
-    struct walk b = rounded_begin(geometry, from);
+    struct walk b;
     const struct link *link = &p.a.link;
     rolling_begin(&p, geometry, from, head, t);
+    if (pass == PASS_SHIFT) /* of the upright chain, only the tilts are needed */
+        b = (struct walk){.link = {.tilt = from, .leads = geometry->n > 1}};
+    else
+        b = rounded_begin(geometry, from);
     const bool closes =
         geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS && !pushes;
     for (;;) {

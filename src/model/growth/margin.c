@@ -127,7 +127,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
     if (c->status == DOM_OK && c->dominoes == CHAIN_ENDLESS && geometry.dynamics->conservative)
-        far_make(&geometry, FAR_PASSES);
+        far_make(&geometry, c->how == MARGIN_SIGN ? 1 : FAR_PASSES);
     if (c->status == DOM_OK)
         c->status = dynamics_begin(&geometry);
     if (c->status == DOM_OK)
