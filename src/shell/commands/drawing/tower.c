@@ -7,17 +7,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOWER_WIDTH 0.2 /* width of the tower, as a fraction of its height */
+/* The width of the tower, as a fraction of its height. */
+#define TOWER_WIDTH 0.2
 /* Dominoes smaller than this fraction of the tower's height are drawn a second time, enlarged. */
 #define TOO_SMALL 0.012
-#define ZOOM_WIDE 0.36 /* largest width of the enlarged copy, as a fraction of the width of the picture */
-#define ZOOM_HIGH 0.4
-#define ZOOM_ABOVE                                                                                           \
-    0.52 /* height of the enlarged copy above the floor, as a fraction of the tower's height                 \
-          */
+/* The largest width of the enlarged copy, as a fraction of the width of the picture. */
+#define ZOOM_WIDE 0.36
+/* The largest height of the enlarged copy, and its height above the floor, as fractions of the tower's
+ * height. */
+#define ZOOM_HIGH  0.4
+#define ZOOM_ABOVE 0.52
+/* A copy that would be enlarged by less than this factor is not drawn. */
+#define ZOOM_LEAST 2
 /* The distance in a film from the last domino to the tower, divided by the height of this domino. */
-#define BEYOND     1.1
-#define ZOOM_LEAST 2 /* a copy that would be enlarged by less than this factor is not drawn */
+#define BEYOND 1.1
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)

@@ -122,7 +122,7 @@ void step_numbers(const struct derivation *derivation, const struct step *step, 
 
 /* The arguments after the name of the question. */
 struct explain_bound {
-    domq_real value; /* NaN if there is no value */
+    domq_real value; /* the value after the question, or NaN if there is none */
     bool deep;
 };
 

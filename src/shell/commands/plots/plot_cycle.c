@@ -15,7 +15,7 @@ enum { STEPS = 160 };
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
-/* The line of domino i is drawn only if theta_f - theta_i > LINES_APART theta_f at the launch. */
+/* A line is drawn for domino i only if, at the launch, theta_f - theta_i > LINES_APART theta_f. */
 #define LINES_APART ((domq_real)2 / 100)
 
 struct cycle {

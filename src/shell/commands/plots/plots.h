@@ -55,7 +55,7 @@ struct plot_curve {
     enum chart_kind kind;
     enum ink ink;
     int dash;
-    int series; /* if not 0, the curve shows only the rows whose first number is series - 1 */
+    int series; /* if `series` is not 0, the curve shows only rows whose first number is series - 1 */
 };
 
 enum { PLOT_CURVES = 5 };

@@ -160,7 +160,8 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-enum { DIGITS = 6, DIGITS_NOW = 4 /* a tape measure cannot be read more precisely */ };
+/* The numbers of digits of a limit and of the current value, which is measured with a tape. */
+enum { DIGITS = 6, DIGITS_NOW = 4 };
 
 static struct measured length(domq_real value, int digits)
 {
