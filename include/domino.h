@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * libdomino computes how a row of dominoes falls, and how much larger each domino may be than the one before.
+ * libdomino computes how a row of dominoes falls. It also finds how much larger each domino may be than the
+ * one before.
  *
  * Introduction
  *
- * A train is an endless row of dominoes, each r times as large as the one before, that lean on each other
- * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library finds whether a train keeps
- * falling, how large r may be, how fast the train runs and which forces act. It answers the same questions
- * about a finite row of dominoes of any sizes. Describe the train, call a function, and check the status:
+ * A train is an endless row of dominoes (J. M. J. van Leeuwen, "Domino Magnification"). Each domino is r
+ * times as large as the one before. The falling dominoes lean on each other. The library finds whether a
+ * train keeps falling, how large r may be, how fast the train runs and which forces act. It answers the same
+ * questions about a finite row of dominoes of any sizes. Describe the train, call a function, and check the
+ * status:
  *
  *     struct dom_train train = dom_train_default();
  *     struct dom_limit limit;
@@ -15,29 +17,30 @@
  *     if (dom_limit_rmax(&train, NULL, &limit) == DOM_OK)
  *         printf("%.12g\n", limit.r_max);
  *
- * The second argument says how to compute (struct dom_compute). NULL means the defaults: double precision and
- * a relative tolerance of 1e-12.
+ * The second argument says how to compute (struct dom_compute). NULL means double precision and a relative
+ * tolerance of 1e-12.
  *
- * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
- * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance, but not
- * the error made when the parameters are rounded to the precision. A bound is NaN if compute.errors is not
- * set, or if no bound is known. No bounds are known for trains with rounded edges, or for the motion and the
- * limits of trains with friction.
+ * Units: lengths are in units of the height h of the head, energies in m g h / 2 of the head, and times in
+ * tau (1; a1). dom_scale_tau returns tau in seconds. Angles are in radians from the vertical. Only struct
+ * dom_scale and rows are in metres, kilograms and seconds.
  *
- * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
- * header, declares the same functions, structures and lists for the widest floating-point type of the
- * machine, with domq_ instead of dom_. The functions of both headers can compute in every precision; they
- * differ only in the type of their parameters and results.
- *
- * Units: the head is the foremost falling domino and has number 0. The dominoes that push it, its followers,
- * have the numbers 1, 2, ..., counted backwards from the head. Lengths are in units of the height h of the
- * head, energies in units of m g h / 2 of the head, and times in units of tau (1; a1), which dom_scale_tau
- * converts to seconds. Angles are in radians from the vertical. Only struct dom_scale and rows are in metres,
- * kilograms and seconds.
+ * Numbers: the head is the foremost falling domino and has number 0. Its followers are the dominoes that push
+ * it. They have the numbers 1, 2, ..., counted backwards from the head.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
  * range. With any status other than DOM_OK, only the error bounds on the result are written, unless the
  * comment of the function says otherwise.
+ *
+ * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
+ * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance. They do
+ * not cover the rounding of the parameters to the precision. A bound is NaN if compute.errors is not set, or
+ * if no bound is known. No bounds are known for
+ * - trains with rounded edges,
+ * - the motion and the limits of trains with friction.
+ *
+ * Precision: this header has doubles. <domino_quad.h> declares the same functions, structures and lists for
+ * the widest floating-point type of the machine, with domq_ instead of dom_. It includes this header. The
+ * functions of both headers can compute in every precision.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
@@ -57,7 +60,7 @@ extern "C" {
 /* The version of this header. */
 #define DOM_VERSION "1.0"
 
-/* Returns the version of the library, which may be newer than this header if the library is shared. */
+/* Returns the version of the library. A shared library may be newer than this header. */
 const char *dom_version(void);
 
 /* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
@@ -70,16 +73,16 @@ typedef double dom_real;
 
 /* ---- Simple API: each function returns a number, or NaN if it fails ---- */
 
-/* Returns the largest growth of a train. The separation s and the thickness d are relative to the height; the
- * exponent q is 3 for hollow and 4 for solid dominoes. */
+/* Returns the largest growth of a train. s is the separation and d the thickness, both divided by the height.
+ * The exponent q is 3 for hollow and 4 for solid dominoes. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
-/* Returns how many dominoes it takes to topple one of the given height: the smallest n for which
+/* Returns the number of dominoes that it takes to topple one of the given height: the smallest n with
  * first * r^n >= height. */
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
-/* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is their height in m; the
- * separation s and the thickness d are relative to the height. */
+/* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is the height in m. The
+ * separation s and the thickness d are divided by the height. */
 dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /* ---- The train ---- */
@@ -97,23 +100,23 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /*
  * A self-similar train. Start from dom_train_default() and change the members that differ. The last four
- * members are the effects of DOM_DYNAMICS, all off (0) by default:
+ * members are the effects of DOM_DYNAMICS. They are off (0) by default.
  *
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, the equation
  * of motion is solved instead of (21; c3) and (24; c6).
  *
- * alpha: the angle in radians at which the floor slopes down in the direction of the train, -1.5 ... 1.5. The
- * status is DOM_NO_STAND if no domino can stand upright on that slope.
+ * alpha: the slope of the floor in radians, -1.5 ... 1.5. It is positive if the floor slopes down in the
+ * direction of the train. The status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
- * walls: the thickness of the walls relative to the height, 1e-9 ... 1, for dominoes that are boxes made of
- * six walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase
- * tau (dom_scale_tau) and the friction that the floor must supply. They change no other result.
+ * walls: for dominoes that are boxes of six walls, the thickness of the walls divided by the height,
+ * 1e-9 ... 1. A box is half as wide as it is tall. The status is DOM_NO_ROOM if the walls do not fit. Walls
+ * increase tau (dom_scale_tau) and the friction that the floor must supply. They change nothing else.
  *
- * rho: the radius of the edges relative to the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
- * than d/2. No error bounds are known for rounded edges, so all bounds are NaN.
+ * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
+ * than d/2.
  *
- * With friction, a slope or rounded edges, the paper's fuel and the methods other than DOM_METHOD_OURS do not
- * apply, and the status is DOM_NO_METHOD.
+ * With mu, alpha or rho, the status is DOM_NO_METHOD for the paper's fuel and for all methods except
+ * DOM_METHOD_OURS.
  */
 struct dom_train {
     dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
@@ -130,8 +133,7 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* These two functions return defaults: those of DOM_TRAIN_PARAMETERS, without effects, and those of
- * DOM_SCALE_PARAMETERS. */
+/* Return the defaults of DOM_TRAIN_PARAMETERS, without effects, and those of DOM_SCALE_PARAMETERS. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -145,11 +147,11 @@ struct dom_scale dom_scale_default(void);
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the results */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
-    /* Default DOM_METHOD_OURS. The other methods answer only a few questions and give no error bounds. */
+    /* Default DOM_METHOD_OURS. The other methods answer few questions and give no error bounds. */
     enum dom_method method;
-    bool errors;           /* true if error bounds are computed as well, which takes more time */
+    bool errors;           /* true to compute error bounds, which takes more time */
     struct dom_work *work; /* counters to which the work is added; may be NULL */
-    /* A long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
+    /* A long computation returns DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
 };
 
@@ -158,11 +160,11 @@ struct dom_compute dom_compute_default(void);
 
 /* The properties of a precision. */
 struct dom_arithmetic {
-    const char *name; /* "float", "double" or "quad" */
-    const char *type; /* the C type that is used */
-    int bits;         /* bits of the significand; 0 if the machine has no such type (DOM_NO_PRECISION) */
-    double epsilon;   /* twice the unit roundoff */
-    dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest tolerance that is allowed */
+    const char *name;                /* "float", "double" or "quad" */
+    const char *type;                /* the C type that is used */
+    int bits;                        /* bits of the significand; 0 if the machine has no such type */
+    double epsilon;                  /* twice the unit roundoff */
+    dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest allowed one */
     int digits;                      /* significant digits worth printing at tol_default */
 };
 
@@ -170,17 +172,19 @@ struct dom_arithmetic {
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
- * Checks a train. Returns DOM_OK if every parameter is in its range, tol is not below the tol_floor of the
- * precision, and the head reaches the next domino (r <= dom_train_reach). Otherwise returns DOM_BAD_...,
- * DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. If r is 1/s rounded to the precision,
- * r s counts as 1. Every function below that takes a train makes this check and may return these statuses.
+ * Checks a train. Returns DOM_OK if
+ * - every parameter is in its range,
+ * - tol is at least the tol_floor of the precision,
+ * - the head reaches the next domino: r <= dom_train_reach.
+ *
+ * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. If r is
+ * 1/s rounded to the precision, r s counts as 1. Every function below that takes a train makes this check and
+ * may return these statuses.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
-/*
- * Returns the largest growth at which the head still touches the next domino. It is 1/s, or with rounded
- * edges (1 - 2 rho + rho pi/2)/s. train->r is not used.
- */
+/* Returns the largest growth at which the head still touches the next domino: (1 - 2 rho + rho pi/2)/s, which
+ * is 1/s with sharp edges. Does not use train->r. */
 dom_real dom_train_reach(const struct dom_train *train);
 
 /* A number and an upper bound on its absolute error. */
@@ -195,12 +199,13 @@ struct dom_angles_error {
 };
 
 struct dom_angles {
-    dom_real theta_c;     /* the angle at which the head hits the next domino: sin theta_c = r s (2; a2) */
-    dom_real theta_u;     /* the angle at which a single domino tips over: tan theta_u = d (4; b1) */
-    dom_real theta_inf;   /* the angle that far followers approach: cos theta_inf = d / (s + d) (40; A16) */
-    dom_real theta_f;     /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
-    dom_real theta_leave; /* the angle of a leader at which its follower detaches; NaN if no follower does */
-    bool detaches;        /* true if followers detach from their leaders (41; A17) */
+    dom_real theta_c;   /* the head hits the next domino at this angle: sin theta_c = r s (2; a2) */
+    dom_real theta_u;   /* a single domino tips over at this angle: tan theta_u = d (4; b1) */
+    dom_real theta_inf; /* the angle that far followers approach: cos theta_inf = d / (s + d) (40; A16) */
+    dom_real theta_f;   /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
+    /* The angle of a leader at which its follower detaches. NaN if no follower does. */
+    dom_real theta_leave;
+    bool detaches; /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
 };
 
@@ -214,7 +219,7 @@ struct dom_contact_error {
 
 /* The contact of a domino at the tilt theta with the follower that leans on it. */
 struct dom_contact {
-    /* If the follower has detached, theta_1 is theta_f, the slope is 0, and the arms are NaN. */
+    /* If the follower has detached: theta_1 = theta_f, slope = 0, and the arms are NaN. */
     dom_real theta_1; /* angle of the follower (12; b8) */
     dom_real slope;   /* d theta_1 / d theta (14; b10) */
     dom_real arm_a;   /* lever arm of the contact force on the leader, in h */
@@ -222,8 +227,8 @@ struct dom_contact {
     struct dom_contact_error error;
 };
 
-/* Finds the contact at 0 <= theta <= theta_c. For other tilts this function and all functions below return
- * DOM_BAD_TILT. */
+/* Finds the contact at 0 <= theta <= theta_c. This function and all functions below return DOM_BAD_TILT for
+ * other tilts. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -238,14 +243,14 @@ struct dom_link {
     size_t i;       /* number of the domino, 0 = head */
     dom_real theta; /* the angle theta_i of the domino (27; A2) */
     dom_real slope; /* d theta_i / d theta (33; A9) */
-    /* Lever arms of the contact with domino i + 1, in h (table 1). NaN if there is no contact. */
+    /* Lever arms of the contact with domino i + 1, in h (table 1). NaN without a contact. */
     dom_real arm_a, arm_b;
     dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
     struct dom_link_error error;
 };
 
-/* Calls visit for the head, which leans at theta, and then for each follower whose contribution matters at
- * the tolerance. visit returns false to end the walk early. The status is DOM_OK in that case, too. */
+/* Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
+ * visit returns false to end the walk early; the status is then DOM_OK, too. */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real theta, dom_visit *visit, void *context);
@@ -257,8 +262,8 @@ struct dom_energy_error {
 };
 
 struct dom_energy {
-    dom_real dH; /* H(theta) - H(0); H is the potential energy of the train (19; c1), in m g h / 2 */
-    dom_real J;  /* inertia of the train, whose kinetic energy is J tau^2 omega^2 (20; c2) */
+    dom_real dH; /* H(theta) - H(0), where H is the potential energy (19; c1), in m g h / 2 */
+    dom_real J;  /* inertia: the kinetic energy is J tau^2 omega^2 (20; c2) */
     dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (50; d8, corrected) */
     struct dom_energy_error error;
 };
@@ -272,13 +277,13 @@ struct dom_fuels_error {
 };
 
 struct dom_fuels {
-    dom_real exact; /* the potential energy that all dominoes lose in one cycle: H(0) - H(theta_c) */
-    /* 1 - h(theta_f), the paper's closed form of the fuel (25; c7), which holds only for r = 1 */
+    dom_real exact; /* the potential energy lost in one cycle: H(0) - H(theta_c) */
+    /* 1 - h(theta_f), the paper's closed form (25; c7), which holds only for r = 1 */
     dom_real paper;
     struct dom_fuels_error error;
 };
 
-/* Finds both fuels, in m g h / 2. If the fuel is zero or negative, the train does not keep falling. */
+/* Finds both fuels, in m g h / 2. If the fuel is <= 0, the train does not keep falling. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -289,10 +294,9 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel; /* the fuel P by the formula that train->fuel selects, minus the work of friction */
+    dom_real fuel; /* the fuel P that train->fuel selects, minus the work of friction */
     dom_real J0;   /* J(0) */
-    /* omega(0) after the collision, divided by omega_1(theta_c) before the collision (22; c4): (J(0) - 1) /
-     * J(0). */
+    /* omega(0) after the collision / omega_1(theta_c) before it (22; c4): (J(0) - 1) / J(0) */
     dom_real velocity_ratio;
     dom_real omegasq; /* tau^2 omega(0)^2 after the collision (24; c6) */
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
@@ -300,10 +304,11 @@ struct dom_launch {
 };
 
 /*
- * Finds the motion just after a collision. With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio
- * are written, and omegasq and kinetic are NaN. DOM_LOCKS means that friction prevents the cycle from
- * beginning; no member is written in that case. All functions below that are about a cycle may return
- * DOM_LOCKS, too.
+ * Finds the motion just after a collision.
+ *
+ * With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio are written, and omegasq and kinetic are
+ * NaN. With DOM_LOCKS friction prevents the cycle from beginning, and no member is written. All functions
+ * about a cycle may return DOM_LOCKS.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -316,8 +321,8 @@ struct dom_barrier_error {
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
-    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy
-     * that carries the train past every tilt; it is the energy just after the collision. */
+    /* The maximum of H(theta) - H(0) over the cycle, >= 0. With friction: the smallest kinetic energy just
+     * after the collision that carries the train past every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -325,20 +330,22 @@ struct dom_barrier {
 };
 
 /*
- * Finds whether the train keeps falling. The status is DOM_OK if it does (margin >= 0), and DOM_STOPS if it
- * stops; all members are written in both cases. With DOM_NO_FUEL theta_m and barrier are written, and the
- * other members are NaN. All functions about a cycle give the same verdict: if the tolerance is too coarse
- * for a verdict, they compute with a finer tolerance.
+ * Finds whether the train keeps falling. The status is
+ * - DOM_OK if it keeps falling (margin >= 0): all members are written,
+ * - DOM_STOPS if it stops: all members are written,
+ * - DOM_NO_FUEL: theta_m and barrier are written, and the other members are NaN.
+ *
+ * All functions about a cycle give the same verdict. If the tolerance is too coarse for a verdict, they
+ * compute with a finer one.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
 
 /* ---- One cycle ---- */
 
-/*
- * Finds tau^2 omega(theta)^2 between one collision and the next (21; c3). The value is NaN unless the status
- * is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS if the train stops before theta.
- */
+/* Finds tau^2 omega(theta)^2 between one collision and the next (21; c3). The value is NaN unless the status
+ * is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS if the train stops before
+ * theta. */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq);
 
@@ -352,7 +359,7 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_c
 
 /*
  * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. For a
- * small margin, the duration grows like ln(1 / margin), and its relative error like kinetic / margin times
+ * small margin, the duration grows like ln(1 / margin). Its relative error grows like kinetic / margin times
  * the unit roundoff. The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL
  * or DOM_STOPS if there is no complete cycle.
  */
@@ -370,8 +377,8 @@ struct dom_event {
 
 /*
  * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX of them. With DOM_STOPS
- * all events are written, and the last one is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every
- * function that finds a time, this function may return DOM_NO_MARGIN: see dom_cycle_duration.
+ * the last event is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every function that finds a time, this
+ * function may return DOM_NO_MARGIN (see dom_cycle_duration).
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -380,20 +387,18 @@ struct dom_state_error {
     dom_real theta, time, omegasq, acceleration, kinetic, climbed, fallen, before, lost, friction_work;
 };
 
-/*
- * The train at one tilt of a cycle, and its energies in m g h / 2 of the head. The energies balance, except
- * with the paper's fuel: before - lost - climbed - friction_work = kinetic.
- */
+/* The train at one tilt of a cycle. Energies are in m g h / 2 of the head. Except with the paper's fuel, they
+ * balance: before - lost - climbed - friction_work = kinetic. */
 struct dom_state {
     dom_real theta;        /* tilt of the head */
     dom_real time;         /* time since the launch, in tau */
     dom_real omegasq;      /* tau^2 omega^2 (21; c3) */
-    dom_real acceleration; /* tau^2 times the angular acceleration of the head, from (21; c3) */
+    dom_real acceleration; /* tau^2 times the angular acceleration of the head */
     dom_real kinetic;      /* J(theta) tau^2 omega^2 */
-    dom_real climbed;      /* H(theta) - H(0); negative while the train is lower than at the launch */
-    dom_real fallen;       /* the part of `climbed` that is due to dominoes that detached in this cycle */
-    dom_real before;       /* kinetic energy of the train just before the collision */
-    /* Energy lost in the collision; without friction, the member `before` divided by J(0) (22; c4). */
+    dom_real climbed;      /* H(theta) - H(0), negative while the train is lower than at the launch */
+    dom_real fallen;       /* the part of `climbed` due to dominoes that detached in this cycle */
+    dom_real before;       /* kinetic energy just before the collision */
+    /* Energy lost in the collision. Without friction: before / J(0) (22; c4). */
     dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;
@@ -410,34 +415,33 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in order of time, for `rows` states evenly spaced over the cycle and for the state at each
- * event of the cycle. `event` is NULL for the evenly spaced states. visit returns false to end the walk
- * early. A walk over many states takes far less time than as many calls of dom_cycle_state. The statuses are
- * those of dom_cycle_events; DOM_STOPS is returned after all states have been visited.
+ * Calls visit, in order of time, for `rows` states evenly spaced over the cycle, and for the state at each
+ * event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
+ *
+ * A walk takes far less time than as many calls of dom_cycle_state. The statuses are those of
+ * dom_cycle_events. DOM_STOPS is returned after all states have been visited.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* The contact force and the impulse between domino i and its follower. The two dominoes stay in contact while
- * the force is > 0 (section 5 of the paper). */
+/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
+ * force is > 0 (section 5 of the paper). */
 struct dom_force {
     size_t i;         /* number of the domino, 0 = head */
     dom_real force;   /* contact force in m g of the head; NaN if domino i has no follower */
     dom_real of_own;  /* the force divided by the weight of domino i */
-    dom_real impulse; /* impulse of the collision, in m g tau of the head; NaN unless theta = 0 */
+    dom_real impulse; /* impulse of the collision, in m g tau of the head; NaN if theta > 0 */
 };
 
-/*
- * Calls visit for the dominoes of a moving train at the tilt theta, from the head down to the last one that
- * contributes. visit returns false to end the walk early. The statuses are those of dom_cycle_state.
- */
+/* Calls visit for the dominoes of a moving train at the tilt theta, from the head to the last domino that
+ * contributes. visit returns false to end the walk early. The statuses are those of dom_cycle_state. */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force and the smallest impulse. Dominoes stay in contact if the force and the impulse
- * are > 0. Both numbers are infinite if there is no contact. */
+/* The smallest contact force and the smallest impulse. Dominoes stay in contact if both are > 0. Both are
+ * infinite if there is no contact. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
     dom_real theta; /* the tilt of the head at which the smallest force occurs */
@@ -445,15 +449,14 @@ struct dom_least_force {
     dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
 
-/* Finds the smallest contact force during the cycle or, if the train stops, during the part of the cycle
- * before the stop. The error is at most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if
- * there is no cycle. */
+/* Finds the smallest contact force during the cycle or, if the train stops, until the stop. The error is at
+ * most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
- * the reaction force of the floor during the motion, or its impulse in the collision. A coefficient is
+ * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z. R is the
+ * force of the floor on a foot during the motion, or its impulse in the collision. The coefficient is
  * infinite if a domino would be lifted off the floor.
  */
 struct dom_floor {
@@ -465,10 +468,10 @@ struct dom_floor {
 };
 
 /*
- * Finds the friction that the floor needs during the cycle or, if the train stops, during the part of the
- * cycle before the stop. Dominoes slower than a thousandth of the speed of the head are left out. The
- * relative error of the coefficient is at most a millionth if |R_x| / R_z is smooth around its maximum. The
- * status is DOM_NO_FUEL if there is no cycle.
+ * Finds the friction that the floor needs during the cycle or, if the train stops, until the stop. Dominoes
+ * slower than a thousandth of the speed of the head are left out. The relative error of the coefficient is at
+ * most a millionth if |R_x| / R_z is smooth around its maximum. The status is DOM_NO_FUEL if there is no
+ * cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -480,30 +483,35 @@ struct dom_limit_error {
 };
 
 struct dom_limit {
-    dom_real r_max;      /* the largest growth; NaN with DOM_END_NONE */
-    enum dom_end ends;   /* what limits the growth */
-    enum dom_status why; /* with DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS
-                          * or DOM_OUT_OF_REACH; otherwise DOM_OK */
+    dom_real r_max;    /* the largest growth; NaN with DOM_END_NONE */
+    enum dom_end ends; /* what limits the growth */
+    /* With DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or DOM_OUT_OF_REACH.
+     * Otherwise DOM_OK. */
+    enum dom_status why;
     struct dom_limit_error error;
 };
 
 /*
- * Finds the largest growth. As r increases from 1, this is the first r at which the margin reaches 0, or
- * dom_train_reach if the margin never reaches 0. train->r is not used. If even equal dominoes do not keep
- * falling, the status is DOM_OK and `ends` is DOM_END_NONE. This function and the next two return
- * DOM_TOO_LONG if the computation would take more than a second or two in double precision. Without friction
- * and with sharp edges, the search uses bounds on the margin that cover every growth up to r_max. It can
- * still miss a dip of the margin that is narrower than 1e-6 in ln r, or narrower than 1e-4 just before r_max.
- * After 1,500 intervals, wider dips can be missed as well. With friction or rounded edges, growths are only
+ * Finds the largest growth: the first r >= 1 at which the margin falls to 0, or dom_train_reach if the margin
+ * never reaches 0. Does not use train->r. If even equal dominoes do not keep falling, the status is DOM_OK
+ * and `ends` is DOM_END_NONE.
+ *
+ * Without friction and with sharp edges, the search uses bounds on the margin that cover every growth up to
+ * r_max. It can still miss a dip of the margin that is narrower than 1e-6 in ln r, or than 1e-4 just before
+ * r_max. After 1,500 intervals it can miss wider dips, too. With friction or rounded edges, growths are only
  * sampled.
+ *
+ * This function and the next two return DOM_TOO_LONG if the computation would take more than a second or two
+ * in double precision.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
  * Finds the largest growth of two dominoes (section "Two dominoes"). Domino 1 starts at the point of tipping
- * over, and must carry domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since r
- * must be large enough for domino 1 to tip over (5; b0), equal dominoes can fail although larger growths
+ * over, and must carry domino 0 over the barrier of the pair. Does not use train->r and train->fuel.
+ *
+ * Domino 1 tips over only if r is large enough (5; b0), so equal dominoes can fail although larger growths
  * succeed. r_max is then the upper end of the first interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
@@ -520,9 +528,11 @@ struct dom_best {
 };
 
 /*
- * Finds the best separation. train->s and train->r are not used. The status is DOM_NO_GROWTH if no separation
- * allows r > 1. Without friction and with sharp edges, bounds rule out a larger growth at any other s, except
- * in a peak of r_max(s) narrower than 0.2 % of s. Otherwise, separations are only sampled.
+ * Finds the best separation. Does not use train->s and train->r. The status is DOM_NO_GROWTH if no separation
+ * allows r > 1.
+ *
+ * Without friction and with sharp edges, bounds rule out a larger growth at any other s, except in a peak of
+ * r_max(s) narrower than 0.2 % of s. Otherwise separations are only sampled.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
@@ -530,12 +540,13 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 /* ---- Many trains at once ---- */
 
 /*
- * Answers the same question about `count` trains, one after the other. `answers` is an array of `count`
- * structures of the type that enum dom_question names. `statuses` is an array of `count` statuses, one for
- * each train, so that a failure for one train does not affect the others. `tilts` is an array of `count`
- * tilts if the question is asked at a tilt, and may otherwise be NULL. Returns DOM_OK, or DOM_NO_METHOD if
- * the question is not in the enumeration. Returns DOM_INTERRUPTED after an interrupt; all remaining trains
- * get this status, too.
+ * Answers the same question about `count` trains, one after the other.
+ * - `answers` is an array of `count` structures of the type that enum dom_question names.
+ * - `statuses` is an array of `count` statuses, one for each train.
+ * - `tilts` is an array of `count` tilts. It may be NULL if the question needs no tilt.
+ *
+ * Returns DOM_OK, or DOM_NO_METHOD if the question is not in the enumeration. After an interrupt returns
+ * DOM_INTERRUPTED; all remaining trains get this status, too.
  */
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
                                const dom_real *tilts, size_t count, const struct dom_compute *compute,
@@ -547,13 +558,12 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest; /* the range of the argument; both ends are allowed */
-    /* The default of an optional argument. The value is also used to measure the cost of the effect. */
+    /* The default of an optional argument. Also used to measure the cost of the effect. */
     dom_real usual;
     bool optional;       /* this argument and all later ones may be left out */
     bool whole;          /* the argument is a whole number */
     const char *or_file; /* the kind of file that may replace the number, or NULL */
-    /* The words that stand for the values, or NULL if the argument is given as a number. The first word
-     * stands for 0, the second for 1, and so on. A NULL ends the list. */
+    /* Words that stand for 0, 1, ..., or NULL if the argument is a number. A NULL ends the list. */
     const char *const *words;
 };
 
@@ -567,7 +577,7 @@ struct dom_effect {
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
     bool dissipates; /* true if dominoes lose energy while they move; see dom_law */
-    /* True if the effect changes only tau: with times in tau, a train moves as it does without the effect. */
+    /* True if the effect changes only tau. Times in tau are then those without the effect. */
     bool cancels;
     const char *synonyms; /* search words for the effect, separated by blanks */
 };
@@ -578,15 +588,15 @@ extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
 /* Returns the description of an effect, or NULL if there is no such effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on in a train and changes anything besides tau (see
- * `cancels` in struct dom_effect), or NULL if there is none. */
+/* Returns the first effect that is on in a train and changes anything besides tau, or NULL if there is
+ * none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
 /* The law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;
 
-/* Returns the law of motion of a train: the first effect that is on and dissipates, or dom_energy_balance if
- * there is none. */
+/* Returns the law of motion of a train: the first effect that is on and dissipates, otherwise
+ * dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
@@ -594,13 +604,13 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 /* A hollow box with six walls of the same thickness. */
 struct dom_box {
     dom_real filled; /* the fraction of the volume of the box that the walls fill */
-    /* Moment of inertia about a lower edge, relative to that of a solid block of the same mass. */
+    /* Moment of inertia about a lower edge, divided by that of a solid block of equal mass. */
     dom_real inertia;
 };
 
-/* Finds the properties of a box with these outer sizes and walls of this thickness, all in the same unit. The
- * status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half the thickness of the
- * box. */
+/* Finds the properties of a box. The four lengths have the same unit, and the first three are outer sizes.
+ * The status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half the thickness of
+ * the box. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
@@ -608,8 +618,8 @@ enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width
  * not check the arguments. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s, which is (s + d) r h divided by the duration of a cycle. `duration` is in
- * tau. Does not check the arguments. */
+/* Returns the front speed in m/s: (s + d) r h / duration. `duration` is that of a cycle, in tau. Does not
+ * check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {
@@ -617,7 +627,7 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    /* n, the smallest integer for which first * r^n >= height. Infinite if r = 1 and height > first. */
+    /* n: the smallest integer with first * r^n >= height. Infinite if r = 1 and height > first. */
     dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r */
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
@@ -625,11 +635,12 @@ struct dom_count {
 };
 
 /*
- * Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino is
- * `first` tall and each domino is r times as tall as the one before. Both heights are in the same unit. The
- * height first * r^n counts as equal to `height` if the two differ only by rounding, that is, by at most 2 +
- * n/2 units in the last place. The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless
- * r >= 1. Only compute->precision and compute->errors are used.
+ * Finds how many dominoes it takes to topple one that is at least `height` tall. The first domino is `first`
+ * tall, and each domino is r times as tall as the one before. Both heights are in the same unit.
+ *
+ * first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in the last place. The
+ * status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision
+ * and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The parts of <domino.h> that do not depend on the floating-point type, and that <domino_quad.h> therefore
- * shares: statuses, the choices that a caller makes, the names of effects and events, and the counters of
- * work. <domino.h>, which has the introduction, includes this header.
+ * The parts of <domino.h> that do not depend on the floating-point type: statuses, choices of the caller,
+ * names of effects and events, and counters of work. <domino_quad.h> shares them. <domino.h>, which has the
+ * introduction, includes this header.
  */
 #ifndef DOMINO_COMMON_H
 #define DOMINO_COMMON_H
@@ -81,7 +81,7 @@ const char *dom_status_text(enum dom_status status);
 
 /* ---- Choices ---- */
 
-/* The floating-point type of the computation. DOM_QUAD is __float128 if the machine has it, or else long
+/* The floating-point type of the computation. DOM_QUAD is __float128 if the machine has it, otherwise long
  * double if that is wider than double. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
@@ -89,19 +89,19 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
- * The algorithm. DOM_METHOD_GSL and DOM_METHOD_PAPER are for comparison and compute in double precision only:
- * DOM_METHOD_GSL applies solvers of GSL to the textbook formulas, and DOM_METHOD_PAPER follows the recipe of
- * the paper, which raises theta and r in steps.
+ * The algorithm. Two methods are for comparison, and compute in double precision only: DOM_METHOD_GSL applies
+ * GSL's solvers to the textbook formulas. DOM_METHOD_PAPER follows the recipe of the paper, which raises
+ * theta and r in steps.
  */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
  * Effects that the paper does not include. struct dom_effect describes an effect. The code of an effect runs
- * only while the effect is on, and struct dom_work counts how often the code runs.
+ * only while the effect is on. struct dom_work counts how often it runs.
  *
- * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` is the
- * member of struct dom_train and of struct dom_row that holds the value of the effect, where 0 means off.
- * `status` is returned if the value is outside its range.
+ * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` of struct
+ * dom_train and of struct dom_row holds the value of the effect, where 0 means off. `status` is returned if
+ * the value is outside its range.
  */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
@@ -129,12 +129,12 @@ enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 3 };
 
-/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE means that
- * even equal dominoes do not keep falling. */
+/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE: even equal
+ * dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". Like dom_event_text and dom_row_end_text, returns "unknown" for a
- * number that is not in the enumeration. */
+/* Returns "none", "barrier" or "reach". This function and the other two return "unknown" for a number that is
+ * not in the enumeration. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
@@ -154,8 +154,8 @@ const char *dom_event_text(enum dom_event_kind kind);
 /* Whether the states that dom_cycle_walk visits are evenly spaced in time or in tilt. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
-/* The questions that dom_trains_ask can ask. Each comment names the function that answers the question about
- * one train, and the structure that this function fills. */
+/* The questions that dom_trains_ask can ask. Each comment names the function for one train, and the structure
+ * that this function fills. */
 enum dom_question {
     DOM_ASK_ANGLES,   /* dom_angles_find: struct dom_angles */
     DOM_ASK_CONTACT,  /* dom_contact_find, at a tilt: struct dom_contact */

@@ -2,13 +2,15 @@
 /*
  * Proved results. Each result is a pair of bounds that certainly enclose the true value.
  *
- * The functions of <domino.h> compute results to a tolerance. The functions of this header prove bounds, by
- * interval arithmetic in double with outward rounding, and share no formula with the functions of <domino.h>.
+ * The functions of <domino.h> compute results to a tolerance. The functions of this header prove bounds by
+ * interval arithmetic, in double with outward rounding. They share no formula with <domino.h>.
  * domino-model(7) explains the proof.
  *
- * A proof holds for every train whose s, d and q (unless q is a whole number) round to the given doubles, and
- * therefore also for decimals and fractions such as 7/48. A train with friction, a slope or rounded edges has
- * no proof. Nothing is proved unless the rounding mode is to nearest.
+ * A proof holds for all trains whose s, d and q round to the given doubles. So it holds for decimals and for
+ * fractions such as 7/48. A whole q is exact.
+ *
+ * A train with friction, a slope or rounded edges has no proof. Nothing is proved unless the rounding mode is
+ * to nearest.
  */
 #ifndef DOMINO_PROOF_H
 #define DOMINO_PROOF_H
@@ -45,20 +47,18 @@ struct dom_proof_work {
 
 /* What is proved about the largest growth. */
 enum dom_proof_end {
-    DOM_PROVED_BARRIER, /* the train keeps falling for all growths from `from` to `low` and stops at `high` */
-    DOM_PROVED_REACH,   /* the train keeps falling for all growths from `from` to 1/s; low <= 1/s <= high */
-    /* The train stops at r = 1. A pair that stops at r = 1 has this result if no larger growth was found at
-       which it keeps falling. */
+    DOM_PROVED_BARRIER, /* the train keeps falling from `from` to `low` and stops at `high` */
+    DOM_PROVED_REACH,   /* the train keeps falling from `from` to 1/s; low <= 1/s <= high */
+    /* The train stops at r = 1. For a pair, no larger growth was found at which it keeps falling. */
     DOM_PROVED_NONE,
-    /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, this is proved for no
-     * growth. `gap` says why the proof is incomplete. */
+    /* The train keeps falling from `from` to `low`, or nothing is proved if `low` is NaN. `gap` says why the
+     * proof is incomplete. */
     DOM_PROVED_PARTLY
 };
 
 struct dom_proof {
     enum dom_proof_end ends;
-    /* The lowest growth of the proved interval. It is 1, unless equal dominoes of a pair fail but larger ones
-     * succeed. */
+    /* The lowest proved growth. It is 1, except for a pair that succeeds only at larger growths. */
     double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */
@@ -68,11 +68,12 @@ struct dom_proof {
 };
 
 /*
- * Prove bounds on the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair define
- * it. The bounds are decimal numbers whose relative distance is compute->tol, or 1e-15 if that is larger.
- * Rounding errors may leave a larger distance; the bounds are true even then. Only compute->tol and
- * compute->interrupt are used. After an interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED.
- * Other statuses are DOM_BAD_... and DOM_NO_MEMORY.
+ * Prove bounds on the largest growth of a train or a pair, as dom_limit_rmax and dom_limit_pair define it.
+ * The bounds are decimal numbers. Their relative distance is compute->tol, but at least 1e-15. Rounding
+ * errors may leave a larger distance; the bounds are true even then.
+ *
+ * Only compute->tol and compute->interrupt are used. After an interrupt the status is DOM_OK, and the gap is
+ * DOM_PROOF_INTERRUPTED. Other statuses are DOM_BAD_... and DOM_NO_MEMORY.
  */
 enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_proof *proof);
@@ -99,17 +100,18 @@ struct dom_proof_cycle {
     struct dom_proof_work work;
 };
 
-/* Proves whether a train keeps falling at train->r and at all growths that round to this double, and proves
- * bounds on the barrier as dom_barrier_find defines it. The statuses are those of dom_prove_rmax. */
+/* Proves whether a train keeps falling at train->r, and at all growths that round to this double. Also proves
+ * bounds on the barrier of dom_barrier_find. The statuses are those of dom_prove_rmax. */
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *proof);
 
 /*
- * Proves bounds on the smallest n for which first * r^n >= height, as dom_count_find defines n: *least <= n
- * <= *most. If the powers are exact in double, as those of r = 2 are, the arguments count as exact numbers.
- * Otherwise the bounds hold for all numbers that round to the arguments, and *least < *most if n depends on
- * that rounding. Infinity means that no n is large enough. If nothing is proved, the bounds are 0 and
- * infinity. The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
+ * Proves *least <= n <= *most for the smallest n with first * r^n >= height, as in dom_count_find. Infinity
+ * means that no n is large enough. If nothing is proved, the bounds are 0 and infinity.
+ *
+ * If the powers of r are exact in double, as those of 2 are, the arguments count as exact. Otherwise the
+ * bounds hold for all numbers that round to the arguments. *least < *most if n depends on that rounding. The
+ * status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

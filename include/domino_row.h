@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Finite rows of dominoes of any sizes: how a row falls, how to mend a row that stops, how precisely a row
- * must be set up, and how to design a row. <domino.h>, which has the introduction, includes this header.
- */
+/* Finite rows of dominoes of any sizes: how a row falls, how to mend a row that stops, how precisely a row
+ * must be set up, and how to design one. <domino.h>, which has the introduction, includes this header. */
 #ifndef DOMINO_ROW_H
 #define DOMINO_ROW_H
 
@@ -34,40 +32,38 @@ enum dom_row_end {
 /* Returns the meaning of an end: a phrase about the domino at which the row ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
-/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
- * dominoes also has the smallest mass. */
+/* What a design minimizes. For given heights of the first and the last domino, the fewest dominoes also have
+ * the smallest mass. */
 enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
-/* Why a wish cannot be fulfilled, and the meaning of dom_design.needs in that case. */
+/* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
 enum dom_design_limit {
     DOM_DESIGN_FITS, /* the wish can be fulfilled */
-    /* No train has this safety. `needs` is slightly below the largest safety that is possible. */
+    /* No train has this safety. `needs` is slightly below the largest possible safety. */
     DOM_DESIGN_SAFETY,
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
-    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
+    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row, in m */
     DOM_DESIGN_ENGINE, /* rows with the required safety do not fall in the engine */
-    /* some trains or rows could not be computed; `needs` is a separation s for which this happened */
+    /* some trains or rows could not be computed; `needs` is the separation s of one of them */
     DOM_DESIGN_FAILED
 };
 
 /* What dom_row_windows changes. */
 enum dom_window_of {
     DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
-    /* The distance from the back of the first domino to the back of this domino. No other domino moves. */
+    /* The distance between the backs of the first domino and this one. No other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT,   /* the height of a domino, whose mass changes with the volume of its wood */
+    DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass follows the volume of the wood */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
-    /* The thickness of a domino, whose mass changes with the volume of its wood. The gaps beside the domino
-     * do not change. */
+    /* The thickness of a domino. The mass follows the volume of the wood. The gaps stay. */
     DOM_WINDOW_THICKNESS
 };
 
 /*
  * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
- * error is relative to the value, except that errors of friction are added to the coefficient. The kind
- * `friction` and all kinds after it describe one unknown value of the whole row, so all dominoes share one
- * error.
+ * error is relative to the value, except that errors of friction are added to the coefficient. Each error
+ * from `friction` on is one value that all dominoes share.
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
@@ -92,7 +88,7 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback for progress reports: `done` out of `of` parts of a long computation are complete. */
+/* A callback for progress: `done` of `of` parts of a long computation are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
@@ -100,7 +96,7 @@ typedef void dom_progress(size_t done, size_t of, void *context);
 /*
  * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
  * run them. The callback runs task(0, context) to task(count - 1, context), each once, in any order and on
- * any threads, and waits for all of them. It returns DOM_OK, or the reason why tasks were left out, such as
+ * any threads. It waits for all of them, and returns DOM_OK or the reason why tasks were left out, such as
  * DOM_INTERRUPTED. The library passes `pool` to the callback unchanged.
  */
 typedef void dom_task(size_t index, void *context);
@@ -112,107 +108,99 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 
 /*
  * A solid block. The gap is the clear distance to the previous domino, measured at the foot as if the block
- * were upright. The first domino has the gap 0. A domino whose floor or foot is not flat is not plumb: it
- * rests tilted about its front edge, and turns about this edge when it falls. Its lean must be within
+ * were upright. The first domino has the gap 0. `lean` is for a floor or a foot that is not flat: the domino
+ * rests tilted about its front edge, and turns about this edge when it falls. The lean must be within
  * dom_lean_limits.
  */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
-    /* Radius of the edges in m, used only if rho of the row is not 0. A radius of 0 stands for rho times the
-     * height. */
+    /* Radius of the edges in m, used only if rho of the row is not 0. 0 stands for rho times the height. */
     dom_real radius;
     dom_real lean; /* the tilt in rad before the domino is hit, > 0 in the direction of the fall */
-    /* Width in m, used only for dominoes with walls. A width of 0 stands for half the height. */
+    /* Width in m, used only for dominoes with walls. 0 stands for half the height. */
     dom_real width;
 };
 
 /*
- * Finds the leans in rad, lean[0] < lean[1], between which a domino on a floor with the slope alpha does not
- * fall over by itself. They are -(limit + alpha) and limit - alpha with tan limit = thickness / height - 2
- * rho, since the centre of the block must be above the flat part of its foot. rho is the radius of the edges
- * relative to the height, as in struct dom_row, unless the domino has a radius of its own. With sharp edges
- * the limit is theta_u (4; b1). An upright domino stands if 0 is between the two leans. Does not check the
- * arguments.
+ * Finds the leans in rad, lean[0] < lean[1], between which a domino does not fall over by itself. They are
+ * -(limit + alpha) and limit - alpha, where alpha is the slope of the floor. tan limit is
+ * thickness / height - 2 rho, since the centre of the block must be above the flat part of its foot. With
+ * sharp edges the limit is theta_u (4; b1).
+ *
+ * rho is the radius of the edges divided by the height, unless the domino has a radius of its own. An upright
+ * domino stands if 0 is between the two leans. Does not check the arguments.
  */
 void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2]);
 
-/*
- * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling
- * domino is the head, and the dominoes behind the head lean on each other and on the head until it hits the
- * next domino.
- */
+/* Dominoes 1, 2, ... of any sizes, in the order in which they fall. The head is the foremost falling domino.
+ * The dominoes behind the head lean on each other and on the head until it hits the next domino. */
 struct dom_engine;
 struct dom_row {
     const struct dom_domino *domino; /* array of `count` dominoes; domino[0] is number 1 */
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
-    /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. NaN means that the first domino
+    /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. If it is NaN, the first domino
      * is tipped over its edge and let go. */
     dom_real push;
-    /* The effects of DOM_DYNAMICS, as in struct dom_train, except that the thickness of the walls is in m and
-     * is the same for all dominoes. */
+    /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is in m, equal for all dominoes. */
     dom_real mu, alpha, walls, rho;
-    /* A number that an engine adds to the friction coefficient of the floor. The model does not use it. */
+    /* A number that an engine adds to the floor's friction coefficient. The model ignores it. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
-    /* The engine that simulates the row instead of this library; may be NULL. */
+    /* The engine that simulates the row instead of this library. May be NULL. */
     const struct dom_engine *engine;
-    /* The height, in m, above which dominoes have walls; all others are solid. 0 if all have walls. */
+    /* The height, in m, above which dominoes have walls. 0 if all have walls. */
     dom_real boxes_above;
 };
 
-/* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The row has no dominoes; the
- * caller adds them. */
+/* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The caller adds the dominoes. */
 struct dom_row dom_row_default(void);
 
-/* One domino of the row while it is the head, that is, from the moment when it is hit until it hits the next
- * domino or lies on the floor. "The hit" is the collision in which the domino is hit. */
+/* One domino of the row while it is the head: from the hit, the collision in which it is hit, until it hits
+ * the next domino or lies on the floor. */
 struct dom_fall {
     size_t domino; /* number of the domino, from 1 */
-    /* the time of the hit in s, counted from the push or, without a push, from the first hit */
+    /* the time of the hit in s, since the push or, without a push, since the first hit */
     dom_real time;
-    /* the time in s from the hit until the domino hits the next one or lies on the floor; NaN if it does
-     * neither */
+    /* the time in s from the hit to the next hit or to the floor; NaN if neither happens */
     dom_real duration;
     dom_real omega;   /* angular velocity of the domino just after the hit, in rad/s */
     dom_real kinetic; /* kinetic energy of all moving dominoes just after the hit, in J */
-    /* the kinetic energy, in J, needed to get over the barrier; infinite if friction locks the row */
+    /* the kinetic energy, in J, needed to pass the barrier; infinite if friction locks the row */
     dom_real barrier;
-    dom_real margin; /* kinetic - barrier, in J */
-    dom_real lost;   /* energy lost in the collision, in J */
-    /* The energy, in J, lost to friction between dominoes after the hit. NaN if the row ends here. */
-    dom_real friction_work;
-    dom_real theta_m; /* tilt of the domino at the top of the barrier, in rad */
-    /* the last tilt in rad, at which the domino hits the next one, lies on the floor, or comes to rest */
+    dom_real margin;        /* kinetic - barrier, in J */
+    dom_real lost;          /* energy lost in the collision, in J */
+    dom_real friction_work; /* energy lost to friction after the hit, in J; NaN if the row ends here */
+    dom_real theta_m;       /* tilt of the domino at the top of the barrier, in rad */
+    /* the last tilt in rad: at the next hit, on the floor, or at rest */
     dom_real theta;
-    size_t moving; /* the number of dominoes that move just after the hit, including this domino */
+    size_t moving; /* the number of dominoes that move just after the hit, this one included */
     /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
-     * are NaN and the numbers of the dominoes are 0. */
+     * are NaN and the numbers of dominoes are 0. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
 };
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* The domino at which the row ends, which is the last one that was hit. With DOM_BAD_..., the domino with
-     * the bad value. */
+    /* The domino at which the row ends: the last one that was hit. With DOM_BAD_..., the domino with the bad
+     * value. */
     size_t domino;
-    /* the missing energy in J: > 0 for DOM_ROW_STOPS, and infinite if friction would lock the row */
+    /* the missing energy in J: > 0 for DOM_ROW_STOPS, infinite if friction locks the row */
     dom_real short_by;
     /* the time in s until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
      * times were not requested */
     dom_real seconds;
-    /* the number of the domino with the smallest margin / barrier among those that fall; 0 if there is
-     * none */
+    /* the number of the falling domino with the smallest margin / barrier; 0 if there is none */
     size_t weakest;
-    dom_real spare; /* margin / barrier of the weakest domino; infinite if there is no barrier */
+    dom_real spare; /* margin / barrier of the weakest domino; infinite without a barrier */
 };
 
 /*
  * Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. visit returns false to
  * end the run early. If `times` is false, no times are computed, which is faster, and all times are NaN. If a
- * status such as DOM_BAD_HEIGHT is about one domino, the number of this domino is written to verdict->domino.
+ * status such as DOM_BAD_HEIGHT is about one domino, verdict->domino is the number of this domino.
  * compute->method is not used.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
@@ -220,10 +208,10 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
 /*
- * An engine that runs rows instead of this library, for instance a rigid-body simulation with effects that
- * the model lacks. `run` takes the parameters of dom_row_run and returns the same results; its private data
- * are in row->engine->context. For a row with an engine, all functions about rows call `run`, except
- * dom_row_watch, which returns DOM_NO_METHOD. Studies may call `run` from many threads at once.
+ * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
+ * parameters of dom_row_run and returns the same results. Its private data are in row->engine->context. All
+ * functions about rows call `run` if the row has an engine, except dom_row_watch, which returns
+ * DOM_NO_METHOD. Studies may call `run` from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -238,25 +226,26 @@ struct dom_moment {
     dom_real time; /* the time in s, counted as in struct dom_fall */
     size_t head;   /* number of the last domino that was hit, from 1 */
     size_t moving; /* the number of dominoes that move, the head included */
-    /* tilts in rad and angular velocities in rad/s, with domino 1 at index 0; valid only during the visit */
+    /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid during the visit */
     const dom_real *tilt, *omega;
 };
 
 /*
- * Runs a row and calls visit for each of `count` times, which are in s and in ascending order. A time after
- * the end of the motion gives the final state and the time at which it was reached; INFINITY always gives
- * this state. A domino that has detached keeps the tilt that it had at that moment. visit returns false to
- * end the run. Times < 0 are allowed only if the first domino is tipped over its edge; otherwise, and for
- * NaN, the status is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later
- * times cannot be computed. Other statuses are those of dom_row_run.
+ * Runs a row and calls visit for each of `count` times, which are in s and in ascending order. visit returns
+ * false to end the run. A time after the end of the motion, such as INFINITY, gives the final state and the
+ * time at which it was reached. A domino that has detached keeps the tilt that it had at that moment.
+ *
+ * Times < 0 are allowed only if the first domino is tipped over its edge. Otherwise, and for NaN, the status
+ * is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later times cannot be
+ * computed. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict);
 
-/* Writes the first `count` dominoes of a train. The gap of each domino is s times its height,
- * and the first domino has the given mass in kg. Does not check the arguments. */
+/* Writes the first `count` dominoes of a train. Each gap is s times the height of its domino. The first
+ * domino has the given mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -266,21 +255,22 @@ typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, v
 /* The largest growth of a row. */
 struct dom_row_growth {
     dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
-    /* All dominoes fall at growths from r_min to r_max; r_min is 1 if the row falls at r = 1. */
+    /* All dominoes fall from r_min to r_max. r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
-    /* How the row ends at a growth just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if r_max is
-     * limited only by `highest`. */
+    /* How the row ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
+     * r_max. */
     enum dom_row_end ends;
 };
 
 /*
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. r is raised from 1
  * to `highest`, first until the row falls, and then until it no longer falls. `make` writes the dominoes for
- * each r that is tried. For a train, let `make` call dom_row_of_train, and let `highest` be dom_train_reach.
- * row->domino is not used. The steps of r are 2 %; with an engine they are 10 % until the row falls. An
- * interval of growths that is narrower than a step can be missed. The statuses are those of dom_row_run,
- * which also checks the dominoes that `make` has written. The status is DOM_BAD_R if `highest` is not a
- * finite number >= 1.
+ * each r; row->domino is not used. For a train, let `make` call dom_row_of_train, and let `highest` be
+ * dom_train_reach.
+ *
+ * The steps of r are 2 %. With an engine they are 10 % until the row falls. An interval of growths narrower
+ * than a step can be missed. The statuses are those of dom_row_run, which also checks the dominoes, and
+ * DOM_BAD_R if `highest` is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
@@ -289,60 +279,66 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* the current gap, in m */
-    /* The new gap in m, rounded to seven digits: of all gaps at which the row falls, the one nearest to
+    /* The new gap in m, rounded to seven digits. The row falls with this gap, and with no gap nearer to
      * `gap`. */
     dom_real to;
-    /* The other end of the interval, in m: all dominoes fall with any gap between `to` and `until`. */
+    /* The other end of the interval, in m. All dominoes fall with any gap between `to` and `until`. */
     dom_real until;
 };
 
 /*
  * Finds the changes of a single gap after which all dominoes of a row fall, the smallest change first. Writes
- * their number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which
- * the row ends, and the 30 gaps before it. Each gap is tried from 0 to the height of the domino before the
- * gap. If a gap is wider than that height, and all dominoes fall with a gap of that height, `to` is that
- * height. The search in each direction takes 40 steps of increasing length, the first of which is 1/64,000 of
- * the range, and then bisects. An interval of gaps narrower than a step can be missed. Calls progress, which
- * may be NULL, for each gap. The statuses are those of dom_row_run.
+ * their number to *count. It is 0 for a row that falls already. The gaps that are tried are the one after the
+ * domino at which the row ends, and the 30 before it. Calls progress, which may be NULL, for each gap.
+ *
+ * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than that, and all
+ * dominoes fall with a gap of that height, `to` is that height. The search in each direction takes 40 steps
+ * of increasing length, from 1/64,000 of the range on, and then bisects. An interval of gaps narrower than a
+ * step can be missed. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
 /* The window of one gap, place, height, thickness, friction or lean: the values at which all dominoes fall
- * while all other values stay as they are. A friction has no unit, a lean is in rad, and all other values are
- * in m. */
+ * while all other values stay as they are. A friction has no unit, a lean is in rad, and the others are in
+ * m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
     dom_real now;  /* the current value */
-    dom_real low;  /* the smallest value of the window, rounded to seven digits; NaN if no window was found */
+    dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the row ends at values just below and just above the window. DOM_ROW_FALLS if the window reaches
-     * the end of the range that is tried. If the row does not fall at the current value, `below` and `above`
-     * are always DOM_ROW_FALLS and say nothing. */
+    /* How the row ends just below and just above the window. DOM_ROW_FALLS if the window reaches the end of
+     * the tried range, or if the row does not fall now. */
     enum dom_row_end below, above;
 };
 
 /*
- * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights,
- * thicknesses or leans (row->count windows), or of the friction (one window). If the row falls, the window is
- * the interval around the current value, low <= now <= high. If the row does not fall, the window is the
- * nearest interval on either side of the current value; dominoes more than one place after the domino at
- * which the row ends have no window.
+ * Finds the windows of
+ * - all gaps or places: row->count - 1 windows, from domino 2 on,
+ * - all heights, thicknesses or leans: row->count windows,
+ * - the friction: one window.
  *
- * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
- * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
- * times the current height, if the domino can stand on the slope. The lean, the width and the density stay
- * the same; the density of a box is that of its wood. Thicknesses are tried in the same way, if walls and
- * rounded edges fit. Frictions are tried from 0 up to 2, or up to 4 times the current friction if that is
- * more, but not above DOM_MU_HIGHEST. Leans are tried in both directions, until the domino falls over by
- * itself.
+ * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
+ * window is the nearest interval on either side of the current value. Dominoes more than one place after the
+ * domino at which the row ends then have no window.
  *
- * The search makes the same steps as dom_row_mend, and all dominoes fall with low and with high. An interval
- * narrower than a step, in which the row does not fall, can be missed. With an engine, a window is searched
- * in a quarter of the steps and has three digits. A value at which the engine cannot decide how the row ends
- * counts as outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
+ * These values are tried:
+ * - gaps from 0 to the height of the domino before the gap,
+ * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
+ * - heights from 1/100 to 4 times the current one, if the domino can stand on the slope,
+ * - thicknesses from 1/100 to 4 times the current one, if walls and rounded edges fit, too,
+ * - frictions from 0 to 2 or to 4 times the current one, whichever is larger, but at most DOM_MU_HIGHEST,
+ * - leans in both directions, until the domino falls over by itself.
+ *
+ * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
+ * of its wood.
+ *
+ * The search makes the same steps as dom_row_mend. All dominoes fall with low and with high, but an interval
+ * narrower than a step, in which the row does not fall, can be missed. With an engine, a window has three
+ * digits and is searched in a quarter of the steps. A value at which the engine cannot decide how the row
+ * ends is outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
  * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
@@ -351,33 +347,32 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
 
 /*
  * Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded up to four digits. Starts
- * from the push that turns the first domino over its edge, or from row->push if that is larger, doubles it
- * until all dominoes fall, and then bisects. Writes NaN if no push tried up to `strongest` is enough, and
- * row->push if all dominoes fall already. The statuses are those of dom_row_run, and DOM_BAD_PUSH if
- * `strongest` is not a finite number > 0.
+ * from the push that turns the first domino over its edge, or from row->push if that is larger. Doubles the
+ * push until all dominoes fall, and then bisects.
+ *
+ * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes fall already. The statuses
+ * are those of dom_row_run, and DOM_BAD_PUSH if `strongest` is not a finite number > 0.
  */
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
                              dom_real *push);
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
-    /* For dom_row_improve: true to change not only the gaps but also the sizes of all dominoes except the
-     * first and the last. A domino keeps its proportions, except that its thickness is that of a board if any
-     * boards are given. */
+    /* For dom_row_improve: true to change the sizes, too, except those of the first and the last domino. A
+     * domino keeps its proportions, but takes its thickness from a board if there are boards. */
     bool sizes;
-    /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
-     * walls, the masses follow from the walls instead. */
+    /* A domino x times as large has x^(q - 1) times the mass. With walls, the masses follow from the walls
+     * instead. */
     dom_real q;
-    /* the length of the hall in m, into which the row must fit even after its last domino has fallen; may be
-     * infinite */
+    /* the length of the hall in m. The row must fit into it even after the last domino has fallen. May be
+     * infinite. */
     dom_real hall;
-    /* For dom_row_improve: the largest mass, in kg, that a changed domino may have; may be infinite. */
+    /* For dom_row_improve: the largest mass, in kg, of a changed domino. May be infinite. */
     dom_real heaviest;
-    /* the spacing of the grid in m: all sizes and gaps that change are multiples of this length; 0 if there
-     * is no grid */
+    /* the grid in m: changed sizes and gaps are multiples of this length. 0 without a grid */
     dom_real grid;
-    /* Array of `boards` thicknesses in m, in increasing order; may be NULL. If only dominoes above a certain
-     * height are boxes, only the solid dominoes are cut from boards, and boxes may have any thickness. */
+    /* Array of `boards` thicknesses in m, in increasing order. May be NULL. If only the tall dominoes are
+     * boxes, boxes may have any thickness. */
     const dom_real *board;
     size_t boards;
 };
@@ -387,45 +382,48 @@ struct dom_limits {
 /* The row that a builder wants. */
 struct dom_wish {
     dom_real first, height; /* heights of the first and the last domino, in m; height > first */
-    dom_real safety; /* the kinetic energy of each cycle divided by the energy that the cycle needs; > 1 */
-    /* the length of the hall in m, larger than `height`; the row must fit into the hall even after its last
-     * domino has fallen; may be infinite */
+    /* The kinetic energy of each cycle divided by the energy that the cycle needs, > 1. */
+    dom_real safety;
+    /* the length of the hall in m, > height, as in struct dom_limits; may be infinite */
     dom_real hall;
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train, and
-     * masses are those of blocks and of boxes that are half as wide as they are tall. */
+    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train. Masses
+     * are then those of blocks, and of boxes half as wide as they are tall. */
     dom_real walls, boxes_above;
 };
 
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
  * `needs` are NaN or 0. */
 struct dom_design {
-    /* s, a multiple of 0.001, is the gap of each domino divided by its height; r is the growth */
+    /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;
-    /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
+    /* first r^steps = height, so the row has steps + 1 dominoes */
     size_t steps;
-    dom_real feet;    /* distance from the back of the first domino to the front of the last, in m */
-    dom_real length;  /* the length in m after the last domino has fallen: `feet` + `height` */
-    dom_real seconds; /* as in struct dom_verdict; if the wish names an engine, the engine computes it */
+    dom_real feet;    /* length from the first domino to the last, in m */
+    dom_real length;  /* length after the last domino has fallen: `feet` + `height`, in m */
+    dom_real seconds; /* as in struct dom_verdict; computed by the engine, if any */
     dom_real train;   /* kinetic / barrier of the endless train */
-    dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
-    size_t weakest;   /* the number (2 or more) of the domino whose ratio is smallest */
+    dom_real row;     /* the smallest kinetic / barrier of the row, except its first domino */
+    size_t weakest;   /* the number of the domino with this ratio, from 2 */
     enum dom_design_limit limit;
-    dom_real needs; /* the value described at enum dom_design_limit; NaN with DOM_DESIGN_FITS */
+    dom_real needs; /* see enum dom_design_limit; NaN with DOM_DESIGN_FITS */
 };
 
 /*
- * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs: kinetic
- * >= safety * barrier, in the endless train and at each domino of the row after the first. The search first
- * finds the separation s at which a train with this safety has the largest growth r. This growth gives the
- * smallest number of dominoes. r is then reduced until the last domino is exactly `height` tall. s stays as
- * it is, or as close to it as the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest
- * row instead, which may have up to 30 dominoes more. train->s and train->r are not used. The search computes
- * in double, and tries separations that are multiples of 0.001. A separation at which a train or a row cannot
- * be computed is skipped. If the wish has an engine, the row must also fall in the engine, which runs rows
- * only at separations that are 0.1 apart. The safety is still computed by the model. The status is
+ * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs:
+ * kinetic >= safety * barrier. This holds in the endless train and at each domino of the row after the first.
+ * train->s and train->r are not used.
+ *
+ * The search first finds the separation s at which a train with this safety has the largest growth r. This
+ * growth gives the smallest number of dominoes. r is then reduced until the last domino is exactly `height`
+ * tall. s stays as close to this separation as the hall and the start of the row allow. DOM_LEAST_LENGTH
+ * finds the shortest row instead, which may have up to 30 dominoes more.
+ *
+ * The search computes in double, and tries separations that are multiples of 0.001. A separation at which a
+ * train or a row cannot be computed is skipped. If the wish has an engine, the row must also fall in the
+ * engine, which runs rows only at separations 0.1 apart. The model still computes the safety. The status is
  * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside
  * its range.
  */
@@ -433,29 +431,30 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
                                 const struct dom_compute *compute, struct dom_design *design);
 
 /*
- * Does what dom_design_find does, for a row that can be built: the sizes and gaps of all dominoes except the
- * first are multiples of the grid, and thicknesses are those of boards if any are given. The rounded row
- * still has the safety of the wish and fits into its hall; the results about the endless train are those
- * before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not
- * used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ * Finds a row as dom_design_find does, but one that can be built:
+ * - Sizes and gaps are multiples of the grid, except those of the first domino and the last height.
+ * - Thicknesses are those of boards, if there are any.
+ * - The rounded row still has the safety of the wish and fits into its hall.
+ *
+ * The results about the endless train are those before rounding. The members `sizes`, `hall` and `heaviest`
+ * of the limits are not used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
                                struct dom_design *design);
 
 /*
- * Finds a row that falls and fits into the hall, with a given number of steps (>= 1) from the first domino to
- * the last. The separation is the one that dom_design_find takes for this safety, or one as close to it as
- * the hall and the start of the row allow. wish->least and wish->engine are not used. The limit is
- * DOM_DESIGN_SAFETY if no such row falls, and DOM_DESIGN_HALL if the hall is too short for this number of
- * dominoes even without gaps. `limits` may be NULL.
+ * Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last.
+ * The separation is as close to that of dom_design_find as the hall and the start of the row allow.
+ * wish->least and wish->engine are not used. `limits` may be NULL. The limit is DOM_DESIGN_SAFETY if no such
+ * row falls, and DOM_DESIGN_HALL if the hall is too short even without gaps.
  */
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design);
 
-/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The mass of the first
- * domino is 1 kg. `limits` may be NULL. */
+/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first mass is 1
+ * kg. `limits` may be NULL. */
 enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
                                     const struct dom_limits *limits, const struct dom_design *design,
                                     struct dom_domino *domino);
@@ -464,82 +463,92 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
 
 /* A random error. */
 struct dom_error {
-    /* The standard deviation of a normal distribution, or the limit of a uniform distribution; >= 0. */
+    /* The standard deviation of a normal distribution, or the limit of a uniform one; >= 0. */
     dom_real size;
-    bool uniform; /* true for a uniform distribution: all errors from -size to size are equally likely */
+    bool uniform; /* true if all errors from -size to size are equally likely */
 };
 
 /*
  * The random errors of a row. A solid domino keeps its density. A box keeps the density of its wood and the
- * thickness of its walls. So the mass of a domino changes with its height and its thickness. Dominoes that
- * would overlap are placed so that they touch. No error reduces a size to less than 1/100 of its intended
- * value. A domino that would fall over by itself gets the largest lean at which it stands. A friction or a
- * push that would be negative becomes 0. Errors of radii have an effect only with rounded edges, errors of
- * the floor only with an engine, and errors of the push only with a push.
+ * thickness of its walls. So the mass changes with the height and the thickness. Errors of radii count only
+ * with rounded edges, errors of the floor only with an engine, and errors of the push only with a push.
+ *
+ * Errors that are too large are cut off:
+ * - Dominoes that would overlap touch.
+ * - No size falls below 1/100 of its intended value.
+ * - A domino that would fall over by itself gets the largest lean at which it stands.
+ * - A friction or a push that would be negative becomes 0.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];
-    /* Each error of row number i depends only on the seed, on the kind of the error and on i. */
+    /* Each error of row i depends only on the seed, the kind of the error and i. */
     unsigned long seed;
-    size_t first, rows;     /* the rows have the numbers first ... first + rows - 1; rows >= 1 */
-    dom_parallel *parallel; /* runs batches of rows; if NULL, the batches run one after the other */
+    size_t first, rows;     /* the rows first ... first + rows - 1; rows >= 1 */
+    dom_parallel *parallel; /* runs batches of rows; NULL to run them one after the other */
     void *pool;             /* the last argument of `parallel` */
 };
 
 /* How many rows of a placement fall. */
 struct dom_study {
-    size_t rows, fall; /* the number of rows, and the number of those in which every domino falls */
-    /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). Undecided rows
-     * widen the interval. */
+    size_t rows, fall; /* the number of rows, and how many of them fall completely */
+    /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). They widen the
+     * interval. */
     size_t unknown;
-    /* 95 % confidence interval (Clopper and Pearson) for the probability that all dominoes fall */
+    /* the 95 % interval (Clopper and Pearson) for the probability that a row falls */
     double low, high;
 };
 
 /*
- * Counts how many rows fall. Unless `stops` is NULL, writes to stops[0] ... stops[row->count - 1] how often a
- * row ended at each domino, not counting the unknown rows. The result does not depend on placement->parallel.
- * Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the
- * counts are those of the rows that were run, if there are any. The status is DOM_BAD_ERROR if the size of an
- * error is not a finite number >= 0, and DOM_NO_LEAN for errors of leans if the edges are rounded or an
- * engine runs the row. Other statuses are those of dom_row_run and of placement->parallel.
+ * Counts how many rows fall. Unless `stops` is NULL, stops[k] is set to the number of rows that ended at
+ * domino k + 1, without the unknown rows. The result does not depend on placement->parallel. The tolerance is
+ * 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the counts are those of the rows that were
+ * run.
+ *
+ * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN for
+ * errors of leans with rounded edges or an engine. Other statuses are those of dom_row_run and of
+ * placement->parallel.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
 
 /*
- * Does what dom_placement_study does. Then runs the same rows again for each kind of error, without the
- * errors of that kind but with the same random errors of all other kinds, and writes to without[kind] how
- * many of these rows fall. Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count
- * numbers: first the numbers that dom_placement_study writes, and then, for each kind, how many rows ended at
- * each domino but fall without errors of that kind.
+ * Fills *study as dom_placement_study does. Then runs the same rows once for each kind of error, without the
+ * errors of that kind. All other errors stay the same. without[kind] is how many of these rows fall.
+ *
+ * Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers:
+ * - The first row->count numbers are those of dom_placement_study.
+ * - row->count numbers follow for each kind: how many rows ended at each domino, but fall without errors of
+ *   that kind.
  */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
                                      size_t without[DOM_ERROR_COUNT], size_t *stops);
 
-/* Sets `low` and `high` from the counts, which may be the sums of the counts of several studies of one
- * placement. */
+/* Sets `low` and `high` from the counts. These may be sums over several studies of one placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely a row must be set up. */
 struct dom_budget {
-    /* The size of the error in its unit, or the factor by which all errors are multiplied, and its 95 %
-     * interval. `sigma` is infinite if enough rows fall even with the largest size that is tried, and `low`
-     * is 0 if there are too few rows for a bound. */
+    /* The size of the error in its unit, or the factor for all errors, and its 95 % interval. `sigma` is
+     * infinite if enough rows fall even with the largest size. `low` is 0 if there are too few rows for a
+     * bound. */
     double sigma, low, high;
 };
 
 /*
  * Finds the size of one kind of error at which the whole row falls with the given probability, 0 <
- * probability < 1. The other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor by
- * which all errors are multiplied. Errors of gaps and places are tried up to the widest gap of the row,
- * relative errors and errors of friction up to 1, errors of angles up to the steepest slope on which the row
- * stands, errors of the push up to the push itself, and factors up to 64. The status is DOM_STOPS if too few
- * rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and `low`
- * are the largest sigma at which enough of these rows are known to fall, and `high` is the smallest at which
- * too few fall, or infinity if none is known.
+ * probability < 1. The other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor for
+ * all errors. The largest sizes that are tried are
+ * - for gaps and places, the widest gap of the row,
+ * - for relative errors and friction, 1,
+ * - for angles, the steepest slope on which the row stands,
+ * - for the push, the push itself,
+ * - for factors, 64.
+ *
+ * The status is DOM_STOPS if too few rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first
+ * estimate of sigma, `sigma` and `low` are the largest sigma at which enough rows are known to fall. `high`
+ * is then the smallest at which too few fall, or infinity.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
@@ -548,20 +557,23 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 /* ---- The most reliable row ---- */
 
 /*
- * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes
- * the changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the
- * placement fall before the changes, and study[1] how many fall after them. The search itself uses other
- * random rows, whose numbers follow those of the placement. If the given row is within the limits, the result
- * is the given row unless the search finds a more reliable one. Otherwise the result is the best row found
- * within the limits, even if it is less reliable; if none was found, the result is the given row, and
- * study[1].rows is 0. The same seed gives the same result, whatever placement->parallel is.
+ * Changes a row so that it falls as reliably as possible with the random errors of a placement. Writes the
+ * changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the placement
+ * fall before the changes, and study[1] how many fall after them. The search itself uses other random rows,
+ * whose numbers follow those of the placement. The same seed gives the same result, whatever
+ * placement->parallel is.
  *
- * The search runs the model in double. If the row has an engine, the engine runs only the rows that study[0]
- * and study[1] count. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so
- * far if study[0].rows > 0; otherwise study[0].rows is 0, and the dominoes are not written. The status is
- * DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps, DOM_BAD_THICKNESS for a board,
- * DOM_BAD_Q for q, DOM_BAD_MASS for the heaviest mass, and DOM_BAD_GAP for the grid. Other statuses are those
- * of dom_placement_study.
+ * If the given row is within the limits, the result is the given row unless a more reliable one is found.
+ * Otherwise the result is the best row found within the limits, even if it is less reliable. If none was
+ * found, the result is the given row, and study[1].rows is 0.
+ *
+ * The search runs the model in double. An engine runs only the rows that study[0] and study[1] count. Calls
+ * progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so far if study[0].rows > 0.
+ * Otherwise study[0].rows is 0, and the dominoes are not written.
+ *
+ * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps, DOM_BAD_THICKNESS
+ * for a board, DOM_BAD_Q for q, DOM_BAD_MASS for the heaviest mass, and DOM_BAD_GAP for the grid. Other
+ * statuses are those of dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,
