@@ -22,8 +22,7 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 /* The tolerance of the tilts in a film. A viewer cannot see such small errors. */
 #define FILM_TOL ((domq_real)1 / 1000000000)
 
-/* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
- * units of its tau. */
+/* Lengths are in units of the height of the first head, and times in units of its tau. */
 struct train_film {
     struct film film;
     struct domq_train train;

@@ -20,7 +20,6 @@ struct film {
  * movie_frame or adds it to film->answer. If `watch` fails, it sets film->problem and returns false. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
-/* Makes a film of several cycles of the train. */
 bool animate_train(const struct film *film);
 
 #endif

@@ -33,10 +33,11 @@ static inline bool draw_at(const struct draw_what *what)
     return what->end || what->has[DRAW_TIME] || what->has[DRAW_DOMINO];
 }
 
-/* Parses the arguments of 'draw'. */
 bool draw_parse(struct reader *reader, struct question *question);
+
 /* Parses the arguments of 'animate' after FILE. */
 bool film_parse(struct reader *reader, struct question *question);
+
 /* Evaluates the expressions in the arguments of 'draw' or 'animate'. */
 bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,
                struct problem *problem);

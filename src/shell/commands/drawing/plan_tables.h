@@ -21,7 +21,6 @@ struct plan {
 /* Returns the window of domino k, counted from 0, for its place, height or thickness. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
-/* Returns true if a domino of the row leans. */
 bool plan_has_leans(const struct plan *plan);
 
 /* Each of these functions adds a table to the guide of a plan, and returns false if memory runs out. */

@@ -48,7 +48,6 @@ static void step_symbols(const struct step *s, const struct formula *formula)
     formula_write(&f, s->tree);
 }
 
-/* Writes the first terms of a sum, and the total of the other terms as one number. */
 static void terms_write(const struct step *s, const struct formula *f, int digits, size_t shown)
 {
     domq_real rest = 0;

@@ -84,7 +84,6 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     return status;
 }
 
-/* A cell and the key of its column. */
 struct keyed {
     const char *key;
     struct cell cell;

@@ -84,7 +84,6 @@ static const char *value_name(const struct points *p)
     return command_is_print(c) ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
 }
 
-/* Writes a name with its unit. */
 static void label(char *to, size_t size, const char *name, const char *unit)
 {
     snprintf(to, size, "%s%s%s%s", name, *name && *unit ? " " : "", *unit ? "in " : "", unit);

@@ -231,7 +231,6 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     return errors_check(&with, problem);
 }
 
-/* Writes the numbers of the answer as one row of cells. */
 static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
                        bool interrupted)
 {
