@@ -46,8 +46,8 @@ struct start {
 };
 
 struct dynamics {
-    /* True if the motion conserves energy. In that case the barrier is the maximum of the potential energy H,
-     * and Newton's method finds it. */
+    /* True if the motion conserves energy. In that case, the barrier is the maximum of the potential energy
+     * H, and Newton's method finds it. */
     bool conservative;
 
     /* Optional: these functions allocate and free the memory of this law. `begin` returns DOM_OK or
@@ -78,8 +78,8 @@ struct dynamics {
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of a collision. The chain `hitting`, whose head is at the tilt `at` and whose
-     * inertia is J, hits the domino of `next`, which is at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if the
+     * Finds the inertia ratio of a collision. The chain `hitting` has the inertia J, and its head has the
+     * tilt `at`. It hits the domino of `next`, which is at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if the
      * ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The paper's law of motion: contacts without friction dissipate no energy. The sum of kinetic and potential
- * energy is constant in a cycle (21; c3) and (51; d9): J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)],
- * with w = tau^2 omega^2. The collision leaves the fraction T / (1 + T) of the angular velocity, with T =
- * J(0) - 1 (22; c4). A cycle releases the fuel P (25; c7). If each cycle repeats the one before (23; c5), it
- * begins with the kinetic energy (24; c6)
+ * The paper's law of motion: contacts without friction dissipate no energy. So the sum of kinetic and
+ * potential energy is constant in a cycle (21; c3) and (51; d9). With w = tau^2 omega^2,
+ *
+ *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
+ *
+ * The collision leaves the fraction T / (1 + T) of the angular velocity, with T = J(0) - 1 (22; c4). A cycle
+ * releases the fuel P (25; c7). If each cycle repeats the one before (23; c5), it begins with the kinetic
+ * energy (24; c6)
  *
  *     K = P T / (r^q + T (r^q - 1)).
  *
@@ -34,7 +37,7 @@ KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *a
 /* Finds the fuel, and its error bounds unless error is NULL. */
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error);
 
-/* Returns the launch (24; c6) of a train whose fuel and inertia ratio are *f. */
+/* Returns the launch (24; c6) of a train with the fuel and the inertia ratio in *f. */
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f);
 
 /* Finds the acceleration as half of dw/dtheta, from the derivative of the energy balance (21; c3). The

@@ -327,8 +327,8 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* Finds whether the motion slows down before it locks. This depends on the sign of C, because w' = 2 (C - B
- * w) / A and A -> 0. */
+/* Determines whether the motion slows down before it locks. This depends on the sign of C, because w' = 2 (C
+ * - B w) / A and A -> 0. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The solution of the equation of motion (A/2) dw/dtheta + B w = C, where w = tau^2 omega^2. For all initial
- * values the solution is w = G (w(0) - u). u(theta) is the smallest w(0) with which the head reaches the tilt
- * theta. The barrier is the maximum of J(0) u. Without friction, u = [H(theta) - H(0)] / J(0).
+ * values, the solution is w = G (w(0) - u). u(theta) is the smallest w(0) with which the head reaches the
+ * tilt theta. The barrier is the maximum of J(0) u. Without friction, u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H

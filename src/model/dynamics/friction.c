@@ -11,7 +11,7 @@
  *     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
  *     C = sum r^-qi S_i (x_i - d y_i) / 2.
  *
- * This equation is linear in w (flow.h). Without friction S_i = theta_i', A = J and C = -H'/2.
+ * This equation is linear in w (flow.h). Without friction, S_i = theta_i', A = J and C = -H'/2.
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
@@ -37,8 +37,10 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* Sets *slope to -2 C. It has the sign of the derivative of the required energy. Without friction it is
- * dH/dtheta. If `rough` is true, the solution of the motion gives the sign. */
+/*
+ * Sets *slope to -2 C, which has the sign of the derivative of the required energy. (Without friction, it is
+ * that derivative, dH/dtheta.) If `rough` is true, sets *slope to du/dtheta instead, which has the same sign.
+ */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {

@@ -58,7 +58,7 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
 }
 
 /* The smallest tolerance of each precision is about five times its rounding error, since a smaller tolerance
- * could not be met. On some machines the widest type is a long double with a 64-bit mantissa. */
+ * could not be met. On some machines, the widest type is a long double with a 64-bit mantissa. */
 #define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
 
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)

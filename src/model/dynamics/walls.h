@@ -23,7 +23,7 @@ struct box {
 };
 
 /* Returns the properties of a box; all arguments are relative to the height. If the walls meet in one of the
- * three dimensions, there is no hollow. No digits cancel in the formulas. */
+ * three dimensions, there is no hollow. The formulas avoid cancellation. */
 KERNEL inline struct box walls_box(real d, real width, real walls)
 {
     real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);

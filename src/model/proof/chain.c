@@ -71,14 +71,17 @@ static struct turn corner_turn(const struct corner *c, double v)
     t.X.hi = most_1(up(c->rs.hi - less));
     if (!(t.X.hi >= 0))
         t.X.hi = 0;
-    /* Y^2 = (1 - X) (1 + X). Written as 1 - X = (1 - r s) + r L v, the first factor has no cancellation. */
+    /* Y^2 = (1 - X) (1 + X). The first factor is computed as (1 - r s) + r L v, without cancellation. */
     t.Y.lo = least_0(down(sqrt(least_0(down(down(c->short_of.lo + less) * down(1 + t.X.lo))))));
     t.Y.hi = most_1(up(sqrt(up(up(c->short_of.hi + more) * up(1 + t.X.hi)))));
     return t;
 }
 
-/* turned_below and turned_above return bounds on v of the follower, 1 - cos(theta + asin X) = X^2/(1 + Y) + Y
- * v + X sin theta, whose terms are all >= 0. */
+/*
+ * turned_below and turned_above return bounds on v of the follower, which is a sum of terms >= 0:
+ *
+ *     1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta.
+ */
 static double turned_below(struct turn t, double v)
 {
     double square = down(down(t.X.lo * t.X.lo) / up(1 + t.Y.hi));
@@ -91,8 +94,8 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Returns a lower bound on v of the follower, from the lower corner of a box. theta_1(t) for any t <= theta
- * is such a bound, since it cannot exceed the running maximum F (chain.h). */
+/* Returns a lower bound on v of the follower, from the lower corner of a box: v of theta_1(t) for some t <=
+ * theta. It cannot exceed v of the running maximum F (chain.h). */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);

@@ -5,12 +5,17 @@
  * A tilt theta is represented by v = 1 - cos theta, which is 0 for an upright domino and increases with
  * theta. The sine is sqrt(v (2 - v)), so no function of libm is needed.
  *
- * Monotonicity. If a domino has the tilt theta, its follower has the tilt theta_1(theta, r) = theta + asin X,
- * where X = r (L cos theta - d). theta_1 increases with theta up to min(theta_leave, theta_inf). At larger
- * theta the follower has detached, and keeps its tilt. So the tilt of the follower is F(theta, r), the
- * maximum of theta_1(t, r) over all t <= theta. F increases with theta, as every running maximum does. F also
- * increases with r, because theta_1(t, r) does for every t <= theta_inf, where X >= 0. Therefore theta_i =
- * F(F(... theta)) increases with both theta and r.
+ * If a domino has the tilt theta, its follower leans on it at the tilt
+ *
+ *     theta_1(theta, r) = theta + asin X,   X = r (L cos theta - d).
+ *
+ * theta_1 increases with theta up to min(theta_leave, theta_inf). At larger theta, the follower has detached
+ * and keeps its tilt. So the tilt of the follower is F(theta, r), the maximum of theta_1(t, r) over all t <=
+ * theta.
+ *
+ * F increases with theta, because it is a running maximum. F also increases with r, because theta_1(t, r)
+ * does for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(... theta)) increases with both theta
+ * and r.
  *
  * A box consists of an interval of tilts and an interval of growths. Every chain in a box lies between the
  * chain at the lower corner of the box and the chain at its upper corner.
@@ -74,11 +79,11 @@ struct contact {
 struct shape shape_make(double s, double d, double q);
 struct growth growth_make(const struct shape *shape, double r_low, double r_high);
 
-/* Returns sin theta for all tilts theta whose 1 - cos theta is in v. */
+/* Returns sin theta for all tilts theta with 1 - cos theta in v. */
 struct span tilt_sine(struct span v);
 
-/* For all tilts theta whose 1 - cos theta is in v, tilt_height returns g = h(theta) - 1 = d sin theta - v,
- * and tilt_rise returns dh/dtheta. */
+/* For all tilts theta with 1 - cos theta in v: tilt_height returns g = h(theta) - 1, and tilt_rise returns
+ * dh/dtheta. g is d sin theta - (1 - cos theta). */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 

@@ -9,13 +9,15 @@ static struct span everything(void)
 }
 
 /*
- * Adds bounds on the contribution of domino n and all later dominoes.
+ * Adds bounds on the contribution of domino n and all later dominoes to D. These dominoes are beyond theta_u,
+ * where h decreases. Let theta_i0 be the tilt of domino i while the head is upright.
  *
- * These dominoes are beyond theta_u, where h decreases. They lean at least as far as they do while the head
- * is upright, so their contribution to D is at most 0. For theta <= theta_c, domino i leans at most as far as
- * domino i + 1 does while the head is upright. The sum of the differences telescopes as in rest_of_fuel, so
- * the contribution is at least -r^(-q n) (h(theta_n0) - h(theta_last)), where theta_n0 is the tilt of domino
- * n while the head is upright.
+ * Upper bound: the tilt of domino i is at least theta_i0, so the contribution is at most 0.
+ *
+ * Lower bound: for theta <= theta_c, the tilt of domino i is at most the tilt of domino i + 1 while the head
+ * is upright. The sum of the differences telescopes as in rest_of_fuel, so the contribution is at least
+ *
+ *     -r^(-q n) (h(theta_n0) - h(theta_last)).
  */
 static void climb_rest(const struct upright *u, const struct domino *domino, struct contact contact,
                        struct climb *climb)

@@ -14,9 +14,12 @@ static struct span power_whole(struct span x, int n)
 }
 
 /*
- * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3. The remainder of the series,
- * 1/(2n+1) + t^2 (1/(2n+3) + ...) with n = TERMS, is replaced by the interval [0, 1/n]. This interval
- * contains the remainder, which is at most (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1).
+ * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3. With n = TERMS, the remainder
+ * of the series is
+ *
+ *     1/(2n+1) + t^2 (1/(2n+3) + ...) <= (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1) < 1/n,
+ *
+ * so the interval [0, 1/n] replaces it.
  */
 static struct span twice_atanh(struct span t)
 {
@@ -49,11 +52,12 @@ struct span span_log(struct span x)
 }
 
 /*
- * Returns e^x for a double x in [0, 700], from x = n ln 2 + y with |y| < 1/2 and the series of e^y.
+ * Returns e^x = 2^n e^y for a double x in [0, 700], where x = n ln 2 + y with |y| < 1/2.
  *
- * The series ends with the term y^N/N!, N = TERMS. Each further term would be less than 1/4 of the one before
- * it. So the remainder is at most |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)!, which is less than
- * 2^-63 for N = 16.
+ * The series of e^y ends with the term y^N/N!, N = TERMS. Each further term would be less than 1/4 of the one
+ * before it. So the remainder is at most
+ *
+ *     |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)! < 2^-63   for N = 16.
  */
 static struct span exp_of(double x)
 {

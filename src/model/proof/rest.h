@@ -4,10 +4,18 @@
  * n and all later dominoes.
  *
  * The remainders are bounded by geometric series. Let p = 1 - r L sin theta_n, for the smallest r and the
- * smallest theta_n. For i >= n, dF/dtheta = 1 - r L x_i / Y_i <= p, since Y_i <= 1 and x_i >= x_n. If no
- * follower detaches, theta_inf is a fixed point of F, so theta_inf - theta_i+1 <= p (theta_inf - theta_i).
- * The numbers c_i = L (cos theta_i - cos theta_inf) decrease by the same factor, c_i+1 <= p c_i, because cos
- * theta_i - cos theta_i+1 >= x_i (theta_i+1 - theta_i) >= x_i X_i = r x_i c_i.
+ * smallest theta_n. For i >= n,
+ *
+ *     dF/dtheta = 1 - r L x_i / Y_i <= p,   since Y_i <= 1 and x_i >= x_n.
+ *
+ * If no follower detaches, theta_inf is a fixed point of F, so
+ *
+ *     theta_inf - theta_i+1 <= p (theta_inf - theta_i).
+ *
+ * The numbers c_i = L (cos theta_i - cos theta_inf) = X_i / r decrease by the same factor, c_i+1 <= p c_i,
+ * since
+ *
+ *     c_i - c_i+1 >= L x_i (theta_i+1 - theta_i) >= L x_i X_i = r L x_i c_i.
  */
 #ifndef DOM_PROOF_REST_H
 #define DOM_PROOF_REST_H
@@ -18,9 +26,9 @@ struct rest {
     double p; /* upper bound on dF/dtheta for domino n and all later dominoes */
     /* upper bound on the ratio of successive terms of the energy: p r^-q, or r^-q if followers may detach */
     double ratio;
-    double series; /* upper bound on 1 + ratio + ratio^2 + ... */
+    double series; /* upper bound on 1 + x + x^2 + ... for x = `ratio` */
     double power;  /* r^(-q n) */
-    double drop;   /* h(theta_n+k) - h(theta_last) <= drop p^k, or <= drop if followers may detach */
+    double drop;   /* h(theta_n+k) - h(theta_last) <= `drop` * p^k, or <= `drop` if followers may detach */
     double drops;  /* upper bound on the sum of i r^(-q i) (h(theta_i) - h(theta_last)) q / r */
     double slides; /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dr */
     double tilts;  /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dtheta */

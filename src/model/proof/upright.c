@@ -67,11 +67,15 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 }
 
 /*
- * Adds bounds on the remainder of T and of dT/dr, that is, on the terms of domino n and all later dominoes.
+ * Adds bounds on the remainders of T and dT/dr, that is, on the terms of domino n and all later dominoes.
  *
  * Since slope_n+k <= p^k slope_n (rest.h), the terms of T are bounded by a geometric series with the ratio e
- * = r^-(q+1) p^2. The terms of dT/dr are r^(-(q+1) i) (2 slope_i twist_i - (q+1) i/r slope_i^2), where
- * twist_i+1 = step_i twist_i + slope_i bend_i with |bend_i| <= Q. So |twist_n+k| <= p^k |twist_n| + k p^(k-1)
+ * = r^-(q+1) p^2. The terms of dT/dr are
+ *
+ *     r^(-(q+1) i) (2 slope_i twist_i - (q+1) i/r slope_i^2),
+ *     twist_i+1 = step_i twist_i + slope_i bend_i,   |bend_i| <= Q,
+ *
+ * where twist_i is the derivative of slope_i with respect to r. So |twist_n+k| <= p^k |twist_n| + k p^(k-1)
  * slope_n Q.
  */
 static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
@@ -92,9 +96,12 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
     w->T_by_r = span_add(w->T_by_r, (struct span){-up(first + second), first});
 }
 
-/* Adds bounds on the remainder of the fuel, that is, on the sum of r^(-q i) (h(theta_i) - h(theta_i+1)) over
- * i >= n. Since r^(-q i) <= r^(-q n), and h decreases beyond theta_u, this sum is between 0 and r^(-q n)
- * (h(theta_n) - h(theta_last)). */
+/*
+ * Adds bounds on the remainder of the fuel, the sum of r^(-q i) (h(theta_i) - h(theta_i+1)) over i >= n. No
+ * term is negative, because h decreases beyond theta_u. Since r^(-q i) <= r^(-q n), the sum is at most
+ *
+ *     r^(-q n) (h(theta_n) - h(theta_last)).
+ */
 static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, const struct rest *rest)
 {
     w->fuel.hi = PROOF_BOUND(REST_OF_FUEL, up(w->fuel.hi + up(w->power.hi * fall)), w->fuel.hi);
@@ -119,8 +126,10 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
 
 /*
  * Finds K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1 tips over its edge
- * from rest, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f = r k^2/(1 + k) of
- * this energy, with k = r^-(q+1) and df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
+ * from rest, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f of this energy:
+ *
+ *     f = r k^2/(1 + k),   k = r^-(q+1),
+ *     df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
  */
 static void kinetic_of_pair(struct upright *u, struct span hit)
 {
@@ -210,9 +219,9 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         double rest = up(w.power.hi * fall);
         /*
          * Stop when the tilts hardly grow any more from domino to domino, since further dominoes would not
-         * make the remainder smaller. If equal dominoes stand close together, their tilts approach the limit
-         * slowly. So in a narrow interval of growths, this test must only stop chains in which the increase
-         * of the tilts is lost in rounding.
+         * make the remainder smaller. But if equal dominoes stand close together, their tilts approach the
+         * limit slowly. So if the interval of growths is narrow, stop only when the increase of the tilts is
+         * lost in rounding.
          */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
