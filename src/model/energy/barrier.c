@@ -2,7 +2,7 @@
 /*
  * The search for the barrier, the global maximum of H over a cycle. H may decrease first and increase again
  * after a pushing follower has detached, so the first maximum need not be the highest. H and H' are
- * continuous; H'' jumps where a domino detaches. In each smooth piece of the cycle the search brackets the
+ * continuous; H'' jumps where a domino detaches. In each smooth piece of the cycle, the search brackets the
  * sign changes of H', and then compares all maxima.
  */
 #include "energy/barrier.h"
@@ -18,7 +18,7 @@ static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30
 
 struct slope_context {
     const struct geometry *geometry;
-    struct tilt from; /* the tilt whose H is subtracted from all heights */
+    struct tilt from; /* H at this tilt is subtracted from all heights */
     real known;       /* tan(theta / 2) of a known maximum of H; negative if none is known */
     enum dom_status status;
 };
@@ -163,10 +163,10 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to be concave up to theta_u. In this case H has a single top, because the head
+ * Returns true if H is proved to be concave up to theta_u. In this case, H has a single top, because the head
  * and its followers lose height above theta_u (6; b2).
  *
- * Proof. Let c = r L / cos theta_c. With rounded edges (r L + (r + 1) rho) / l replaces r L (rolling_here).
+ * Proof. Let c = r L / cos theta_c. With rounded edges, (r L + (r + 1) rho) / l replaces r L (rolling_here).
  * Since Y_i >= Y_0 = cos theta_c, (12; b8) and (14; b10) give
  *
  *     theta_{i+1}'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
@@ -177,8 +177,8 @@ static bool falls_above_u(const struct geometry *geometry)
  *
  *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
  *
- * For the head, -h'' = h is at least h.y. For a follower, it is at least `least`, and theta_j'^2 is at
- * most 1. A follower that has detached reduces the concavity by less.
+ * For the head, -h'' = h is at least h.y. For a follower, -h'' is at least `least`, and theta_j'^2 is at most
+ * 1. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -326,9 +326,11 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 
 KERNEL real barrier_most(const struct geometry *geometry)
 {
-    /* No domino moves beyond the tilt at which its follower begins the cycle, and no domino weighs less than
-     * its follower. So all dominoes together rise by less than one domino does between upright and theta_u,
-     * that is, by less than h(theta_u) - h(0). */
+    /*
+     * No domino moves beyond the tilt at which its follower begins the cycle, and no domino weighs less than
+     * its follower. So all dominoes together rise by less than h(theta_u) - h(0), the rise of one domino up
+     * to theta_u.
+     */
     return geometry_rise_u(geometry);
 }
 
@@ -383,10 +385,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. Tries
- * a distance that follows from H'' at theta, and doubles it until H' is certainly positive at that distance
- * below theta and certainly negative at that distance above it. Tilts outside the cycle need no test. Sets
- * *steepest to an upper bound on |H'| at the tilts that were tried.
+ * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. Begins
+ * with a distance that follows from H'' at theta. Doubles it until H' is certainly positive this far below
+ * theta, and certainly negative this far above theta. Tilts outside the cycle need no test. Sets *steepest to
+ * an upper bound on |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -17,10 +17,12 @@ struct barrier {
     int edges;
 };
 
-/* Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The cube root
- * suffices, because the error in the height is of third order in the last step of the search. In most trains
- * the error is a hundredth of the third power of this step, so TOP_TOL_ROUGH usually suffices as well. It is
- * for heights that are not a result. */
+/*
+ * Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The error in
+ * the height is of third order in the last step of the search, so the cube root of the tolerance is enough.
+ * In most trains, the error is only a hundredth of the third power of this step, so TOP_TOL_ROUGH usually
+ * suffices as well. It is used for heights that are not part of a result.
+ */
 #define TOP_TOL(geometry)       (cbrt((geometry)->tol) / 4)
 #define TOP_TOL_ROUGH(geometry) (4 * cbrt((geometry)->tol))
 
@@ -32,10 +34,11 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 /*
  * barrier_follow finds one top by Newton's method, and stores it in *b. tol is the relative tolerance of its
  * tilt. Returns false if it finds no top. It does not check whether the top is the highest; barrier_tops
- * does. The search starts at the tilt that
- * barrier_near returns, which is close to the top if *b holds the top of a similar train. If the caller has
- * already computed the sums at this tilt (with PASS_SECOND_DERIVATIVE), `at` points to them; otherwise it is
- * NULL.
+ * does.
+ *
+ * The search starts at the tilt that barrier_near returns, which is close to the top if *b holds the top of a
+ * similar train. If the caller has already computed the sums at this tilt (with PASS_SECOND_DERIVATIVE), `at`
+ * points to them; otherwise it is NULL.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,

@@ -9,7 +9,7 @@ struct clock {
     struct tick {
         struct num_series series;
         real begins; /* time at which the head reaches the tilt lo */
-        /* True if the train stops at the end of this piece. In this case the variable of the series is x of
+        /* True if the train stops at the end of this piece. In this case, the variable of the series is x of
          * slowness_before, which is 0 at the stop. */
         bool before;
         real lo, hi; /* tilts of the head */

@@ -3,10 +3,11 @@
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 
-/* A search ends when a smooth maximum can exceed the largest known value by at most this fraction. */
+/* A search ends when no smooth peak between the samples can exceed the largest value found so far by more
+ * than this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* A domino is ignored if its speed is less than this fraction of the head's. Slow dominoes may need much
+/* A domino is ignored if its speed is less than this fraction of the head's. Slow dominoes may need a lot of
  * friction, but nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
@@ -26,8 +27,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Sets *motion to the friction that the motion needs at theta. Raises *required_friction if the friction
- * needed so far was less. */
+/* Sets *motion to the friction that the motion needs at theta, and raises the maxima in *required_friction to
+ * the friction needed at theta if they are smaller. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
@@ -52,7 +53,7 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Bisects [lo, hi] recursively, as long as a value inside may exceed the largest known one. A parabola
+ * Bisects [lo, hi] recursively, as long as a value inside may exceed the largest one found so far. A parabola
  * through three equally spaced points exceeds the largest of their values by at most 1/8 of their second
  * difference. The test allows for the whole second difference, to be safe for other shapes.
  */

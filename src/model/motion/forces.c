@@ -4,7 +4,7 @@
 
 /*
  * The force on the last domino shown depends on the dominoes after it, so the list is about twice as long as
- * what is shown. In a long train this many extra dominoes are enough, because moving_push replaces all later
+ * what is shown. In a long train, this many extra dominoes are enough, because moving_push replaces all later
  * ones by a geometric series.
  */
 #define FORCES_MORE 4096
@@ -39,7 +39,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
             push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1 the tip hits the leader at its hinge, where a force has no lever arm. */
+        /* At r s = 1, the tip hits the leader at its hinge, where a force has no lever arm. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -90,7 +90,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
-    /* at r s = 1 no finite impulse turns a domino, so the required friction is infinite */
+    /* at r s = 1, no finite impulse turns a domino, so the required friction is infinite */
     if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;
 }
@@ -254,14 +254,14 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/*
- * The number of samples in a search. Between two samples, the minimum is found to 1/1000 of their distance.
- */
+/* The number of samples in a search for the smallest force. */
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
  * enough. */
 #define LEAST_LONG 100000
-#define LEAST_TOL  ((real)1e-3 / LEAST_SAMPLES)
+/* The relative tolerance of the tilt at which the force is smallest. In a search over [0, hi], this is at
+ * most 1/1000 of the distance between two samples. */
+#define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */
 static enum dom_status least_over(struct least_context *c, real lo, real hi)

@@ -15,7 +15,7 @@ struct kinematics {
     size_t n; /* number of dominoes that contribute to the sums */
     /*
      * If `hit` is true, the motion begins with a collision at this moment. `omega` is tau times the angular
-     * velocity of the head after the collision. Follower i loses theta_i' omega_lost / tau of its angular
+     * velocity of the head after the collision. Follower i loses theta_i' * `omega_lost` / tau of its angular
      * velocity.
      */
     bool hit;
@@ -24,7 +24,7 @@ struct kinematics {
     struct room *room; /* memory for the list of dominoes, reused by later calls; may be NULL */
 };
 
-/* This tolerance gives a few digits of a force. In a long train it halves the number of dominoes that are
+/* This tolerance gives a few digits of a force. In a long train, it halves the number of dominoes that are
  * visited. */
 #define FORCES_TOL ((real)1e-6)
 
@@ -60,9 +60,9 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /*
- * Lowers *least to the smallest contact force at a few tilts up to `to`, if that is smaller. Each force is
- * divided by the weight of the domino that it pushes. Does nothing if segment->end.pushes already shows that
- * every contact pushes.
+ * Lowers *least to the smallest contact force at a few tilts up to `to`, unless *least is already smaller.
+ * Each force is divided by the weight of the domino that it pushes. Does nothing if segment->end.pushes
+ * already shows that every contact pushes.
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
@@ -81,8 +81,8 @@ struct required_friction {
     size_t hit_domino;
 };
 
-/* Raises *required to the friction needed over [lo, hi], an interval in which no domino detaches. The
- * relative error of a smooth maximum is about a millionth. */
+/* Raises *required to the friction needed over [lo, hi], an interval in which no domino detaches. At a smooth
+ * peak, the relative error is about a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

@@ -28,8 +28,8 @@ KERNEL void motion_end(struct motion *m)
 
 /*
  * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) makes the
- * integrand smooth: dt/du = 2 end u / (tau omega). As x goes from 0 to 1, u goes from `root` to root + span.
- * The remaining energy H(end) - H(theta) is computed from end - theta, so that no digits cancel.
+ * integrand smooth: dt/du = 2 end u / (tau omega). As x goes from 0 to 1, u goes from `root` to `root` +
+ * `span`. The remaining energy H(end) - H(theta) is computed from end - theta, without cancellation.
  */
 KERNEL real slowness_before(real x, void *context)
 {
@@ -121,9 +121,9 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 
 /*
  * Finds an error bound on state->time: the tolerance of its integral, plus the integral of the error bound on
- * the slowness. If the train stops, the slowness has no such bound. Instead, an error of_end in the tilt of
- * the stop shifts times by at most of_end / omega. Early in the cycle, (time / 2) (energy / kinetic energy)
- * is a better bound, where `energy` is the error bound on the energy.
+ * the slowness. If the train stops, the slowness has no such bound. Instead, an error e in the tilt of the
+ * stop shifts times by at most e / omega. Early in the cycle, a better bound is (time / 2) (E / K), where E
+ * is the error bound on the energy, and K is the kinetic energy.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {

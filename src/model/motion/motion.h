@@ -29,7 +29,7 @@ KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
 /*
  * Finds tau^2 omega^2 at theta, and its error bound unless error is NULL. `end` comes from cycle_end. Returns
- * DOM_STOPS if the train does not reach theta. At the tilt where the train comes to rest the result is
+ * DOM_STOPS if the train does not reach theta. At the tilt where the train comes to rest, the result is
  * exactly 0.
  */
 KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,

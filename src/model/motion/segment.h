@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A segment is a part of the motion of one head, from a given state at the tilt lo to the tilt hi. The cycle
- * of a train is a single segment: where a domino detaches, its barrier has an edge. In a row, a segment ends
- * where a domino detaches.
+ * A segment is a part of the motion of one head, from a given state at the tilt lo to the tilt hi. In a row,
+ * a segment ends where a domino detaches. The cycle of a train is a single segment; where a domino detaches,
+ * only its barrier has an edge.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
@@ -37,10 +37,8 @@ struct segment {
  * continue to move. */
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 
-/*
- * Prepares a segment whose geometry, lo, hi, gain and start are set: finds its barrier, and J of the moving
- * dominoes. If friction locks the motion, lowers hi to the tilt at which the motion locks.
- */
+/* Prepares a segment: finds its barrier, and J of the moving dominoes. The members geometry, lo, hi, gain and
+ * start must be set. If friction locks the motion, lowers hi to the tilt at which the motion locks. */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
@@ -50,17 +48,15 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* The segment must lock at hi. Sets *braked to true if the motion slows down before hi. In this case no
+/* The segment must lock at hi. Sets *braked to true if the motion slows down before hi. In this case, no
  * motion reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/*
- * Finds the tilt at which a motion that stops has used up its energy. With friction, this call may replace
- * the solution of the motion by one that ends near that tilt.
- */
+/* For a motion that stops: finds the tilt at which its energy is used up. With friction, this may replace the
+ * solution of the motion with one that ends near that tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
 /* Integrands: the slowness 1 / (tau omega) at a tilt, and the error bound on the slowness. The context is the
