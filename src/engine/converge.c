@@ -28,9 +28,9 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Called in each iteration. Estimates how much all further iterations together would change the velocities,
- * supposing that the changes form a geometric series. Ends the loop if this is a small fraction of the change
- * of the velocities in the whole step.
+ * Called in each iteration. Estimates the total change of the velocities in all further iterations, supposing
+ * that the changes form a geometric series. Ends the loop if this total is a small fraction of the change in
+ * the whole step.
  */
 static void each(cpConstraint *watch, double dt)
 {

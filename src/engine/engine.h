@@ -46,7 +46,7 @@ struct engine_grain {
      * takes at least this many steps to turn by one radian. */
     double steps;
     /* The impulses of contacts and hinges are found by iteration. The error in an impulse may change a
-     * velocity by at most this fraction of the change of the velocity in the step. */
+     * velocity by at most this fraction of the velocity's whole change in the step. */
     double tolerance;
 };
 
@@ -80,13 +80,13 @@ struct engine_fall {
      * of these hits. */
     double gain;
     /*
-     * The smallest ratio of the angular velocity of the foremost box to the largest one that it has had since
-     * it was hit. A row that almost stops has a small ratio. The ratio is 0 if the foremost box had any
-     * contact other than that of one box's tip with the next box's back face.
+     * The smallest value of omega / omega_max, where omega is the angular velocity of the foremost box, and
+     * omega_max is its maximum since the box was hit. A row that almost stops has a small value. The value is
+     * 0 if the foremost box made any contact other than tip to back face.
      */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
-     * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */
+     * it balances on its lower front corner. The value is 1 if the box went beyond its balance point. */
     double climbed;
     /* true if a contact occurred that was not between the tip of one box and the back face of the next box */
     bool other_contact;
@@ -150,9 +150,9 @@ extern const struct engine_grain engine_coarsest;
 
 /*
  * Runs a row repeatedly, and halves the step length until the verdict no longer changes. If `times` is false,
- * a coarse first run whose verdict is certain is not repeated. If `times` is true, the times of all hits must
- * also change by less than ENGINE_AGREES. Never takes more than ENGINE_FINEST steps per unit of time. `hit`
- * is an array of row->count elements; it may be NULL if `times` is false.
+ * the coarse first run is not repeated if its verdict is certain. If `times` is true, the times of all hits
+ * must also change by at most ENGINE_AGREES times the duration. Never takes more than ENGINE_FINEST steps per
+ * unit of time. `hit` is an array of row->count elements; it may be NULL if `times` is false.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -10,9 +10,9 @@
  * move them off their hinges. A box that has drifted from its hinge is pulled back slowly, over many steps,
  * because it keeps the velocity that the pull gives it.
  *
- * Before a hit the steps become short, so that the hit is detected on time and with little penetration. After
- * the hit they stay short for a while: the engine starts each step from the impulses of the step before,
- * scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
+ * Before a hit, the steps become short, so that the hit is detected on time and with little penetration.
+ * After the hit, they stay short for a while: the engine starts each step from the impulses of the step
+ * before, scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
  */
 /* Rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box. */
 static const double hinge_rate = 50;

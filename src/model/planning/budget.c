@@ -58,7 +58,7 @@ static void known(struct budget *b, double lo, double hi)
 }
 
 /* Finds the sigma at which the requested share of the rows falls, by bisection to a relative tolerance of
- * 1e-3. At sigma = lo at least this share of the rows must fall, and at sigma = hi a smaller share. */
+ * 1e-3. At sigma = lo, at least this share of the rows must fall. At sigma = hi, fewer rows must fall. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* errors this small are negligible in a real row */

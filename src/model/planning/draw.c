@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No error makes a size smaller than this fraction of the original size. */
+/* A random error never reduces a size or a mass below this fraction of its original value. */
 #define LEAST_SHARE ((dom_real)0.01)
 
 /* The limits of slopes, leans, radii and thicknesses are tightened by this factor, so that they still hold if

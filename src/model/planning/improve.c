@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the row that falls most reliably in spite of random errors. The search minimizes the smoothed
- * fraction of random rows that do not fall (chance.h). Each margin is smoothed over a width that is a
- * multiple of its standard deviation. At first the multiple is 1. This has the effect of errors sqrt(2) times
- * as large, so that even rows that are unlikely to stop contribute. Later levels of the search use more rows
- * and less smoothing. The margins need different widths, because errors of a few mm hardly affect large
- * dominoes. With equal widths, the search would give large dominoes as much spare energy as small ones, which
- * need it. All steps of the search use the same random rows. Other random rows decide whether a result is
- * kept.
+ * fraction of random rows that do not fall (chance.h). All its steps use the same random rows. Other random
+ * rows decide whether a result is kept.
  *
- * The minimizer is BFGS from GSL. In an earlier version of this search, SLSQP from NLopt was slightly better
- * with the same number of runs: of rows of eleven dominoes, 7.2 % did not fall, instead of 7.6 %. But Debian
+ * Each margin is smoothed over a width that is a multiple of its standard deviation. At first, the multiple
+ * is 1. This has the effect of errors sqrt(2) times as large, so that even rows that are unlikely to stop
+ * contribute. Later levels of the search use more rows and less smoothing. The margins need different widths,
+ * because errors of a few mm hardly affect large dominoes. With equal widths, the search would give large
+ * dominoes as much spare energy as small ones, although only the small ones need it.
+ *
+ * The minimizer is BFGS from GSL. An earlier version of this search was slightly better with SLSQP from NLopt
+ * and the same number of runs: of rows of eleven dominoes, 7.2 % failed to fall rather than 7.6 %. But Debian
  * provides NLopt only as a shared library. Loading it would take 190,000 instructions, while the whole
  * program starts in 440,000.
  */
@@ -194,10 +195,10 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 }
 
 /*
- * Considers the row that the variables x describe as the new best row. Its smoothed fraction of failures must
- * be smaller than that of the best row so far. In the study that decides, it must also fall more often than
- * the original row. If the original row is outside the limits, the second condition is dropped, and the first
- * row within the limits is always kept.
+ * Makes the row with the variables x the new best row, under two conditions. Its smoothed fraction of
+ * failures must be smaller than that of the best row so far. In the study that decides, it must also fall
+ * more often than the original row. If the original row is outside the limits, the second condition is
+ * dropped, and the first row within the limits is always kept.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {

@@ -3,7 +3,7 @@
 #include "planning/boxes.h"
 #include "planning/shape.h"
 
-/* After a failure the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
+/* After a failure, the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 

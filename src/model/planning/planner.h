@@ -15,7 +15,7 @@
  * the best separation begins with steps of COARSE * height / GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* The state of a search for a design. After an error `status` is not DOM_OK. Then no more trains or rows are
+/* The state of a search for a design. After an error, `status` is not DOM_OK, no more trains or rows are
  * computed, and every test fails. */
 struct planner {
     struct dom_train train;
@@ -60,7 +60,7 @@ dom_real train_ratio(struct planner *p, dom_real s, dom_real r);
  * and sets p->status if memory is exhausted, or if the walls do not fit into a domino. */
 bool row_write(struct planner *p, struct choice c);
 
-/* Returns the row whose dominoes row_write wrote last. */
+/* Returns a row with the dominoes that row_write wrote last. */
 struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                       const struct dom_engine *engine);
 

@@ -18,7 +18,8 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* The spare energy of the last few dominoes of a run, including the one at which the row stops. */
+/* The spare energy is kept for this many dominoes at the end of a run, including the one at which the row
+ * stops. */
 enum { RECENT = 4 };
 struct recent {
     dom_real share[RECENT]; /* margin / kinetic energy of the last RECENT dominoes, beginning with the last */
@@ -71,10 +72,11 @@ static bool is_train(const struct dom_row *row)
  * If the row is part of a train, runs only its first START dominoes. Returns true if these decide whether all
  * dominoes fall.
  *
- * Each domino can spare a share of its kinetic energy. From domino to domino this share changes less and
- * less, and approaches its value in the endless train. Suppose that it changed by the same amount at every
- * remaining domino. If at least half of the share were left at the end of the row, all dominoes fall. The
- * last of the START dominoes falls down to the floor, unlike the others, so its share is tested as well.
+ * Each domino can spare a share of its kinetic energy. From domino to domino, this share changes less and
+ * less, and approaches its value in the endless train. To be safe, the latest change is assumed to repeat at
+ * every remaining domino. If at least half of the share would then be left at the end of the row, all
+ * dominoes fall. The last of the START dominoes falls down to the floor, unlike the others, so its share is
+ * tested as well.
  */
 static bool start_decides(struct trial *t)
 {
@@ -223,7 +225,7 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* A gap that is as wide as the previous domino can reach must not be made wider by rounding. */
+        /* If the gap is the widest that the previous domino can reach across, rounding must not widen it. */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A series of trials. After an error `status` is not DOM_OK. Then no more rows are run, and every trial
- * counts as a row that does not fall. */
+/* A series of trials. After an error, `status` is not DOM_OK, no more rows are run, and every trial counts as
+ * a row that does not fall. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
@@ -30,8 +30,8 @@ struct trial {
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
     enum dom_row_end ends;      /* how the row ended in the last run in which it did not fall */
-    /* The spare energy (margin / barrier) in the last run. If the row fell, it is that of the weakest domino.
-     * If the row stopped, it is that of the domino where it stopped. Otherwise it is NaN. */
+    /* The spare energy (margin / barrier) of one domino in the last run: of the weakest domino if the row
+     * fell, or of the domino at which the row stopped. NaN if the row ended in another way. */
     dom_real spare;
 };
 
@@ -54,7 +54,7 @@ typedef bool trial_test(dom_real x, void *trial);
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of a decimal digit of `value`. For places = 0 it is the first significant digit,
+/* Returns the place value of a decimal digit of `value`. For places = 0, it is the first significant digit,
  * for places = 1 the digit after it, and so on. */
 dom_real digit_of(dom_real value, int places);
 

@@ -107,7 +107,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window of the current value if the row falls. */
+/* For a row that falls: finds the window of the current value. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -190,7 +190,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the window nearest to the current value if the row does not fall. */
+/* For a row that does not fall: finds the window nearest to the current value. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);

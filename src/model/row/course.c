@@ -5,25 +5,30 @@
  * row, so a trial begins at the first head that can be affected. A trial may also end early, because the
  * effect of a change decreases from head to head. There are two effects.
  *
- * First, omegasq deviates from its value in the unchanged row by a relative deviation D. Where the geometry
- * is that of the unchanged row, the omegasq of the next head is gain omegasq + offset, because the equation
- * of motion is linear in omegasq. So the deviation at the next head is lambda D, with lambda = gain omegasq /
- * (omegasq of the next head). If a fall releases energy, lambda < 1.
+ * First, omegasq deviates from its value in the unchanged row by a relative deviation D. The equation of
+ * motion is linear in omegasq. So where the geometry is that of the unchanged row,
+ *
+ *     omegasq of the next head = gain * omegasq + offset.
+ *
+ * The deviation at the next head is lambda D, with lambda = gain * omegasq / (omegasq of the next head). If a
+ * fall releases energy, lambda < 1.
  *
  * Second, the changed dominoes belong to the chains that lean on the next heads, and change the three numbers
  * `need`, `gain` and `offset` of these heads. This change (`off`) is computed at each head. It decays from
  * head to head like a geometric series, so two successive values give an estimate of the sum of all further
  * changes.
  *
- * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt a contact force is
+ * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt, a contact force is
  * linear in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of
  * the head, one barely fast enough and one with FAST times the omegasq, show how far this interval reaches.
  *
- * Working backwards from the end of the row, the program finds for each head how far omegasq may deviate
- * (`below` and `above`) without changing the verdict. This is half of what the head itself allows, but no
- * more than what the next head allows, divided by lambda if lambda > 1. As soon as D and the sum of the
- * further changes together are smaller, the trial ends with the verdict of the unchanged row. Otherwise it
- * continues to the end of the row.
+ * Working backwards from the end of the row, the program finds for each head the deviations of omegasq
+ * (`below` and `above`) that do not change the verdict:
+ *
+ *     min(half of what the head itself allows, what the next head allows / max(lambda, 1)).
+ *
+ * As soon as D and the sum of the further changes together are smaller, the trial ends with the verdict of
+ * the unchanged row. Otherwise it continues to the end of the row.
  */
 #include "row/run.h"
 #include <stdlib.h>
@@ -34,7 +39,7 @@ struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
     real need, gain, offset;
-    real below, above; /* by how much omegasq may deviate, as a fraction of omegasq */
+    real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
     /* the smallest contact force of this head and all later heads, relative to the weight of the pushed
      * domino */
     real pushes;
@@ -107,8 +112,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of head k may deviate before head k itself stops falling. The effect on later heads
- * is not considered here. */
+/* Finds the deviations of omegasq that head k itself allows, that is, with which it still falls. The effect
+ * on later heads is not considered here. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -137,8 +142,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Completes the mark of the head at which the row ends: sets how far omegasq may deviate without changing how
- * the row ends. */
+/* Completes the mark of the head at which the row ends: finds the deviations of omegasq with which the row
+ * still ends in the same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */

@@ -64,8 +64,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While the domino leans backwards, the slope is 1 + r L |x| / Y, and Y is at least as large as for
-         * an upright domino. */
+        /* While the domino leans backwards, the slope is 1 + r L |x| / Y, and Y is not below its value for an
+         * upright domino. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;

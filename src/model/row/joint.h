@@ -7,10 +7,10 @@
 #include "dynamics/choose.h"
 
 /*
- * A head reaches the next domino if the gap is not wider than the head is tall. In a row made from a train
- * with r = 1/s, the two are equal except for rounding errors. So the gap may exceed the height by this
- * fraction. The errors come from r, two powers, four products, and rounding to the precision of the kernel.
- * Each of them is at most one unit in the last place.
+ * A head reaches the next domino if its height is not less than the gap. If a row is made from a train with r
+ * = 1/s, the two are equal except for rounding errors. So the gap may exceed the height by this fraction. The
+ * errors come from r, two powers, four products, and rounding to the precision of the kernel. Each of them is
+ * at most one unit in the last place.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 

@@ -72,9 +72,9 @@ static real passage_size(const struct passage *s)
 }
 
 /*
- * Near the tilt `to` at which the head comes to rest, the slowness 1/omega grows like 1 / sqrt(to - theta).
- * So the integral for the time uses the variable x, with theta = to - (to - lo) x^2. The time until the head
- * rests is a smooth function of x. Returns the integrand at x.
+ * Let b be the tilt `to` at which the head comes to rest. Near b, the slowness 1/omega grows like (b -
+ * theta)^(-1/2). So the integral for the time uses the variable x, with theta = b - (b - lo) x^2. The time
+ * until the head rests is a smooth function of x. Returns the integrand at x.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -116,8 +116,11 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
- * rest, `at` is the variable x of slowness_to_rest, and the time is the one from x until the head rests. */
+/*
+ * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
+ * rest, `at` is instead the variable x of slowness_to_rest. The result is then the time from x until the head
+ * is at rest, minus s->into.
+ */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -165,8 +168,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is not needed if no requested time falls in this passage. An unknown duration must be
-     * computed in any case, since the run ends with this passage. */
+    /* The series is needed if a requested time falls in this passage. It is also needed to compute an unknown
+     * duration: the run then ends with this passage, and watch_rest reports the time of its end. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -246,13 +249,13 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u of a domino with rounded edges that will hit the next domino after the
- * time `left`. */
+/* A domino with rounded edges will hit the next domino in the time `left`, in tau. Returns its current angle
+ * phi beyond theta_u. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /* The moment of inertia is at least a quarter of that of a block with sharp edges. So p grows by at most
-     * sqrt(2 reach) per tau, and the p that is sought cannot be below `first`. */
+     * sqrt(2 R) per tau, where R is the reach. The p that is sought cannot be below `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* The time at which a passage begins: begins + passed * tau, where `begins` is the time in s at which the
- * head was hit, and `tau` is the head's tau in s. */
+/* The time at which a passage begins is `begins` + `passed` * `tau`. The head was hit at the time `begins` in
+ * s, `tau` is its tau in s, and `passed` is the time in tau from the hit to the passage. */
 struct since {
     real begins, tau, passed;
 };
@@ -21,7 +21,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if the passage ends at rest */
-    real into;       /* time in tau whose tilt is sought */
+    /* time in tau for which the tilt is sought; before the end, if the passage ends at rest */
+    real into;
     struct num_series series;
 };
 

@@ -26,15 +26,15 @@ struct random_row {
     /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
     struct link *link;
     size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
-    /* The dynamics whose dynamics_end must be called, or NULL if there is none. It may differ from the
+    /* The dynamics for which dynamics_end must be called, or NULL if there is none. It may differ from the
      * dynamics of the last row, because the friction of a row may be random, and may be 0. */
     const struct dynamics *begun;
 };
 
 /*
  * Sums along a chain, for the motion of its head from one tilt to another. Rounding errors are not
- * compensated, since a few digits are enough for the sign of a margin. H(theta) - H(0) is at most rise theta
- * - bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend).
+ * compensated, since a few digits are enough for the sign of a margin. With a = `rise` and b = `bend`,
+ * H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier is at most a^2 / (2 b).
  */
 struct glide {
     real J, dH;
@@ -117,7 +117,7 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
 }
 
 /* For rows with sharp edges and plumb dominoes: returns true if head k certainly keeps falling, and sets *at
- * to the state in which it hits the next domino. Stores the chain of this moment in s->link. */
+ * to the state in which it hits the next domino. Stores the chain at that moment in s->link. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];

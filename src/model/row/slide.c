@@ -53,7 +53,7 @@ static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct sl
     return true;
 }
 
-/* Finds the equation of motion as a function of p = tan(theta / 2). With this variable no trigonometric
+/* Finds the equation of motion as a function of p = tan(theta / 2). With this variable, no trigonometric
  * functions are needed. */
 static bool slide_rate(real p, void *context, struct num_rate *rate)
 {

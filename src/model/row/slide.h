@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rough computation of the motion of a head with friction. From eight evaluations of the equation of motion
- * it finds the motion to a few digits, and an estimate of the error. Most verdicts need no more. */
+/* A rough computation of the motion of a head with friction. From eight evaluations of the equation of
+ * motion, it finds the motion to a few digits, and an estimate of the error. Most verdicts need no more. */
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 

@@ -9,7 +9,7 @@
 struct steady {
     struct dom_fall fall; /* result for the last head that was computed */
     size_t alike;         /* number of equal dominoes up to the current head */
-    /* by how much the number of moving dominoes grows from head to head: 0 or 1 */
+    /* increase in the number of moving dominoes from head to head: 0 or 1 */
     size_t more;
     /* true if the next head will move like the last one, as long as the next two dominoes are equal to the
      * last head */
@@ -19,8 +19,8 @@ struct steady {
 /* Fills in the geometry of the dominoes up to domino k, if this has not been done yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns for how many dominoes the geometry is filled in before the run. All later dominoes are equal to the
- * last of these dominoes, so filling in their geometry during the run cannot fail. */
+/* Returns the number of dominoes that get their geometry before the run. All later dominoes are equal to the
+ * last of these, so filling in their geometry during the run cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
 /* Called when head k begins to move. If head k repeats the motion of the previous head, fills in *fall,
@@ -33,9 +33,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row whose previous heads repeat one motion, so that their geometry was never filled
- * in. The last head is computed as if the row ended at the last domino that has a geometry. Returns false if
- * this shorter row has too few equal dominoes at its end.
+ * Runs the last head of a row in which the previous heads repeated one motion. The geometry of these heads
+ * was never filled in, so the last head is computed as if the row ended at the last domino that has a
+ * geometry. Returns false if this shorter row has too few equal dominoes at its end.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
