@@ -21,10 +21,10 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 
 static const char help[] =
     "\n"
-    "Calculates how far a row of dominoes can grow, each r times as large as the one before.\n"
-    "Without -e, -f or FILE, domino reads commands from standard input, at a prompt if it is a\n"
-    "terminal.  An error ends -e, -f and FILE; after an error on standard input, the next line\n"
-    "is read.\n"
+    "Calculates how far a row of dominoes can grow if each domino is r times as large as the\n"
+    "one before.  Without -e, -f or FILE, domino reads commands from standard input, at a\n"
+    "prompt if it is a terminal.  An error in -e, -f or FILE ends the run; after an error on\n"
+    "standard input, the next line is read.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
@@ -37,7 +37,7 @@ static const char help[] =
     "  -h, --help              print this help\n"
     "  -V, --version           print the version, and what this program was built with\n"
     "\n"
-    "Exit status: 0 without errors, 1 after an error in a command, 2 for wrong options.\n"
+    "Exit status: 0 if there were no errors, 1 if a command failed, 2 if an option is invalid.\n"
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
