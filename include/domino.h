@@ -133,7 +133,8 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* Return the defaults of DOM_TRAIN_PARAMETERS, without effects, and those of DOM_SCALE_PARAMETERS. */
+/* These two functions return the defaults: those of DOM_TRAIN_PARAMETERS without effects, and those of
+ * DOM_SCALE_PARAMETERS. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the same question about many trains, so that a caller in a slower language such as Python needs no
- * loop. */
+/* Answers the same question about many trains. Slow languages such as Python thus need no loop. */
 #include "numerics/real.h"
 
 typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,
@@ -8,8 +7,8 @@ typedef enum dom_status find_train(const struct dom_train *train, const struct d
 typedef enum dom_status find_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, void *answer);
 
-/* Defines a wrapper around the function that answers a question. All wrappers take the result as a void
- * pointer, so that they fit into one table. */
+/* Defines a wrapper around a function that answers a question. All wrappers take a void pointer, so they fit
+ * into one table. */
 #define FINDS(find, kind)                                                                                    \
     static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       void *answer)                                                          \
@@ -35,9 +34,9 @@ FINDS(limit_pair, dom_limit)
 FINDS(limit_best, dom_best)
 
 static const struct {
-    find_train *train; /* the function for a question that needs only a train, otherwise NULL */
-    find_tilt *tilt;   /* the function for a question that needs a train and a tilt, otherwise NULL */
-    size_t size;       /* size of the structure that holds the result */
+    find_train *train; /* for questions about a train, otherwise NULL */
+    find_tilt *tilt;   /* for questions about a train at a tilt, otherwise NULL */
+    size_t size;       /* size of the structure with the result */
 } questions[] = {
     [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},
     [DOM_ASK_CONTACT] = {NULL, ask_contact_find, sizeof(struct dom_contact)},

@@ -3,8 +3,7 @@
 #include "dispatch/dispatch.h"
 #include "effects/effects.h"
 
-/* Makes a question about a limit of growth. The value of train->r does not matter, since the search chooses
- * r. */
+/* Makes a question about a limit of growth. The search chooses r, so train->r need not be valid. */
 static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_train t = *train;
@@ -20,8 +19,8 @@ static enum dom_status found(const struct question *q, enum dom_status status, v
     return status;
 }
 
-/* Calls a function of the kernel that fills in a result and its error bounds. The bounds are NaN if they were
- * not requested, or if the function finds none. */
+/* Calls a function of the kernel that fills in a result and its error bounds. Bounds that are not requested
+ * or not found are NaN. */
 #define FIND(question, member, bounds, ...)                                                                  \
     (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
@@ -154,9 +153,8 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* The quad kernel starts its search from the answer of the double kernel. Sets *coarse to the request for the
- * double kernel, with the smallest tolerance that double allows. Returns false if the question is not for the
- * quad kernel. */
+/* The quad kernel starts its search from the answer of the double kernel. Makes the request for the double
+ * kernel. Returns false if the question is not for the quad kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that turn statuses and other enumerators into text. The text is the same in all precisions. */
+/* Functions that turn statuses and other enumerators into text. All precisions share them. */
 #include "numerics/api.h"
 
 const char *dom_version(void)
@@ -19,7 +19,7 @@ const char *dom_status_text(enum dom_status status)
     return "unknown status";
 }
 
-/* Returns element k of an array of `count` texts, or "unknown" if k is too large. */
+/* Returns text[k], or "unknown" if the array has no such element. */
 static const char *text_at(const char *const *text, size_t count, size_t k)
 {
     return k < count ? text[k] : "unknown";

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A comparison method: the energies are computed as in the library's own method, but GSL's standard solvers
- * are used. Brent's method finds the maximum of H near the highest of a few samples, and the root of the
- * margin, which is r_max. An adaptive quadrature finds the duration. Second maxima, kinks and trains that
- * nearly stop get no special treatment.
+ * A comparison method: the energies are those of the library's own method, but the solvers are GSL's.
+ * - Brent's method finds the maximum of H near the highest of a few samples.
+ * - It also finds r_max as the root of the margin.
+ * - An adaptive quadrature finds the duration.
+ *
+ * Second maxima, kinks and trains that nearly stop get no special treatment.
  */
 #include "numerics/quiet.h"
 #include "precision/double.c" // NOLINT(bugprone-suspicious-include): the functions of the kernel in double
@@ -21,7 +23,7 @@ struct gsl_context {
     enum dom_status status;
 };
 
-/* Returns H(0) - H(theta). The sign is reversed because GSL searches for minima. */
+/* Returns H(0) - H(theta), since GSL searches for minima. */
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
@@ -30,7 +32,7 @@ static double gsl_depth(double theta, void *context)
     return -at.dH;
 }
 
-/* Finds the maximum of H between `left` and `right`, starting at `middle`, the highest sample. */
+/* Finds the maximum of H between `left` and `right`. `middle` is the highest sample. */
 static enum dom_status gsl_polish(struct gsl_context *c, double left, double middle, double right,
                                   struct barrier *b)
 {
@@ -41,8 +43,7 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
     int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
     for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
         code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
-        /* sqrt(tol) is enough for theta_m, since the error in the height is of second order in the error in
-         * theta_m. */
+        /* sqrt(tol) is enough: the error of the height is of second order in that of theta_m. */
         done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
                                      0, sqrt((double)c->train->tol));
     }
@@ -67,7 +68,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     }
     if (c->status != DOM_OK || top == GSL_SAMPLES)
         return c->status;
-    /* If no sample is above H(0), there may still be a maximum before the first sample. */
+    /* A maximum may lie before the first sample if no sample is above H(0). */
     double middle = top > 0 ? top * step : step / 2;
     while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
         middle /= 2;

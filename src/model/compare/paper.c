@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A comparison method: the recipe at the end of the paper's section 'A general domino train', with the
- * paper's formulas for the angles and with plain sums. theta is raised in steps until H decreases. r is
- * raised in steps until the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors
- * of about tol. One mistake in the paper is corrected: here a follower detaches when its leader reaches
- * theta_leave.
+ * A comparison method: the recipe at the end of the paper's section 'A general domino train'. It uses the
+ * paper's formulas for the angles, and plain sums. theta is raised in steps until H decreases. r is raised in
+ * steps until the train stops. r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol.
+ *
+ * One mistake in the paper is corrected: here a follower detaches when its leader reaches theta_leave.
  */
 #include "precision/kernel.h"
 #include <math.h>
@@ -36,8 +36,7 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
         weight *= pow(p->r, -p->q);
         inertia *= pow(p->r, -p->q - 1);
         if (theta >= p->theta_leave && theta > 0) {
-            /* A domino that has detached stays at the tilt theta_f. Its followers detached earlier and stay
-             * there, too. */
+            /* A detached domino stays at theta_f, and so do its followers. */
             sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
             break;
         }
@@ -54,8 +53,7 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
     return sums;
 }
 
-/* Finds the quantities that are constant during a cycle. Returns DOM_TOO_LONG for r = 1, where the sums
- * diverge. */
+/* Finds the constants of a cycle. Returns DOM_TOO_LONG for r = 1, where the sums diverge. */
 static enum dom_status paper_begin(const struct request *t, double r, struct paper *p)
 {
     double s = (double)t->s, d = (double)t->d, q = (double)t->q, L = s + d;
@@ -159,8 +157,7 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
     return DOM_OK;
 }
 
-/* Integrates 1/(tau omega) with the trapezoidal rule. The paper does not say how to compute t_f, but this
- * rule is as simple as its other recipes. */
+/* Integrates 1/(tau omega) with the trapezoidal rule, since the paper names no method. */
 static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct paper p;

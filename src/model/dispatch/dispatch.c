@@ -28,7 +28,7 @@ enum dom_status precision_check(enum dom_precision precision)
                                              : DOM_NO_PRECISION;
 }
 
-/* If no earlier check has failed, sets `status` to an error if the parameter is outside its range. */
+/* Sets `status` to an error if the parameter is outside its range and no earlier check failed. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;
@@ -54,8 +54,7 @@ static enum dom_status request_check(const struct request *q)
 }
 #undef CHECK
 
-/* Given one of these arguments, the macro DOM_DYNAMICS lists the values of all effects of a train or of a
- * row, in the order of enum dom_effect_name. */
+/* DOM_DYNAMICS(TRAIN_VALUE) and DOM_DYNAMICS(ROW_VALUE) list the values of all effects. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 

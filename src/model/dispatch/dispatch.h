@@ -1,22 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Translates the structures of the public API into requests, and chooses the kernel that computes the answer.
- * Both the public entry points (model.c) and the searches that ask many questions (planning/) call these
- * functions.
- */
+/* Translates the structures of the public API into requests, and chooses the kernel that answers. Callers are
+ * the public entry points (model.c), and searches that ask many questions (planning/). */
 #ifndef DOM_DISPATCH_H
 #define DOM_DISPATCH_H
 
 #include "precision/kernel.h"
 
-/* A question about a train, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
+/* A question about a train, and the kernel that answers it. `kernel` is set only with DOM_OK. */
 struct question {
     struct request request;
     const struct kernel *kernel;
     enum dom_status status;
 };
 
-/* A question about a row, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
+/* A question about a row, and the kernel that answers it. `kernel` is set only with DOM_OK. */
 struct row_question {
     struct row_request request;
     const struct kernel *kernel;
@@ -26,7 +23,7 @@ struct row_question {
 /* The kernels of this library's own method, indexed by enum dom_precision. */
 extern const struct kernel *const kernels[];
 
-/* Returns DOM_OK, DOM_BAD_PRECISION, or DOM_NO_PRECISION if the machine does not have the precision. */
+/* Returns DOM_OK, DOM_BAD_PRECISION, or DOM_NO_PRECISION if the machine lacks the precision. */
 enum dom_status precision_check(enum dom_precision precision);
 
 /* Returns *compute, or the defaults if compute is NULL. */
@@ -41,11 +38,8 @@ struct question question_make(const struct dom_train *train, const struct dom_co
 /* Makes a question about a row. Checks only the precision; the kernel checks the dominoes. */
 struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *compute);
 
-/*
- * Calls a function of the question's kernel with the request and the other arguments, and evaluates to the
- * status that the function returns. If the question already has an error status, evaluates to that status
- * instead. Evaluates to DOM_NO_METHOD if the kernel does not have the function.
- */
+/* Calls a function of the question's kernel, and evaluates to its status. Evaluates to the question's own
+ * status if that is an error, and to DOM_NO_METHOD if the kernel lacks the function. */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \

@@ -12,8 +12,7 @@ const struct dom_effect dom_energy_balance = {
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
-/* The words that a user types for the distribution of errors, indexed by the member `uniform` of struct
- * dom_error. */
+/* The words for the distribution of errors, indexed by the member `uniform` of struct dom_error. */
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
 const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {

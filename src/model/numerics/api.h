@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. Some sources are compiled as they are, with dom_real as
- * double. Others are compiled with DOMQ defined, which replaces every name of domino.h by the name of
- * domino_quad.h (domq_names.h has lines such as "#define dom_train domq_train"). The rest are compiled in
- * both ways.
+ * The public API for the sources of the library. Some sources are compiled with dom_real as double. Others
+ * are compiled with DOMQ defined, and the rest in both ways. With DOMQ, lines such as "#define dom_train
+ * domq_train" (domq_names.h) replace the names of domino.h by those of domino_quad.h.
  */
 #ifndef DOM_API_H
 #define DOM_API_H
 
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
-#else /* only for tools that check a single source file before the build has generated domq_names.h */
+#else /* for tools that check a source file before the build has generated domq_names.h */
 #include "domino.h"
 typedef long double domq_real;
 #endif

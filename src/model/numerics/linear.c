@@ -29,20 +29,20 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has converged, that is, if its last terms are below the tolerance. Stores the
- * largest absolute value of these terms in *left. The tolerance is raised to the noise of the function
- * values, and to a few units of rounding, because the terms do not fall below these.
+ * Returns true if the series has converged: its last terms are below the tolerance. Stores the largest of
+ * them in *last_terms. Terms do not fall below the noise of the values or a few units of rounding, so neither
+ * does the tolerance.
  */
-static bool series_converged(const real *series, real tol, real noise, real *left)
+static bool series_converged(const real *series, real tol, real noise, real *last_terms)
 {
     real size = 0;
-    *left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
+    *last_terms = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
     for (int k = 0; k < N; k++)
         size = fmax(size, fabs(series[k]));
-    return *left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
+    return *last_terms <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
-/* The values of p and c at the nodes, the largest noise of p, and the largest noise of c. */
+/* p and c at the nodes, and the largest noise of each */
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
@@ -65,7 +65,7 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
 }
 
 /* Computes one panel. ln_G and v are the solution at its left end. Returns false if the panel is too wide for
- * its series to converge. If f fails, sets *status to NUM_NOT_FINITE and also returns false. */
+ * its series to converge. Also returns false if f fails; *status is then NUM_NOT_FINITE. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
@@ -76,7 +76,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         return false;
     }
     series_of(node, at.p, N, series);
-    /* The solution contains exp(ln G), so ln G needs an absolute tolerance, not a relative one. */
+    /* The solution contains exp(ln G), so the tolerance of ln G is absolute. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
     if (!series_converged(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
@@ -119,7 +119,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* If little of [lo, hi] would remain after this panel, the panel includes the remainder. */
+        /* A panel takes a small remainder of [lo, hi], too. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
@@ -135,8 +135,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-/* Returns an upper estimate of the sum of the terms that are left out, provided that they continue to
- * decrease. */
+/* Estimates the sum of the terms that are left out. It assumes that terms keep decreasing. */
 static real rough_rest(const real *series)
 {
     return fabs(series[ROUGH - 1]) + fabs(series[ROUGH - 2]);
@@ -198,8 +197,8 @@ KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *
     *v = series_at(panel->v, N + 1, u);
 }
 
-/* Returns the series at x minus the series at x - by. A separate recurrence yields T_k(x) - T_k(x - by)
- * without cancellation. */
+/* Returns the series at x minus the series at x - by. The recurrence for T_k(x) - T_k(x - by) avoids
+ * cancellation. */
 static real series_moved(const real *series, int n, real x, real by)
 {
     real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;

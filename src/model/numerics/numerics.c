@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/numerics.h"
 
-/* Bisection from the largest to the smallest quad number takes about 33,000 steps. 2000 steps are enough if
- * lo and hi are of the same order of magnitude, or if one of them is 0 and the root is at least 1e-300. */
+/* 2000 bisections are enough if lo and hi are of similar size, or if one is 0 and the root at least
+ * 1e-300. */
 #define ITERATIONS_MAX 2000
 
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
@@ -44,8 +44,7 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
         }
         a = next;
         fa = value;
-        /* Interpolation through a, b and c stays inside the bracket if phi^2 < xi and (1 - phi)^2 < 1 -
-         * xi. */
+        /* Interpolation stays in the bracket if phi^2 < xi and (1 - phi)^2 < 1 - xi. */
         real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         t = (real)0.5;
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
@@ -92,24 +91,23 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends at the first terms that are smaller than this fraction of the sum. The remaining terms are
-     * negligible, since they decrease faster than a geometric series. */
+    /* A sum ends at terms below this fraction of the sum. The terms decrease faster than a geometric series,
+     * so the remainder is negligible. */
     real cut;
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
     real step, sum; /* only for the double exponential rule */
-    /* Only for the rule of Clenshaw and Curtis. If width is not NaN, the variable of the rule is u, where x =
-     * peak + width sinh u. */
+    /* Only for the rule of Clenshaw and Curtis. If width is not NaN, the variable is u with x = peak + width
+     * sinh u. */
     real peak, width, from, to, *value;
 };
 
-/* Returns the integral as computed with the nodes of one level of the rule. Each level has more nodes than
- * the previous one. */
+/* Returns the integral from the nodes of one level of the rule. */
 typedef real span_level(struct span *s, int level);
 
-/* Estimates the relative error of the last level from `off` and `off_before`, the relative differences
- * between successive levels. From level to level the number of correct digits nearly doubles. */
+/* Estimates the relative error of a level. `off` and `off_before` are the last two relative differences
+ * between levels. Correct digits nearly double from level to level. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -122,12 +120,12 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Two levels may agree by chance although the nodes do not yet resolve f. Therefore `unseen`, the
-         * error due to the unresolved part of f, must be small, too. */
+        /* Levels may agree by chance although the nodes do not resolve f. So `unseen`, the error of the
+         * unresolved part, must be small, too. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            /* `left` is only an estimate, so compute one more level to find the error */
+            /* `left` is only an estimate: compare with one more level */
             if (error && level < levels)
                 off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
             if (error)
@@ -145,21 +143,20 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the weighted sum of f at the two nodes +t and -t, and stores their weight in *weight. Each node is
- * computed from its distance to the nearer end of the interval, so that the distance keeps all its digits. */
+/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Nodes are computed from
+ * their distance to the nearer end, which thus keeps all its digits. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
-    /* A node that rounds to the end of the interval still counts: there may be a peak at that end. */
+    /* A node that rounds to the end still counts: a peak may be there. */
     real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
     s->failed = s->failed || !isfinite(sum);
     return *weight * sum;
 }
 
-/* Returns the sum of the terms at first, first + step, first + 2 step and so on. The sum ends when the terms
- * are too small to matter. */
+/* Returns the sum of the terms at first, first + step, ..., until they are too small to matter. */
 static real node_sum(struct span *s, real first, real step)
 {
     real sum = 0, weight = 1;
@@ -177,7 +174,7 @@ static real exponential_level(struct span *s, int level)
     if (level == 0) {
         s->step = 1;
         s->sum = PI / 2 * s->f(s->lo + s->half, s->context) + node_sum(s, 1, 1);
-    } else { /* only the nodes between those of the previous level are new */
+    } else { /* only the nodes between the previous ones are new */
         s->step /= 2;
         s->sum += node_sum(s, s->step, 2 * s->step);
     }
@@ -196,8 +193,7 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
     return span_integral(&s, exponential_level, LEVELS_MAX, tol, integral, error);
 }
 
-/* ---- The rule of Clenshaw and Curtis: nodes u = cos(pi j / n), scaled to [lo, hi] after the substitution
- * ---- */
+/* ---- The rule of Clenshaw and Curtis: nodes u = cos(pi j / n), scaled to [lo, hi] ---- */
 
 static real arsinh(real x)
 {
@@ -220,11 +216,11 @@ static real chebyshev_value(struct span *s, real node)
 }
 
 /*
- * Returns the weight of node j, multiplied by n:
+ * Returns n times the weight of node j:
  *
  *     2 - sum over k = 1, ..., n / 2 of 4 cos(2 pi j k / n) / (4 k^2 - 1),
  *
- * where the last term of the sum is halved. The weight of node 0 is half of this number.
+ * with the last term halved, and half of this for node 0.
  */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {
@@ -248,8 +244,7 @@ static real chebyshev_level(struct span *s, int level)
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n && !s->failed; j++) {
-        /* The last coefficients of the Chebyshev series show how well the nodes resolve f. The coefficients
-         * of T_n, T_(n-1) and T_(n-2) are sums with alternating signs. */
+        /* The coefficients of T_n, T_(n-1) and T_(n-2) show how well the nodes resolve f. */
         real value = s->value[(size_t)j * stride], c = cosine[j];
         real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
         if (2 * j <= n) /* node n - j has the weight of node j */
@@ -263,8 +258,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns the interval [lo, hi] after the substitution x = peak + width sinh u. No substitution is made if
- * the interval is shorter than the width of the peak, or shorter than its distance from the peak. */
+/* Returns [lo, hi] after the substitution x = peak + width sinh u. There is no substitution for an interval
+ * that is shorter than the width of the peak, or than its distance from the peak. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -317,8 +312,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Finds the integral of a Chebyshev series of n terms, and multiplies it by `half`. The result is a series of
- * n + 1 terms whose value at -1 is `start`. */
+/* Integrates a Chebyshev series of n terms, multiplied by `half`. The result has n + 1 terms and the value
+ * `start` at -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;
@@ -330,8 +325,8 @@ static void series_integral(const real *series, int n, real half, real start, re
     integral[0] = start - at_left;
 }
 
-/* Finds the Chebyshev series that interpolates the values at the nodes cos(pi j / n); these values are
- * `stride` elements apart. */
+/* Finds the Chebyshev series through values at the nodes cos(pi j / n). The values are `stride` elements
+ * apart. */
 static void series_through(const real *value, size_t stride, int n, real *series)
 {
     for (int k = 0; k <= n; k++) {
@@ -376,8 +371,7 @@ struct series_target {
     real integral;
 };
 
-/* Returns the series minus the target at x = right - 1. The search uses `right`, the distance from the left
- * end of [-1, 1], so that a root close to that end keeps its digits. */
+/* Returns the series at right - 1, minus the target. Near -1, `right` keeps digits that x would lose. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

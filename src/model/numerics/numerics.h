@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roots, maxima and integrals in the arithmetic of the kernels; nothing here depends on dominoes. A function
- * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE. GSL has such functions too,
- * but only for double precision, and the same source must serve all precisions. On the roots of a benchmark,
- * these functions need 65 evaluations, and Brent's method needs 73. On integrals of trains that nearly stop,
- * they need 4883 evaluations, and GSL's qag needs 7497.
+ * Roots, maxima and integrals in the arithmetic of the kernels. Nothing here depends on dominoes. A function
+ * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE.
+ *
+ * GSL's functions compute only in double. They also need more evaluations:
+ * - for the roots of a benchmark 73 with Brent's method, and 65 here,
+ * - for integrals of trains that nearly stop 7497 with qag, and 4883 here.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
@@ -16,59 +17,58 @@ enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, 
 typedef real num_function(real x, void *context);
 
 /*
- * Finds the root of f between lo and hi to the relative tolerance tol of x. At lo and hi, f must have
+ * Finds the root of f between lo and hi to the relative tolerance tol of x. f(lo) and f(hi) must have
  * different signs; zero counts as either sign. The method is inverse quadratic interpolation if that is safe,
- * and bisection otherwise (Chandrupatla, Advances in Engineering Software 28, 1997).
+ * otherwise bisection (Chandrupatla, Advances in Engineering Software 28, 1997).
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* Does the same as num_root, for a caller that already knows the values of f at lo and hi, or at least their
- * signs. */
+/* Does the same as num_root if f(lo) and f(hi), or at least their signs, are known. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
 /*
- * Finds the maximum of f between lo and hi by golden section, to the relative tolerance tol of x. At
- * `middle`, f must be larger than at both ends. A maximum at a kink or a jump is found to the full tolerance,
- * but a smooth one only to the square root of the unit roundoff, because f hardly changes near it.
+ * Finds the maximum of f between lo and hi by golden section, to the relative tolerance tol of x. f(middle)
+ * must be larger than f(lo) and f(hi). Near a smooth maximum f hardly changes, so x is precise only to the
+ * square root of the unit roundoff. A kink or a jump is found to the full tolerance.
  */
 KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
                                    real *x);
 
-/*
- * Finds the integral of f over [lo, hi] to the relative tolerance tol, and an estimate of the error unless
- * `error` is NULL. The double exponential rule (Takahasi and Mori, 1974) tolerates singularities at the ends.
- */
+/* Finds the integral of f over [lo, hi] to the relative tolerance tol, and an estimate of the error unless
+ * `error` is NULL. The double exponential rule (Takahasi and Mori, 1974) tolerates singularities at the
+ * ends. */
 KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
                                     real *integral, real *error);
 
 /*
  * Finds the integral of a function that is smooth except for a peak like 1 / sqrt(width^2 + (x - peak)^2).
- * The peak may be outside the interval, and the width is NaN if it is unknown. The substitution x = peak +
- * width sinh u flattens the peak, so the rule of Clenshaw and Curtis (1960) converges fast even for a very
- * narrow peak. If the rule does not converge, num_integral computes the pieces before and after the peak.
+ * The peak may be outside the interval. The width is NaN if it is unknown.
+ *
+ * The substitution x = peak + width sinh u flattens the peak, so the rule of Clenshaw and Curtis (1960)
+ * converges fast. If it does not converge, num_integral computes the pieces before and after the peak.
  */
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
 
 enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
 
-/* The integral of a function with a peak (see num_peak_integral) from lo to any x up to hi, as a Chebyshev
+/* The integral of a function with a peak (see num_peak_integral) from lo to any x <= hi, as a Chebyshev
  * series in u. */
 struct num_series {
     real lo, hi, peak, width; /* as in num_peak_integral; if the width is NaN, u is x */
-    real from, half;          /* u at lo, and half of the length of the interval in u */
+    real from, half;          /* u at lo, and half of the range of u */
     int terms;
     real term[CHEBYSHEV_MOST + 2];
 };
 
-/* Finds the series. Returns NUM_NOT_CONVERGED if CHEBYSHEV_MOST terms are not enough for the relative
- * tolerance tol. */
+/* Finds the series. Returns NUM_NOT_CONVERGED if CHEBYSHEV_MOST terms are too few for the relative tolerance
+ * tol. */
 KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, real hi, real peak,
                                        real width, real tol, struct num_series *series);
 
-/* num_series_at returns the integral from lo to x. num_series_find finds the x up to which the integral has a
- * given value; the function must be positive. */
+/* num_series_at returns the integral from lo to x. num_series_find finds x from the integral of a positive
+ * function. */
 KERNEL real num_series_at(const struct num_series *series, real x);
 KERNEL enum num_status num_series_find(const struct num_series *series, real integral, real *x);
 
@@ -79,10 +79,11 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  *
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
- * Both integrals are Chebyshev series on panels, which are halved until the series of p and c / G have
- * converged. The solution is as precise between the nodes as at the nodes, so searches for maxima, roots and
- * times need no further steps. GSL's odeiv2 computes only in double precision and for one initial value at a
- * time. On the equations of a benchmark, it needs 13917 evaluations with rk8pd, and this code needs 6880.
+ * Both integrals are Chebyshev series on panels. A panel is halved until the series of p and c / G converge.
+ * The solution is as precise between the nodes as at the nodes.
+ *
+ * GSL's odeiv2 computes only in double, and for one initial value at a time. On a benchmark, rk8pd needs
+ * 13917 evaluations, and this code 6880.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
@@ -95,7 +96,7 @@ enum { LINEAR_PANELS = 128 };
 
 struct num_rate {
     real p, c;
-    /* absolute rounding errors of p and c; 0 means a few units of rounding */
+    /* absolute rounding errors; 0 means a few units of rounding */
     real p_noise, c_noise;
 };
 
@@ -109,24 +110,18 @@ struct num_panel {
 
 struct num_linear {
     int panels;
-    /* An array of LINEAR_PANELS panels, too large for the stack. NULL until the first solution
-     * allocates it. */
+    /* LINEAR_PANELS panels, too large for the stack. NULL before the first solution. */
     struct num_panel *panel;
-    real ln_G_error, v_error; /* error bounds on ln G and v, estimated from the last terms of their series */
+    real ln_G_error, v_error; /* error bounds, estimated from the last terms */
 };
 
-/*
- * Extends the solution over [lo, hi], where p and c must be smooth. lo must be the end of the solution so
- * far, if it has any panels. The relative error of G is about tol, and the error of v is about tol times the
- * range of v.
- */
+/* Extends the solution over [lo, hi], where p and c must be smooth. lo must be the end of the solution so
+ * far. The relative error of G is about tol, and the error of v about tol times its range. */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
-/*
- * A rough solution from x = 0 to hi. It consists of a single panel and takes only ROUGH evaluations, so its
- * series may not have converged. The errors are absolute, and estimated from the last terms.
- */
+/* A rough solution from x = 0 to hi: a single panel with ROUGH evaluations. Its series may not have
+ * converged. The errors are absolute, and estimated from the last terms. */
 enum { ROUGH = 8 };
 struct num_rough {
     real node[ROUGH]; /* Chebyshev nodes, set by num_rough_begin */
@@ -136,7 +131,7 @@ struct num_rough {
 KERNEL void num_rough_begin(struct num_rough *solution);
 KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *solution);
 
-/* These two functions return v and G at u, where u runs from -1 to 1 as x runs from 0 to hi. */
+/* These two functions return v and G at u, where u = -1 at x = 0 and u = 1 at x = hi. */
 KERNEL real num_rough_v(const struct num_rough *solution, real u);
 KERNEL real num_rough_G(const struct num_rough *solution, real u);
 
@@ -145,7 +140,7 @@ KERNEL void num_linear_free(struct num_linear *solution);
 /* Finds ln G and v at x, which must lie within the range of the solution. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
-/* Returns v(x) - v(x - by). Even if `by` is tiny, the relative error is only that of the derivative of v. */
+/* Returns v(x) - v(x - by). The relative error does not grow if `by` is tiny. */
 KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
 
 #endif

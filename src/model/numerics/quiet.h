@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * These two functions switch off GSL's error handler, which would abort the program, and restore it. There is
- * only one handler in a process, and several threads may compute at the same time, so the calls are counted:
- * the first dom_quiet_begin switches the handler off, and the last dom_quiet_end restores it.
+ * These two functions switch off GSL's error handler, which would abort the program, and restore it. A
+ * process has only one handler, but several threads may compute. So the calls are counted: only the first
+ * begin and the last end change the handler.
  */
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels. The same source is compiled for each precision (precision/): with REAL_FLOAT
- * defined for float, with REAL_QUAD for quad, and with neither for double. `real` is the floating-point type.
- * sqrt() and the other functions of <math.h> are those for that type, as with <tgmath.h>.
+ * The arithmetic of the kernels. `real` is the floating-point type, and sqrt() and so on are the functions
+ * for it, as with <tgmath.h>. The same source is compiled for each precision (precision/): REAL_FLOAT is
+ * defined for float, REAL_QUAD for quad, and neither for double.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
@@ -12,18 +12,17 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Marks functions of the kernels. Each precision has a separate copy with internal linkage. */
+/* Marks functions of the kernels. Each precision has its own static copy. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions in the loops along a train, in which a call would cost as much as the arithmetic. In quad,
- * every operation is already a function call, so one more call makes no measurable difference. */
+/* Marks functions in the loops along a train, where a call costs as much as the arithmetic. In quad, every
+ * operation is a function call anyway. */
 #ifdef REAL_QUAD
 #define KERNEL_LOOP KERNEL
 #else
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 #endif
 
-/* The functions of <math.h> that exist in every precision: X(name) for those with one argument, Y(name) for
- * those with two. */
+/* The functions of <math.h> for every precision: X(name) with one argument, Y(name) with two. */
 #define REAL_FUNCTIONS(X, Y)                                                                                 \
     X(sqrt)                                                                                                  \
     X(cbrt)                                                                                                  \
@@ -57,7 +56,7 @@ typedef double real;
 #define REAL_BITS DBL_MANT_DIG
 #define REAL_MIN  DBL_MIN
 #elif defined DOMQ_REAL_FLOAT128
-/* glibc provides these functions for every compiler, but its header declares them only for gcc. */
+/* glibc has these functions for every compiler, but declares them only for gcc. */
 #define DECLARE_ONE(f) extern domq_real f##f128(domq_real);
 #define DECLARE_TWO(f) extern domq_real f##f128(domq_real, domq_real);
 REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
@@ -107,8 +106,7 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Returns the larger number without a function call. C's fmax has special rules for NaN, which cost a
- * call. */
+/* Returns the larger number. C's fmax has rules for NaN, which cost a function call. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A kernel is a table of functions that compute in one precision, or with one of the two comparison methods
- * (gsl and paper). The functions correspond to those in domino.h, without the prefix "dom_". A function is
- * NULL if a comparison method cannot answer the question. Error bounds are computed if the request has
- * `errors` set.
+ * A kernel is a table of functions for one precision, or for a comparison method (gsl or paper). The
+ * functions correspond to those in domino.h, without the prefix "dom_". A function is NULL if a comparison
+ * method cannot answer the question. Error bounds are computed if the request has `errors` set.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
 
 #include "geometry/request.h"
 
-/* Calls X(name, types of arguments) for each function of a kernel. Each function returns a status. */
+/* Calls X(name, types of arguments) for each function. All functions return a status. */
 #define KERNEL_FUNCTIONS(X)                                                                                  \
     X(angles_find, const struct request *, struct dom_angles *)                                              \
     X(contact_find, const struct request *, dom_real, struct dom_contact *)                                  \
@@ -52,9 +51,8 @@ struct kernel {
 #undef KERNEL_MEMBER
 };
 
-/* Each kernel is compiled once, with the types of <domino.h> or <domino_quad.h>. A bridge kernel
- * (dispatch/bridge.c) has the types of one header, and calls the kernels with the types of the other header.
- */
+/* Each kernel is compiled once, with the types of one header. A bridge kernel (dispatch/bridge.c) converts
+ * between the headers. */
 #ifdef DOMQ
 extern const struct kernel domq__kernel_float, domq__kernel_quad, domq__kernel_bridge;
 #else
