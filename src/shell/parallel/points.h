@@ -7,10 +7,11 @@
 #include "session/query.h"
 
 /*
- * Writes an answer whose rows are computed point by point, in parallel. `workers` holds the number of points
- * of the whole answer, and the function that computes a point. For point 0, this function also begins the
- * answer. With --shard, only a part of the points is computed. If the function that computes a point returns
- * false, sets *by_point to true and returns false. On any other failure, sets *problem and returns false.
+ * Computes the points of an answer in parallel, or only the part that --shard requests. workers.point
+ * begins the answer at point 0. On failure:
+ * - If workers.point has returned false, sets *by_point and returns false.
+ * - If a write has failed, sets answer->error and returns true.
+ * - Otherwise sets *problem and returns false.
  */
 bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
                    struct workers workers, bool *by_point);

@@ -8,13 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The intended duration of a block in seconds: long compared with taking the lock and writing, but too short
- * for a user to notice. */
+/* The intended duration of a block in seconds: much longer than taking the lock, but not noticeable. */
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a worker's next block is at most this many times as large as its previous one, because later points
-     * may take longer */
+    /* a worker's next block is at most this many times as large; later points may be slower */
     GROWTH = 4,
     WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
     BLOCK_MOST = 4096,
@@ -33,12 +31,11 @@ struct block {
 struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
-    pthread_cond_t room; /* signalled when blocks have been written, and when the computation stops */
-    size_t next;         /* the first point that no worker has taken so far */
-    /* the number of blocks taken, the number of blocks written, and the size of `waiting`, a ring buffer
-     * whose element k % window is block k */
-    size_t taken, written, window;
-    struct block *waiting;
+    pthread_cond_t room;   /* signalled when blocks have been written, and when the computation stops */
+    size_t next;           /* the first point that no worker has taken so far */
+    size_t taken, written; /* the number of blocks taken, and the number of blocks written */
+    size_t window;         /* the size of `waiting` */
+    struct block *waiting; /* a ring buffer: block k is element k % window */
     bool is_over;
     struct workers_end end;
 };
@@ -51,12 +48,12 @@ struct worker {
     double seconds;
 };
 
-/* Returns the number of points of the next block. Towards the end the blocks get smaller, so that all workers
- * finish at about the same time. */
+/* Returns the number of points of the next block. */
 static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
 {
     double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
     double most = me->points ? (double)GROWTH * (double)me->points : 1;
+    /* towards the end the blocks get smaller, so that all workers finish together */
     size_t share = job->count > 1 ? left / (2 * (size_t)job->count) + 1 : left;
     size_t points = (size_t)(fit < most ? fit : most) + 1;
     points = points < BLOCK_MOST ? points : BLOCK_MOST;
@@ -79,8 +76,7 @@ static bool block_compute(struct worker *me, size_t from, FILE *out)
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
-/* Stops the computation, and stores the reason. If the computation has already been stopped, keeps the
- * earlier reason. */
+/* Stops the computation. If it has already been stopped, keeps the earlier reason. */
 static void pool_end(struct pool *p, struct workers_end end)
 {
     p->end = p->is_over ? p->end : end;
@@ -88,7 +84,7 @@ static void pool_end(struct pool *p, struct workers_end end)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Writes the blocks in the order of the points, up to the first block that has not been computed yet. */
+/* Writes the blocks in order, up to the first one that is still being computed. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;
@@ -113,8 +109,8 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Assigns the next block to a worker: stores its first point in *from, the number of its points in
- * me->points, and its number in *block. Returns false if there are no more points. */
+/* Gives a worker the next block: number *block, with me->points points from *from on. Returns false if no
+ * points are left. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)
@@ -166,11 +162,11 @@ static void *thread_run(void *worker)
     return worker_run(worker);
 }
 
-/* Runs all workers, the first one in the caller's thread. The other threads block all signals, so signal
- * handlers run in the caller's thread. */
+/* Runs all workers, the first one in the caller's thread. */
 static void pool_run(struct pool *p, struct worker *worker)
 {
     unsigned begun = 1;
+    /* new threads inherit the blocked signals, so handlers run only in the caller's thread */
     sigset_t before = io_block();
     while (begun < p->job->count &&
            pthread_create(&worker[begun].thread, NULL, thread_run, &worker[begun]) == 0)

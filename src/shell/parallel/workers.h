@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The thread pool. It computes the points of a curve or a sweep, or tasks of the library, in parallel. Each
- * worker takes one block of consecutive points after another. The rows of the blocks are written as soon as
- * possible, but in the order of the points, so that the output has the same bytes for any number of workers.
- * There is only one lock, which a worker takes once for each block, about once per millisecond.
- */
+/* The thread pool, which computes points of curves and sweeps, and tasks of the library. A worker takes one
+ * block of consecutive points after another, and the only lock about once per millisecond. The output does
+ * not depend on the number of workers, since blocks are written in order. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
@@ -13,12 +10,10 @@
 
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
-    /* Computes a point, and writes its rows to `out`. This function may change only `context`, of which each
-     * worker has a separate copy. If the function returns false, the rows up to this point are written, and
-     * then the computation stops. */
+    /* Computes a point, and writes its rows to `out`. May change only `context`, of which each worker has a
+     * copy. Returns false to stop the computation after this point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* Each worker gets a copy of this context. If the function `point` returns false, the copy that it was
-     * called with is copied back to this context. */
+    /* The original of the copies. A copy for which `point` returns false is copied back. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */
@@ -37,8 +32,7 @@ struct workers_end {
 /* Computes all points. If some threads cannot be created, the other workers compute all points. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* Returns how many workers to use for this many points. `threads` is the parameter 'threads'; 0 means one
- * worker for each processor that this process may use. */
+/* Returns how many workers to use. `threads` is the parameter 'threads'; 0 means one for each processor. */
 unsigned workers_count(domq_real threads, size_t points);
 
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */

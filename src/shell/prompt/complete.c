@@ -27,9 +27,8 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* If `name` begins with the typed letters, completes the last word with `name`, appends `more`, and emits the
- * result. If `is_checked` is true, the parser must accept the result, alone or as the first value of a list.
- */
+/* Emits the last word, completed with `name` and `more`, if `name` begins with the typed letters. If
+ * `is_checked` is true, the parser must also accept the word, alone or in a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -42,8 +41,7 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/* Returns true if a name whose value has this unit can be the argument by itself. If the argument has no
- * unit, the name must be that of its parameter, or continue it with a '_', as r_max continues r. */
+/* Returns true if a value with this name and unit can be the argument. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
@@ -52,6 +50,7 @@ static bool fits(const struct argument *a, const char *name, const char *unit)
         return false;
     if (!quantity_bare(wanted))
         return quantity_alike(expression_unit(unit), wanted);
+    /* r_max is a value for r */
     return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
 }
 
@@ -73,8 +72,7 @@ static void emit_values(const struct completion *c)
         if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* The parser checks a candidate by computing its value. This is fast for answers about the endless
-         * train, but may take a long time for a row. */
+        /* The parser computes the value of a candidate, which may take long for a row. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
@@ -88,8 +86,7 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The callback of is_unasked, called with each candidate. Sets *context to the candidate if it is the only
- * one and is a command, and otherwise to "". */
+/* The callback of is_unasked. Sets *context to the only candidate if it is a command, and otherwise to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -98,7 +95,7 @@ static void keep_only(const char *candidate, void *context)
 }
 
 /* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. Completion
- * would then insert the command, although the user has not typed any part of it. */
+ * would insert it, although the user has not typed anything. */
 static bool is_unasked(const struct completion *c)
 {
     const char *only = NULL;
@@ -168,8 +165,7 @@ static void emit_files(const struct completion *c)
 
 /* ---- All candidates ---- */
 
-/* Returns the beginning of the last word. A word begins after a blank, after a ';', or after a '"' that is
- * not closed. */
+/* Returns the beginning of the last word, which follows a blank, a ';' or an unclosed '"'. */
 static const char *last_word(const char *line)
 {
     const char *word = line + strlen(line), *quote = strchr(line, '"');
@@ -243,8 +239,7 @@ static void candidate_add(const char *candidate, void *context)
     candidates.count += candidates.word[candidates.count] != NULL;
 }
 
-/* Returns the next candidate, or NULL after the last one. Readline passes 0 as `state` in the first call, and
- * frees the candidates. */
+/* Returns a candidate, which Readline frees, or NULL after the last one. In the first call, `state` is 0. */
 static char *candidate_next(const char *text, int state)
 {
     (void)text;

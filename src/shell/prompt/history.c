@@ -14,12 +14,12 @@
 
 #include <readline/history.h>
 
-/* The number of lines that are kept, and the number of lines above which the file is shortened. They differ
- * so that the file is not rewritten at every start. */
-enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
+enum {
+    HISTORY_LINES = 2000,            /* the number of lines that are kept */
+    HISTORY_FILE = 2 * HISTORY_LINES /* a longer file is shortened; so this does not happen at every start */
+};
 
-/* How long to wait, in seconds, for a lock that another session holds. After this time, a line is appended
- * without the lock. */
+/* How many seconds to wait for the lock. After this time, a line is appended without it. */
 #define LOCK_SECONDS 1.0
 
 /* The path of the history file, or "" if no history is kept. */
@@ -31,8 +31,8 @@ static void history_fails(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Returns true if the history file is a regular file. Otherwise no history is kept, and a message says so
- * unless the file is a device. */
+/* Returns true if the history file is a regular file. Otherwise no history is kept. Unless the file is a
+ * device, a message says so. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))
@@ -46,7 +46,7 @@ static bool is_regular(struct session *session, const struct stat *status)
 
 /* ---- Reading ---- */
 
-/* Rewrites the file with the lines of the history. Returns an error message, or NULL if there is no error. */
+/* Rewrites the file with the lines of the history. Returns NULL, or an error message. */
 static const char *file_shorten(const volatile sig_atomic_t *interrupt)
 {
     struct output *file = NULL;
@@ -92,11 +92,11 @@ void history_load(struct session *session)
                         : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
     if (!known)
         *history_file = '\0';
-    /* Opening a device or a FIFO can have side effects, so the type of the file is checked first. */
+    /* Opening a device or a FIFO can have side effects, so the type is checked first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     FILE *in = fopen(history_file, "re");
-    /* The lock is held until the file has been replaced, so that no line of another session is lost. */
+    /* Until the file has been replaced, no other session may append a line, which would be lost. */
     bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)
@@ -116,20 +116,19 @@ static void make_folders(char *path)
     }
 }
 
-/* Opens and locks the history file. If another session replaces the file between these two steps, tries
- * again. On failure, sets errno and returns -1. */
+/* Opens and locks the history file. On failure, sets errno and returns -1. */
 static int file_open(const volatile sig_atomic_t *interrupt)
 {
     enum { TRIES = 10 };
     int file = -1;
     for (int i = 0; i < TRIES; i++) {
         struct stat opened, named;
-        /* Typed lines are private, so a new file gets mode 0600. An existing file keeps the mode that its
-         * owner chose. */
+        /* Typed lines are private, so a new file gets mode 0600. */
         file = io_open(history_file, O_RDWR | O_APPEND | O_CREAT, 0600, interrupt);
         if (file < 0)
             return -1;
         (void)io_lock(file, LOCK_SECONDS, interrupt);
+        /* Another session may have replaced the file before it was locked. */
         if (fstat(file, &opened) != 0 || stat(history_file, &named) != 0 ||
             (opened.st_dev == named.st_dev && opened.st_ino == named.st_ino))
             return file;
@@ -139,14 +138,14 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends a line to the file, as a whole or not at all. `size` is the size of the file. On failure, sets
- * errno and returns false. */
+/* Appends a line to a file of `size` bytes, as a whole or not at all. On failure, sets errno and returns
+ * false. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;
     if (size > 0)
         (void)!pread(file, &last, 1, size - 1);
-    /* If a session was killed and left the last line without a newline, a newline is written first. */
+    /* A session that was killed may have left a line without a newline. */
     int length = asprintf(&line, "%s%s\n", last == '\n' ? "" : "\n", text);
     if (length < 0) {
         errno = ENOMEM;
@@ -181,6 +180,6 @@ void history_keep(struct session *session, const char *text)
     if (!text[strspn(text, " \t")] || (last && strcmp(last->line, text) == 0))
         return;
     add_history(text);
-    if (*history_file)
+    if (*history_file) /* written at once, so that the line is kept if the session crashes */
         file_add(session, text);
 }

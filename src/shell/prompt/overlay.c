@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws over the typed line while Readline waits for a key. The names of commands get a colour, and a faint
- * hint after the cursor shows the remainder of an earlier line or of the command's usage. The cursor always
- * returns to its position, so that the screen stays as Readline expects it. */
+/* Draws over the typed line while Readline waits for a key. Names of commands get a colour. A faint hint
+ * after the cursor suggests how the line may continue. The cursor always returns to its position, where
+ * Readline expects it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -21,12 +21,10 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint from the history: the remainder of an earlier line, which some keys insert as if the user had
- * typed it. It is "" if there is no such hint. */
+/* The hint from the history, or "": the remainder of an earlier line, which some keys insert. */
 static char rest[HINT];
 
-/* Returns true if the terminal has colours, and Readline is in its ordinary editing mode, in which the screen
- * shows only the typed line. */
+/* Returns true if the terminal has colours, and the screen shows only the typed line. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -51,15 +49,14 @@ static bool is_mapped(const struct session *session, int width, int height)
         if (*c < ' ' || *c > '~')
             return false;
     int begin = session->source.prompt_width;
-    /* The last condition excludes a cursor beyond the last column, because some terminals put it at the end
-     * of the row, and others at the beginning of the next row. */
+    /* Terminals differ in where they show a cursor beyond the last column. */
     return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
            rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
            !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
            (begin + rl_point) % width != 0;
 }
 
-/* Rewrites a part of the typed line. The part is within one row of the screen, and has one colour. */
+/* Rewrites a part of the typed line that has one colour and lies within one row of the screen. */
 static void part_write(int begin, int width, int from, int length, bool is_command)
 {
     int at = begin + from, up = (begin + rl_point) / width - at / width;
@@ -95,8 +92,7 @@ static void colours_show(struct session *session)
 
 /* ---- Hints ---- */
 
-/* Finds the most recent line of the history that begins with the typed line, and stores its remainder in
- * `rest`. */
+/* Finds the most recent line that begins with the typed line, and stores its remainder in `rest`. */
 static void rest_find(const char *line)
 {
     size_t length = strlen(line);
@@ -111,8 +107,7 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow, in the form in which the command's usage shows them. Writes ""
- * if there are none. */
+/* Writes the arguments that may still follow, as the command's usage shows them, or "". */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};
@@ -130,7 +125,7 @@ static void usage_rest(struct session *session, const char *line, char usage[HIN
             a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
         if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
-        /* The range of the value is more useful than its name, which is already on the line. */
+        /* The range is more useful than the name, which is already on the line. */
         const char *name = !value      ? a->name
                            : p->effect ? value->name
                                        : parameter_range(&session->state, p, 0);
@@ -148,8 +143,7 @@ static void hint_show(struct session *session)
         usage_rest(session, rl_line_buffer, usage);
         hint = usage;
     }
-    /* The hint leaves the last column free, because terminals differ in whether a character there moves the
-     * cursor to the next row. */
+    /* The last column stays free, because a character there may move the cursor to the next row. */
     int room = terminal_width(session->output->out) - session->source.prompt_width -
                terminal_columns(rl_line_buffer) - 1;
     size_t bytes = 0;
@@ -165,8 +159,7 @@ static void hint_show(struct session *session)
 void overlay_show(struct session *session)
 {
     bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    /* A key may send several bytes. Until all of them have been read, the hint is kept, because the key may
-     * accept it. */
+    /* The hint is kept until all bytes of a key have been read, since the key may accept it. */
     if (!RL_ISSTATE(RL_STATE_MULTIKEY))
         *rest = '\0';
     if (!is_plain(session))
@@ -213,7 +206,7 @@ static int accept_word_or_forward(int count, int key)
     return rest_accept(blanks + strcspn(rest + blanks, " ")) ? 0 : rl_forward_word(count, key);
 }
 
-/* Rebinds all keys of one function to another function, in each keymap that is used for typing a line. */
+/* Rebinds all keys of one function to another in the keymaps for typing a line. */
 static void rebind(rl_command_func_t *from, rl_command_func_t *to)
 {
     const Keymap maps[] = {emacs_standard_keymap, vi_insertion_keymap};

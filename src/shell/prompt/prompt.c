@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt. Readline is used through its callback interface, and pselect waits for a key. Signals are
- * blocked, except while pselect waits and while a command runs, so that no signal is missed. */
+/* The prompt. Readline runs through its callback interface, and pselect waits for a key. Signals are only
+ * delivered in pselect and while a command runs, so that none is missed. */
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
@@ -18,8 +18,7 @@
 
 /* ---- Signals ---- */
 
-/* The signal handler sets these flags. `interrupted` also ends a computation, and other threads read this
- * flag in dom_raised. */
+/* The signal handler sets these flags. Threads that compute read `interrupted` in dom_raised. */
 static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
@@ -34,13 +33,13 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. A signal whose default action is to end the program ends the session instead,
- * so that the terminal is restored first. */
+/* The signals that are caught. Signals that would end the program end the session, which restores the
+ * terminal. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The lines typed so far of a command that a backslash continues on the next line, or NULL. */
+/* The lines typed so far of a command that a backslash continues, or NULL. */
 static char *unfinished;
 
 static bool is_joined;  /* The running command was typed in several lines. */
@@ -73,8 +72,7 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* If the shell has already taken back the terminal, this call raises SIGTTOU. SIGTTOU is ignored, because
-     * it would stop the program a second time. */
+    /* This may raise SIGTTOU, which is ignored, because it would stop the program a second time. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);
@@ -87,8 +85,8 @@ static void prompt_suspend(const sigset_t *awake)
 
 /* ---- Lines ---- */
 
-/* Returns the typed line appended to the lines that it continues. Returns NULL if the command continues on
- * another line, or if memory runs out. Takes ownership of `text`. */
+/* Returns the command that ends with the typed line, or NULL if the command is not complete yet. Takes
+ * ownership of `text`. */
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;
@@ -106,8 +104,7 @@ static char *line_whole(struct session *session, char *text)
     return unfinished ? NULL : whole;
 }
 
-/* If the session is about to end with unsaved changes to the row, warns the user and keeps the session open.
- * A second attempt to leave, directly after the warning, succeeds. */
+/* Warns of unsaved changes to the row, and keeps the session open. A second attempt to leave succeeds. */
 static void leave_warn(struct session *session)
 {
     if (has_warned || !row_unsaved(&session->state.scene))
@@ -177,8 +174,7 @@ static void readline_begin(void)
     rl_completer_quote_characters = "\"";
     rl_filename_quote_characters = " \t;#>";
     rl_variable_bind("enable-bracketed-paste", "on");
-    /* rl_initialize reads the inputrc. overlay_begin has to come later, since it rebinds keys that the
-     * inputrc may bind. */
+    /* rl_initialize binds the keys of the inputrc, which overlay_begin may rebind. */
     rl_initialize();
     overlay_begin();
 }
@@ -190,8 +186,7 @@ struct signals {
 
 static void signals_begin(struct signals *s)
 {
-    /* SA_RESTART continues a write that ^C interrupts. Otherwise the write would fail, and the stream's error
-     * indicator would stay set. */
+    /* Without SA_RESTART, ^C could make a write fail, and set the stream's error indicator. */
     const struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
                            ignore = {.sa_handler = SIG_IGN};
     sigemptyset(&s->blocked);
@@ -210,8 +205,7 @@ static void signals_end(const struct signals *s)
     sigprocmask(SIG_SETMASK, &s->awake, NULL);
 }
 
-/* Waits for a key and lets Readline handle it. If the key completes a line, the line is run. Returns false if
- * the terminal cannot be read. */
+/* Waits for a key and lets Readline handle it. Returns false if the terminal cannot be read. */
 static bool key_read(struct session *session, const struct signals *s)
 {
     fd_set input;
@@ -225,9 +219,8 @@ static bool key_read(struct session *session, const struct signals *s)
         return false;
     }
     if (ready > 0) {
-        sigprocmask(
-            SIG_SETMASK, &s->awake,
-            NULL); /* If the key starts a computation, ^C must be able to interrupt the computation. */
+        /* ^C must be able to interrupt a computation that the key starts. */
+        sigprocmask(SIG_SETMASK, &s->awake, NULL);
         rl_callback_read_char();
         sigprocmask(SIG_BLOCK, &s->blocked, NULL);
     }
@@ -250,7 +243,7 @@ void line_prompt(struct session *session)
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
     sigprocmask(SIG_BLOCK, &signals.blocked, &signals.awake);
     for (bool is_open = true; is_open && !session->quit && !ended; is_open = key_read(session, &signals)) {
-        /* Signals that arrived while a line ran are handled now, and not only after the next key. */
+        /* Signals that arrived while a line ran are handled before the next key. */
         if (interrupted)
             prompt_interrupt();
         if (resized) {
@@ -268,8 +261,7 @@ void line_prompt(struct session *session)
     signals_end(&signals);
     if (ended) {
         fflush(session->output->out);
-        /* The terminal has been restored, so the signal may now take its default action and end the program.
-         */
+        /* The terminal has been restored, so the signal may now end the program. */
         raise(ended);
     }
 }

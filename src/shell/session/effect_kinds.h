@@ -8,8 +8,7 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* The kinds of random error that have an effect of their own, such as 'error_place'. Random errors in gaps
- * and heights belong to the effect 'placement'. */
+/* The kinds of random error that have their own effect. Errors in gaps and heights belong to 'placement'. */
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {

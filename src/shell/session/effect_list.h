@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of all effects, in this order: the effects of the library; the effects of the rigid-body
- * engine, which need more than one degree of freedom; and the random errors (random_error_list.c). To add an
- * effect of the engine, add its name to effect_kinds.h, its description to effect_list.c, its value to
- * scene_engine_make (engine.c), and its code to src/engine/. To add an effect of the model, follow
- * src/model/dynamics/README.md; the calculator takes such effects from the library's list.
+ * Descriptions of all effects: those of the library, those of the rigid-body engine, and random errors, in
+ * this order. To add an effect of the model, follow src/model/dynamics/README.md. To add an effect of the
+ * engine, add
+ * - its name to effect_kinds.h
+ * - its description to effect_list.c
+ * - its value to scene_engine_make (engine.c)
+ * - its code to src/engine/
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
@@ -13,8 +15,8 @@
 #include "session/effect_kinds.h"
 #include <math.h>
 
-/* Two special values that stand for the words "off" and "on". EFFECT_ON turns an effect on with its usual
- * values. If the effect is already on, EFFECT_ON changes nothing. */
+/* Values that stand for the words "off" and "on". EFFECT_ON gives an effect its usual values, unless it is
+ * on. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
@@ -24,8 +26,8 @@ const struct domq_effect *effect_at(int k);
 /* A names_list (see names.h) of all effects. */
 const char *effect_names(const void *context, int k);
 
-/* Returns the usage of an effect, such as "friction MU". The text lives until the end of the block that
- * contains the call. */
+/* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
+ * block. */
 enum { EFFECT_USAGE = 64 };
 #define effect_usage(name) effect_usage_write(name, (char[EFFECT_USAGE]){""})
 const char *effect_usage_write(int name, char usage[EFFECT_USAGE]);

@@ -44,7 +44,7 @@ static bool needs(int name, int other)
     return effect_at(name)->needs >> other & 1;
 }
 
-/* Writes a list of the effects that are on and need the row, such as ", together with push and placement". */
+/* Writes which effects that are on need the row, as in ", together with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';
@@ -79,9 +79,9 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
                    csv->unused, csv->kind->names);
-    /* Store the absolute path, because 'save' may write it into a script in another directory. A pipe has no
-     * absolute path, so store the name that the user typed. */
+    /* 'save' needs an absolute path, since its script may be in another directory. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
+    /* A pipe has no absolute path. */
     if (good && !row->path) {
         row->path = csv->path;
         csv->path = NULL;
@@ -171,8 +171,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes a path in double quotes. If the file is in or below `folder`, the path begins with "./", so that the
- * script and the file can be moved together. */
+/* Writes a path in double quotes. A path below `folder` begins with "./", so that script and file can be
+ * moved together. */
 static void save_name(const char *path, const char *folder, FILE *out)
 {
     size_t length = folder ? strlen(folder) : 0;

@@ -25,9 +25,8 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The engine's unit of length is the height h of the first domino, its unit of mass is the mass of the first
- * domino, and its unit of time is sqrt(h/g). In these units, rounding errors do not depend on the size of the
- * row. */
+/* The engine's units: the height h and the mass of the first domino, and the time sqrt(h/g). So rounding
+ * errors do not depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };
@@ -38,8 +37,8 @@ static struct unit unit_of(const struct domq_row *row)
     return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
 }
 
-/* Returns the moment of inertia of a hollow domino about its centre, divided by that of a solid block of the
- * same mass. Returns 0 for a solid domino. */
+/* Returns the moment of inertia of a box about its centre, relative to an equally heavy solid block. Returns
+ * 0 for a solid domino. */
 static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
 {
     struct domq_box box;
@@ -47,13 +46,11 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
         domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
-    /* box.inertia is the ratio of the two moments of inertia about the lower edge. By the parallel axis
-     * theorem, their ratio about the centre is 4 box.inertia - 3. */
+    /* By the parallel axis theorem, the ratio about the lower edge is box.inertia = (ratio + 3) / 4. */
     return 4 * (double)box.inertia - 3;
 }
 
-/* Converts a row to the engine's units. The caller frees *boxes, even after a failure. Returns DOM_BAD_HEIGHT
- * if a height, thickness or mass is not finite and positive, or if a gap is infinite or negative. */
+/* Converts a row to the engine's units. The caller frees *boxes, even after a failure. */
 static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
                                    struct engine_box **boxes)
 {
@@ -216,15 +213,15 @@ struct watch {
     const domq_real *times;  /* the next times to visit, in s */
     size_t left;             /* the number of elements left in `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    /* how far the feet have slid, in m, and the time in s, both after the last step */
-    double *feet, time;
+    double *feet;            /* how far the feet have slid until the last step, in m */
+    double time;             /* the time of the last step, in s */
     size_t head;
     domq_moment_visit *visit;
     void *context;
     bool more; /* the visitor has not asked to stop */
 };
 
-/* Passes the state after the last step to the visitor, as the state at the time `time`. */
+/* Passes the state after the last step to the visitor, with the time `time`. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,
@@ -237,8 +234,7 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* The engine calls this function after each step. Steps are very short, so the visitor gets the state after
- * the step for every time within it. */
+/* The engine calls this function after each step. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -250,6 +246,7 @@ static bool watch_step(const struct engine_moment *m, void *context)
         w->tilt[k] = (domq_real)m->tilt[k];
         w->feet[k] = m->foot[k] * w->unit.length;
     }
+    /* Steps are so short that the state after a step also stands for the times within it. */
     while (w->more && w->left > 0 && (double)*w->times <= time)
         watch_visit(w, (double)*w->times);
     return w->more && w->left > 0;

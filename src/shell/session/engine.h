@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine. The engine is used if an effect that the model lacks is on, or after
- * 'set method engine'. The library's searches and studies then also call the engine, through struct
- * dom_engine. */
+/* Runs rows in the rigid-body engine: with effects that the model lacks, and after 'set method engine'. The
+ * library's searches and studies call the engine through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
@@ -13,7 +12,7 @@ enum { METHOD_MODEL, METHOD_ENGINE };
 
 /* Results of an engine run that commands show but the library does not need. */
 struct engine_report {
-    /* the hits in m, s and kg; the caller provides an array with one element for each domino */
+    /* the hits in m, s and kg; the caller provides an element for each domino */
     struct engine_hit *hit;
     struct engine_settled settled; /* in the engine's units */
 };
@@ -28,22 +27,19 @@ struct scene_engine {
 /* Returns true if the rigid-body engine, rather than the model, runs the row of the scene. */
 bool scene_has_engine(const struct scene *scene);
 
-/* Returns the reason why the engine runs the row, such as "feet is on" or "method is engine". */
+/* Returns why the engine runs the row, such as "feet is on" or "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
-/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if the engine is not
- * installed, cannot run that many dominoes, or does not include an effect that is on. */
+/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if it is not installed,
+ * or cannot run so many dominoes or an effect that is on. */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 
-/* Runs a row once with coarse steps, so that the caller can measure how long a run takes. */
+/* Runs a row once with coarse steps. The caller measures how long this takes. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
-/*
- * Like domq_row_watch, but runs the row in the engine, with the step size that an earlier run has stored in
- * the report. Before each call of `visit`, sets feet[k] to the distance in m that the foot of domino k,
- * counted from 0, has slid.
- */
+/* Like domq_row_watch, but in the engine, with the step size from the report of an earlier run. Before each
+ * call of `visit`, sets feet[k] to the distance in m that the foot of domino k, counted from 0, has slid. */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,
                                    void *context, double *feet);

@@ -72,8 +72,8 @@ static bool precision_check(const struct state *state, domq_real precision, stru
            problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
 }
 
-/* Adapts tol to a new precision. If tol has the default of the old precision, it gets the default of the new
- * one. Any other tol is raised to the new lower bound if necessary. */
+/* If tol has its default, gives it the default of the new precision. Otherwise raises it to the new lower
+ * bound if necessary. */
 static void precision_before(struct state *state, domq_real precision)
 {
     struct domq_compute *compute = &state->scene.compute;

@@ -102,8 +102,7 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lower bound on value number i of a parameter. The lower bound on tol depends on the precision.
- */
+/* Returns the lower bound on value number i of a parameter. */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
@@ -129,6 +128,7 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {
+    /* words come first: the range of tol depends on the precision */
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < count; i++) {
             const struct assigned *a = &assigned[i];
@@ -170,10 +170,10 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
 /* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are on come after all other parameters. Among the effects that are off, those that need
-     * another effect come first. */
+    /* Effects that are on come last. An effect is turned off before the effects that it needs. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
+    /* Numbers follow words, because the range of tol depends on the precision. */
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 
@@ -239,8 +239,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
-    /* A double cannot represent a lower bound such as 1e-15 exactly, so the nearest double is accepted even
-     * if it is below the bound. */
+    /* A bound such as 1e-15 is not a double, so the nearest double is accepted. */
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;

@@ -9,30 +9,31 @@
 
 /* ---- Descriptions ---- */
 
-/* Three names_lists (see names.h). parameter_names lists all parameters, parameter_words lists the words for
- * the values of one parameter, and parameter_offered lists the same words without synonyms. */
+/* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
+
+/* names_lists of the words for the values of a parameter. parameter_offered omits synonyms. */
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
 
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter whose first synonym is the word. If there is none and `any` is true, returns the
- * parameter that has the word closest to the front of its synonyms. Otherwise returns NULL. */
+/* Returns the parameter whose first synonym is the word, or NULL. If `any` is true, later synonyms count,
+ * too; the parameter that lists the word earliest is returned. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests that
- * parameter or effect. */
+/* Like names_find, but the message also suggests names that have the word as a synonym. */
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
-/* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.
- * Only effects have more than one value. */
+/* Returns the description of value number i, counted from 0, or NULL after the last value. Only effects have
+ * several values. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* Three descriptions of a parameter: a short phrase, the text that 'help' shows, and a list of synonyms. The
- * text and the list may be NULL. */
+/* Returns a short phrase. */
 const char *parameter_meaning(const struct parameter *parameter);
+
+/* Return the text that 'help' shows, and a list of synonyms. Both may be NULL. */
 const char *parameter_help(const struct parameter *parameter);
 const char *parameter_synonyms(const struct parameter *parameter);
 
@@ -42,8 +43,10 @@ bool parameter_is_number(const struct parameter *parameter);
 /* Returns the word that stands for a value of the parameter, or NULL if no word does. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
-/* Returns the range of value number i of a parameter, such as "1e-12 .. 1", or a list of its words, such as
- * "exact|paper". The text lives until the end of the block that contains the call. */
+/*
+ * Returns the range of value number i, such as "1e-12 .. 1", or a list of words, such as "exact
+ * paper". The text lives until the end of the caller's block.
+ */
 enum { PARAMETER_RANGE = 64 };
 #define parameter_range(state, parameter, i)                                                                 \
     parameter_range_write(state, parameter, i, (char[PARAMETER_RANGE]){""})
@@ -74,24 +77,17 @@ struct assigned {
 };
 enum { ASSIGNED_MAX = 8 };
 
-/*
- * Sets parameters in a copy of a state. The copy shares the memory of the original, and must not be closed.
- * Parameters whose values are words, such as the precision, are set first, because the range of tol depends
- * on the precision. Sets *problem and returns false if a value is out of range, if an effect needs another
- * effect that is off, or if two values exclude each other.
- */
+/* Sets parameters in a copy of a state. The copy shares the memory of the original, and must not be closed.
+ * Sets *problem and returns false if a value is out of range, or cannot be combined with the others. */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to the first `given` elements of `value`. Only effects take more than one value. The state
- * must own its memory. If a value cannot be set, sets *problem, changes nothing and returns false. */
+/* Sets a parameter to the `given` elements of `value`; only effects take several. The state must own its
+ * memory. On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/*
- * Returns parameter k, counted from 0, or NULL after the last parameter. 'set' and 'effect' can restore the
- * state in this order: an effect that needs another effect is turned off before the other effect and turned
- * on after it, and tol is set after the precision.
- */
+/* Returns parameter k, counted from 0, or NULL after the last one. In this order, 'set' and 'effect' can
+ * restore the state. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors as values: a function that fails writes a message into a struct problem and returns false. Its
- * caller can print the message, write it into a row of the answer, or ignore it. */
+/* Errors as values: a function that fails stores a message in a struct problem, and returns false. The caller
+ * decides what happens to the message. */
 #ifndef SHELL_PROBLEM_H
 #define SHELL_PROBLEM_H
 
@@ -27,8 +27,7 @@ static inline void problem_begin(struct problem *problem, const char *command)
     problem->kind = PROBLEM_NONE;
     problem->column = problem->place = 0;
     problem->command = command;
-    /* Only one byte is cleared, because clearing the whole array would take longer than running a short
-     * command. */
+    /* Clearing the whole array would take longer than running a short command. */
     problem->text[0] = '\0';
 }
 

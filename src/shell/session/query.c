@@ -20,8 +20,7 @@ struct range means_part(const struct means *means, size_t points)
     struct shard s = means->shard;
     if (s.parts == 0)
         return (struct range){0, points};
-    /* Part k ends at floor(points * k / parts). Because points * k could overflow, the quotient and the
-     * remainder of points / parts are multiplied by k separately. */
+    /* Part k ends at floor(points * k / parts). This form cannot overflow. */
     size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
     size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
     return (struct range){first, end - first};

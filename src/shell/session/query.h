@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The input of a command: the state, the command's arguments, the last answer, and the circumstances of the
- * run. */
+/* The input of a command: the state, the arguments, the last answer, and the circumstances of the run. */
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
@@ -10,19 +9,17 @@
 struct command;
 struct arguments;
 
-/* The option --shard I/N, which computes only part I of N of a sweep or study. `part` is I, and `parts` is N.
- * Without the option, both are 0. */
+/* The option --shard I/N: `part` is I, and `parts` is N. Without the option, both are 0. */
 struct shard {
     size_t part, parts;
 };
 
-/* The circumstances in which a command runs. The numbers that the command computes do not depend on them. */
+/* The circumstances in which a command runs. They do not affect the numbers. */
 struct means {
     struct shard shard;
     bool safe;          /* commands must not read or write files */
     bool sourced;       /* the command comes from a file that 'source' runs */
-    const char *script; /* the path of the running script, whose directory is searched for files; NULL at the
-                           prompt */
+    const char *script; /* the path of the running script; NULL at the prompt */
     /* Shows a note to the user immediately. May be NULL. */
     void (*note)(void *context, const char *text);
     void *context; /* for `note` */
@@ -30,8 +27,7 @@ struct means {
 
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns the range of points that --shard requests: the index of the first point, and the number of
- * points. */
+/* Returns the index of the first point that --shard requests, and the number of points. */
 struct range {
     size_t first, count;
 };
@@ -47,17 +43,16 @@ struct ans {
     struct quantity value;
 };
 
-/* The progress of 'step', 'back' and 'goto' through the motion of the train. `theta` is the tilt that has
- * been reached, at an event or between two events of a cycle. */
+/* The progress of 'step', 'back' and 'goto' through the motion of the train. */
 struct walk {
     /* a copy of the scene's train; when the scene's train changes, a new walk begins */
     struct domq_train train;
     struct domq_compute compute; /* the session's options, but with a smaller tolerance */
     domq_real tol;               /* the session's tolerance when the walk began */
     struct domq_event events[DOM_EVENTS_MAX];
-    int count; /* the number of events; 0 if no walk has begun */
-    int event; /* the index of the last event that has been reached or passed */
-    domq_real theta;
+    int count;               /* the number of events; 0 if no walk has begun */
+    int event;               /* the index of the last event that has been reached or passed */
+    domq_real theta;         /* the tilt that has been reached */
     int cycle;               /* the number of the current cycle, counted from 1 */
     enum dom_status verdict; /* DOM_OK or DOM_STOPS */
 };
@@ -72,15 +67,15 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* query_options returns the options for the library's computations. After 'set errors on', these options
- * request error bounds. query_compute returns a pointer to a copy of the options, which lives until the end
- * of the block that contains the call. */
+/* Returns the options for the library, which request error bounds after 'set errors on'. */
 static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;
     compute.errors = query->state->settings.style.errors;
     return compute;
 }
+
+/* Returns a pointer to a copy of these options, which lives until the end of the caller's block. */
 #define query_compute(query) ((const struct domq_compute[]){query_options(query)})
 
 static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)

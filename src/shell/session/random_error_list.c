@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Descriptions of the effects that give rows random errors. Random errors in gaps and heights belong to the
- * effect 'placement' and are not in this file. To add a kind of random error, add it to DOM_ERRORS and
- * ERROR_EFFECTS, describe it in this file, and apply it to a row in src/model/planning/draw.c. */
+/* The effects that give rows random errors, except errors in gaps and heights (effect 'placement'). To add a
+ * kind of error, add it to DOM_ERRORS and ERROR_EFFECTS, describe it in this file, and apply it to a row in
+ * src/model/planning/draw.c. */
 #include "session/effect_kinds.h"
 
 static const char *const distributions[] = {"normal", "uniform", NULL};

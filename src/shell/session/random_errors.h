@@ -8,27 +8,23 @@
 /* A names_list (see names.h) of the kinds of random error, with "all" as its last name. */
 const char *error_names(const void *context, int k);
 
-/* Returns the unit of a kind of random error. For "all", which is DOM_ERROR_COUNT, the unit is "", because
- * "all" is a factor that scales all random errors. */
+/* Returns the unit of a kind of random error. The unit of "all", DOM_ERROR_COUNT, is "": it is a factor. */
 const char *error_unit(int kind);
 
-/* Returns the effect that describes a kind of random error. For gaps and heights, this is 'placement'. */
+/* Returns the effect that describes a kind of random error; for gaps and heights, 'placement'. */
 int error_effect(int kind);
 
-/* Fills `error` with the random errors that the effects of a scene describe. If an effect is off, its errors
- * have the size 0. Returns true if at least one of these effects is on. */
+/* Fills `error` with the random errors of a scene; the size 0 means none. Returns true if any effect is
+ * on. */
 bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_COUNT]);
 
-/* Returns true if the random errors can be combined with the other effects of the scene. Otherwise reports
- * the problem. */
+/* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
 
-/* Turns all random errors off in a copy of a scene. The copy must not own the memory of its row; see
- * effect_put. */
+/* Turns all random errors off in a scene that does not own the memory of its row; see effect_put. */
 void errors_off(struct scene *scene);
 
-/* Describes the DOM_ERROR_COUNT elements of `error` by their kinds and exact sizes, as in "gap 0.003 m,
- * friction 0.05 uniform". */
+/* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */
 enum { ERRORS_TEXT = 1024 };
 const char *errors_text(const struct domq_error *error, char text[ERRORS_TEXT]);
 

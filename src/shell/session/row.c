@@ -11,9 +11,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales the masses of a row if only their ratios are known. The first domino gets the mass that follows from
- * the parameters 'mass' and 'density'. If neither is set, the first domino gets the mass m for which m g h/2
- * is 1. */
+/* Scales masses of which only the ratios are known. The first domino gets the mass that 'mass' or 'density'
+ * gives, or else the mass at which m g h/2 = 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -41,7 +40,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, count);
     for (size_t k = 0; k < count; k++)
         row_changes_apply(scene, k, &domino[k]);
-    /* a change may have affected the first domino, whose m g h / 2 must be 1 */
+    /* a change may have affected m g h/2 of the first domino, which must be 1 */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
@@ -129,18 +128,18 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* ---- Changes ---- */
 
-/* A value typed without a unit is probably a mistake if it is at least this many times the current value. */
+/* A value without a unit is probably a mistake if it is this many times the current value. */
 #define SLIP_OF_UNIT 50
 
-/* Checks a new value that was typed without a unit, and so is in m or kg. A user who types 25 for a height
- * probably means 25 mm and not 25 m. A gap is not plausible if it exceeds the heights of both dominoes beside
- * it. If the value is not plausible, reports the problem and returns false. */
+/* Checks a value typed without a unit, and so in m or kg. A height of 25 is probably meant in mm. If the
+ * value is not plausible, reports the problem and returns false. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
     const bool is_gap = measure == MEASURE_GAP, is_mass = measure == MEASURE_MASS;
     const char *unit = is_mass ? "kg" : "m", *write = is_mass ? "g" : "mm";
     const domq_real tall = is_gap ? row[k - 1].height : now;
+    /* a gap is not plausible if it exceeds the heights of both its dominoes */
     if (is_gap ? value <= tall || value <= row[k].height
                : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
         return true;
@@ -171,8 +170,8 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes the new value of one measurement of domino k, counted from 0. Stores the change in *kept, in the
- * form that listed_row.change uses. Sets *problem and returns false if the domino cannot have this value. */
+/* Computes a measurement of domino k, counted from 0, and stores it in *kept in the form of
+ * listed_row.change. Sets *problem and returns false if the domino cannot have this measurement. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -203,8 +202,7 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Returns true if all dominoes in the ranges exist and, if `measure` is a gap, have a gap before them.
- * Otherwise reports the problem. */
+/* Returns true if all dominoes in the ranges have this measurement. Otherwise reports the problem. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {
@@ -222,7 +220,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
     return true;
 }
 
-/* Changes the row of a scene that owns the memory of its row. On failure, sets *problem and returns false. */
+/* Changes the row of a scene that owns it. On failure, sets *problem and returns false. */
 static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
                        const struct row_range *range, int ranges, struct problem *problem)
 {

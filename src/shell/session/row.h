@@ -16,35 +16,28 @@ struct scene_row {
     struct scene_engine engine;
 };
 
-/*
- * Makes the row, and prepares it for a run in the model or in the rigid-body engine. Sets *problem and
- * returns false if there is no row, no memory or no engine, or if a domino would fall over by itself.
- */
+/* Makes the row, and prepares it for a run in the model or in the engine. Sets *problem and returns false if
+ * there is no row, or if it cannot be run. */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Makes the row for a caller that does not run it. Unlike scene_row_make, this function does not check
- * whether the row can be run. */
+/* Like scene_row_make, but does not check whether the row can be run. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Fills in the first `count` dominoes of the row, with their masses and with the measurements that 'change'
- * has changed. A domino is half as wide as it is tall, unless the file of the row has widths or 'change' has
- * changed the width. A domino whose height is changed by 'change' keeps its width. */
+/* Fills in the first `count` dominoes of the row, with their masses and changes. The width is half the
+ * height, unless the file or 'change' gives it. A change of the height does not change the width. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Returns true if the masses of the row are known. If they are known, energies are in J. Otherwise, energies
- * are in units of m g h/2 of the first domino. */
+/* Returns true if the masses of the row are known. Then energies are in J, and otherwise in units of m g h/2
+ * of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is returned as the distance of the top from plumb. A
- * domino without a radius of its own has the radius of 'effect edges'. */
+/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. The radius is
+ * that of 'effect edges' unless the domino has its own. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 
-/*
- * Changes one measurement of all dominoes in the given ranges. A domino whose size changes keeps its
- * density. The changes are lost when the row is replaced. If a domino does not exist, or cannot
- * have the new measurement, sets *problem, changes nothing and returns false.
- */
+/* Changes one measurement of all dominoes in the ranges. A new size keeps the density. Replacing the row
+ * loses the changes. On failure, sets *problem, changes nothing and returns false. */
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem);
 

@@ -38,7 +38,7 @@ void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *
         if (isnan(value))
             continue;
         if (row_measure_is_size(m)) {
-            /* A change of a size may turn a solid domino into a box, or a box into a solid domino. */
+            /* A new size may make a solid domino a box, or the reverse. */
             d->mass *= value / *member / scene_filled(scene, d);
             *member = value;
             d->mass *= scene_filled(scene, d);
@@ -88,8 +88,7 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* 'change' adds a number that begins with a sign, unless a '=' precedes it. A lean may be
-             * negative, so it needs the '='. */
+            /* Without the '=', 'change' would add a negative lean. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),

@@ -15,16 +15,14 @@ struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
     domq_real value; /* a new value or a difference, in m or kg; or a factor */
-    bool is_angle;   /* the value is a lean angle in rad, and not the distance of the top from plumb */
+    bool is_angle;   /* the value is a lean angle in rad, not the distance of the top from plumb */
     bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member that holds a measurement of a domino. In an element of listed_row.change,
- * the member holds the change of that measurement. */
+/* Returns a pointer to the member for a measurement, in a domino or in an element of listed_row.change. */
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
-/* Returns true for the height, the thickness and the width. If one of these sizes changes, the domino keeps
- * its density. */
+/* Returns true for a size. When it changes, the domino keeps its density. */
 static inline bool row_measure_is_size(enum row_measure measure)
 {
     return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;
@@ -33,8 +31,7 @@ static inline bool row_measure_is_size(enum row_measure measure)
 /* Applies the stored changes to domino k of the row, counted from 0. */
 void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *domino);
 
-/* Allocates the array of changes for a row of `count` dominoes, unless the row already has one. Returns false
- * if memory runs out. */
+/* Allocates the changes for a row of `count` dominoes, if necessary. Returns false if memory runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);
 
 /* Returns the number of measurements that have been changed. */

@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Looks for a file in the directory of the running script. Returns the path of this file, or a copy of `name`
- * if there is no such file. Returns NULL if memory runs out. The caller frees the path. */
+/* Returns the path of a file beside the running script, or a copy of `name` if there is no such file. The
+ * caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
     const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
@@ -94,10 +94,10 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino. The array grows when the count is 0 or a power of 2. Returns false if
- * memory runs out. */
+/* Makes room for one more domino. Returns false if memory runs out. */
 static bool row_grow(struct listed_row *rows)
 {
+    /* the array grows when the count is 0 or a power of 2 */
     if ((rows->count & (rows->count - 1)) != 0)
         return true;
     size_t room = 2 * (rows->count + 1);
@@ -149,8 +149,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all dominoes. Writes the unused columns to `others`, with a NUL byte after each line. Returns false
- * if there is a problem. */
+/* Reads all dominoes. Writes the unused columns to `others`, with a NUL byte after each line. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MEASURE_MASS] && csv->column[DENSITY])

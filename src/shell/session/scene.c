@@ -131,7 +131,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_OK)
         return true;
     problem->place = 0;
-    /* These failures do not depend on the values of the parameters, so a sweep must not continue. */
+    /* These failures do not depend on the parameters, so a sweep must not continue. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)

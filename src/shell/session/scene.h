@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The scene is everything on which the numbers in an answer depend. The state consists of the scene, the
- * settings, and the variables defined by 'let'; 'undo', 'save' and 'diff' work on states. parameter_list.c
- * lists the parameters, which are members of the state.
- */
+/* The scene is everything on which the numbers in an answer depend. The state adds the settings, and the
+ * variables of 'let'. Its members include the parameters of parameter_list.c. */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
@@ -30,20 +27,18 @@ enum row_measure {
     ROW_MEASURES
 };
 
-/* The dominoes of a row that was read from a file, and the changes that 'change' has made to single dominoes.
- * A row that does not come from a file can have changes, too. */
+/* The dominoes of a row that was read from a file, and the changes to any row. */
 struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
-    bool has_masses;   /* the masses are in kg; if false, only the ratios of the masses are known */
+    bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
     char *path;
-    /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
-     * domino. Each cell begins with a comma, and each line ends with a NUL byte. */
+    /* The unused columns of the file as csv: a line of names, and then a line for each domino. Each cell
+     * begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    /* The changed measurements of each domino. Measurements that have not been changed are NaN. A changed
-     * mass is stored as a factor, because the mass also changes with the size of the domino. NULL if nothing
-     * has been changed. */
+    /* The changed measurements of each domino, and NaN for all others; or NULL. A mass is a factor, because
+     * it also changes with the size. */
     struct domq_domino *change;
     size_t changes; /* the number of elements of `change` */
     bool saved;     /* the changes have been saved to a file */
@@ -92,53 +87,47 @@ void effects_reset(struct scene *scene);
 /* Copies the values of effects into the train of the scene. */
 void effects_apply(struct scene *scene);
 
-/* Returns true if dominoes of the row have been changed since the row was last saved. */
+/* Returns true if the row has been changed since it was last saved. */
 static inline bool row_unsaved(const struct scene *scene)
 {
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
-/* Copies a row. The arrays that were read from a file are shared, and their reference count is increased.
- * Returns false if memory runs out. */
+/* Copies a row. The copy shares the arrays that were read from a file. Returns false if memory runs out. */
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which the dominoes of a row are boxes. Returns 0 if all dominoes are boxes,
- * or if all are solid. */
+/* Returns the height in m above which dominoes are boxes, or 0 if all are boxes or all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
-/* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. */
+/* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
 domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);
 
-/* Returns the mass in kg of the first domino, given its height and thickness in m. Returns 0 if neither mass
- * nor density is known. */
+/* Returns the mass in kg of the first domino, given its size in m, or 0 if the mass is not known. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
-/* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
+/* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
 domq_real scene_mass(const struct scene *scene);
 
-/* Returns the distance, in m, by which the top of a domino is off plumb. The distance is negative if the
- * domino leans backwards. */
+/* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 
-/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
- * radians. Otherwise returns false, and writes a message about how far the domino can lean. */
+/* Returns true if a leaning domino with sharp edges stands on a slope of `alpha` radians. Otherwise writes a
+ * message about the limit. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Reports that the walls do not fit into domino k, whose thickness in m is given. k = 0 stands for a domino
- * of the train. Returns false. */
+/* Reports that the walls do not fit into domino k, or into the train's domino if k = 0. Returns false. */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
 
-/* Reports that domino k cannot stand upright, because the slope is steeper than `limit` radians. k = 0 stands
- * for any domino of the train. Returns false. */
+/* Reports that the slope exceeds `limit` radians, so that domino k, or the train's if k = 0, cannot stand.
+ * Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
-/* Returns true if the status is DOM_OK. Reports any other status of the library as a problem, and returns
- * false. */
+/* Returns true for DOM_OK. Reports any other status as a problem, and returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
 
 #endif

@@ -59,7 +59,7 @@ bool session_stops(const struct session *session, long errors)
 /* the indentation, in columns, of a typed line that is printed again above a caret */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line has no control characters. A pasted line may have some. */
+/* Returns true if the typed line has no control characters, as a pasted line may have. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed.text, (size_t)session->typed.length);
@@ -68,8 +68,7 @@ static bool typed_is_plain(const struct session *session)
     return plain;
 }
 
-/* At the prompt, writes a caret below the column of the error. The caret goes directly below the typed line.
- * If other output has followed the typed line, a copy of the line is printed first. */
+/* At the prompt, writes a caret below the column of the error. */
 static void session_caret(const struct session *session, int column)
 {
     int width = terminal_width(stderr), at = session->source.prompt_width + column;
@@ -80,14 +79,14 @@ static void session_caret(const struct session *session, int column)
         return;
     if (above) /* the terminal wraps a line that is longer than `width` */
         at = (at - 1) % width + 1;
+    /* other output has followed the typed line, so the line is repeated */
     if (!above)
         fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
                 session->typed.text);
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error of a script to the output, between the answers, if the output format can represent errors.
- */
+/* Writes an error of a script between the answers, if the output format can represent errors. */
 static void session_tell(struct session *session, const struct problem *problem)
 {
     const struct format *format = formats[session->state.settings.style.output];
@@ -120,8 +119,7 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
-    /* A 'source' command stays in the log even if a command in the sourced file fails, because the commands
-     * before the error have run. */
+    /* A failed 'source' stays in the log, because the commands before the error have run. */
     log_message(&session->output, text, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);

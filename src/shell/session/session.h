@@ -35,8 +35,7 @@ struct session {
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
-    /* A pointer to the flag that the handler of SIGINT sets, if SIGINT ends only the running command. NULL if
-     * SIGINT ends the script, too. */
+    /* the flag that the handler of SIGINT sets if SIGINT ends only the running command, or NULL */
     volatile sig_atomic_t *resumes;
     bool bail; /* the first error ends the session (option --bail) */
     bool quit;
@@ -49,26 +48,25 @@ void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer: the format that the name of the output file implies, or else the
- * format chosen with 'set output'. */
+/* Returns the format of the next answer: that of the output file's name, or else that of 'set output'. */
 const struct format *session_answers(const struct session *session);
 
-/* Returns a query for a command that runs in the session's state. The caller sets the members `given` and
- * `next`. */
+/* Returns a query for a command in the session's state. The caller sets `given` and `next`. */
 struct query session_query(struct session *session);
 
 /* Writes an error message with its position to stderr, and increments session->errors. */
 void session_problem(struct session *session, const struct problem *problem);
 
-/* session_error is like session_problem, for an error that has no position in the line. session_note writes a
- * message to stderr that is not an error. */
+/* Like session_problem, for an error without a position in the line. */
 #define session_error(session, ...) session_say(session, true, __VA_ARGS__)
-#define session_note(session, ...)  session_say(session, false, __VA_ARGS__)
+
+/* Writes a message to stderr that is not an error. */
+#define session_note(session, ...) session_say(session, false, __VA_ARGS__)
 void session_say(struct session *session, bool is_error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns true if no more lines may run: after 'quit', after an interrupt, after a failed write, or, with
- * --bail, after an error. `errors` is the value of session->errors before the last line. */
+/* Returns true if no more lines may run: after 'quit', an interrupt, a failed write or, with --bail, an
+ * error. `errors` is the value of session->errors before the last line. */
 bool session_stops(const struct session *session, long errors);
 
 #endif

@@ -6,15 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The maximum number of steps, and the maximum number of dominoes that all steps together may store. A row
- * from a file stores its dominoes. A changed row stores its changes, which count as additional dominoes. */
-enum { STEPS = 100, HELD_MOST = 4000000 };
+enum {
+    STEPS = 100,        /* the maximum number of steps */
+    HELD_MOST = 4000000 /* the maximum number of dominoes and changed dominoes that all steps store */
+};
 
-/*
- * Steps with an index below `done` can be undone; each holds the state before its command. The other steps
- * can be redone; each holds the state after its command. Undoing or redoing a step swaps its state with the
- * session's state.
- */
+/* The first `done` steps hold the state before their command, and can be undone. The other steps hold the
+ * state after it, and can be redone. */
 struct undo {
     struct step {
         struct state *state;

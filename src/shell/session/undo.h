@@ -8,18 +8,17 @@
 
 struct undo;
 
-/* Returns a copy of the state. Call this function before a command, and pass the copy to undo_keep after the
- * command. Returns NULL if memory runs out; the command then cannot be undone. */
+/* Returns a copy of the state before a command, for undo_keep. Returns NULL if memory runs out; the command
+ * then cannot be undone. */
 struct state *undo_begin(const struct state *state);
 
-/* If a command has changed the state, adds a step to the history. Takes ownership of `before`, the copy that
- * undo_begin made before the command. `text` is the command, and `length` its length. *undo is NULL if there
- * is no history yet. */
+/* Adds a step if the command `text`, of `length` bytes, has changed the state. Takes ownership of `before`,
+ * which undo_begin returned. *undo is NULL at first. */
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
-/* Undoes the last command if `back` is true, and otherwise redoes the command that was undone last. Returns
- * the text of this command, or NULL if there is nothing to undo or redo. */
+/* Undoes the last command if `back` is true, and otherwise redoes the one undone last. Returns the command,
+ * or NULL if there is none. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
 void undo_free(struct undo *undo);
