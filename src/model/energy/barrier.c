@@ -200,10 +200,14 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
                                     struct barrier *b)
 {
     const struct geometry *geometry = c->geometry;
-    if (c->from.x == 0 && falls_above_u(geometry))
+    const bool falls = c->from.x == 0 && falls_above_u(geometry);
+    if (falls)
         hi = fmin(hi, geometry_half_u(geometry));
     if (hi <= lo)
         return DOM_OK;
+    /* After domino 1 has detached, the head moves alone, so H increases up to theta_u. */
+    if (falls && geometry->detaches && tilt_half((lo + hi) / 2).v > geometry->leave.v)
+        return c->known >= lo ? DOM_OK : barrier_try(c, hi, b);
     struct sample last = {lo, rises(lo, c)};
     for (real p = geometry_finest(geometry) / 32;
          begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN); p *= 4)

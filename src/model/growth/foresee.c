@@ -116,11 +116,13 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* The error after a secant step is roughly the product of the errors of the last two points, divided
-         * by some length. The previous steps give an estimate of this length. The first step is not a secant
-         * step, so it does not show the length, and r / 16 is used instead. */
-        real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r);
-        bool close = s->known > 2 ? 16 * step * step <= tol * r * before : 16 * step * before <= tol * r * r;
+        /* As in the secant method, the error after a step is roughly the product of the last two errors,
+         * divided by a length that can be estimated from the previous steps. The first step is not one of the
+         * secant method, so it says nothing about this length, which is then at least a 16th of r and of the
+         * distance to the reach. */
+        real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
+             left = c->geometry.span / c->s - r;
+        bool close = s->known > 2 ? step * step <= tol * r * before : 16 * step * before <= tol * r * left;
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
             *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
@@ -279,6 +281,13 @@ static real down_first(real whole)
     return whole < (real)0.03 ? whole : fmin(width, whole / 2);
 }
 
+/* Returns the width in ln r of a strip that extends downwards from r, a growth near the reach. It is chosen
+ * so that the bounds show in most cases that the margin decreases. */
+static real down_near(const struct margin_context *c, real r)
+{
+    return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
+}
+
 /*
  * Shows that the margin is positive at growths just below `root`, which is the reach if the margin is
  * positive even there. Works downwards from `root` to `from`, strip by strip, without computing any margin.
@@ -292,7 +301,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
     /* K falls like a square root near the reach, so the first strip must be narrow there. */
     const bool reaches = root == 1 / c->s;
-    width = fmin(width, reaches ? 2 * c->share * c->share : 2 * log(1 / (c->s * root)));
+    width = reaches ? c->share * c->share : fmin(width, fmax(down_near(c, root), log(1 / (c->s * root))));
     *down = root;
     for (int k = 0, fails = 0; k < DOWN_STRIPS && fails < DOWN_FAILS; k++) {
         if (*down <= from)
@@ -317,7 +326,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
         margin = fmax(fmax(over, left), 0);
         barrier = highest;
         *down = lo;
-        width = fmax(2 * width, fmin(2 * log(1 / (c->s * lo)), (real)1e-2));
+        width = fmax(2 * width, down_near(c, lo));
         fails = 0;
     }
     return DOM_OK;

@@ -157,22 +157,26 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of the first follower. Unlike the bound of strip_follower, it stays
- * finite at the reach. Let u_1 be d theta_1 / d ln r. For an upright head u_1 is tan theta_c, which is
- * infinite at the reach, but u_1 decreases with the tilt of the head. At the maxima of H that matter, the
- * head leans by at least `least`, so u_1(theta) is at most u_1 at `least`. The value u_1(0), which is
- * subtracted, is at least its value at lo.
+ * Returns an upper bound on the terms of the first follower that is finite at the reach, or infinity. Let u_1
+ * be d theta_1 / d ln r, as in strip_follower. For an upright head, u_1(0) is tan theta_c, which is infinite
+ * at the reach. At the maxima that matter, the head leans by at least `least`, and u_1(theta) is at most
+ * `part` times u_1(0). While domino 1 leans on its leader, u_1(theta) / u_1(0) decreases with theta and with
+ * r. After domino 1 has detached, u_1(theta) is d theta_f / d ln r, which is less than sqrt(d / L) times
+ * u_1(0). With u_1(theta) replaced by this bound, the terms are a convex function of u_1(0), so they are
+ * largest at lo or at hi.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
 {
-    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = lo->h.y - strip_fall(lo, at->lo);
-    if (g_lo < 0 || !(least.x > 0))
-        return (real)INFINITY;
-    real u = strip_advance(lo, hi, least);
-    real more = u - (1 - c) * lo->c.x / lo->c.y;
-    return lo->weight * tilt * fmax(h * u - lo->q * g_lo, 0) +
-           (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
+    const real g = strip_sink(lo, at->lo), h = lo->h.y - strip_fall(lo, at->lo);
+    const real u[] = {lo->c.x / lo->c.y, hi->c.x / hi->c.y};
+    const real part =
+                   fmax(strip_least_advance(lo, true, least) / u[0], hi->detaches ? sqrt(lo->d / lo->L) : 0),
+               falls = hi->weight * g * (1 - c - part);
+    real most = -(real)INFINITY;
+    for (int k = 0; k < 2; k++)
+        most = fmax(most, u[k] * (lo->weight * tilt * fmax(h * part - lo->q * g / u[k], 0) - falls));
+    return g >= 0 && falls > 0 ? most : (real)INFINITY;
 }
 
 /* Adds bounds on the terms of all followers behind the last one that the sums include. */
