@@ -118,11 +118,11 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real next = root_next(s, c), step = fabs(next - r);
         /* As in the secant method, the error after a step is roughly the product of the last two errors,
          * divided by a length that can be estimated from the previous steps. The first step is not one of the
-         * secant method, so it says nothing about this length, which is then at least a 16th of r and of the
-         * distance to the reach. */
+         * secant method, so it says nothing about this length. The length is then taken to be a 16th of r or
+         * of the distance to the reach, whichever is smaller. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
-             left = c->geometry.span / c->s - r;
-        bool close = s->known > 2 ? step * step <= tol * r * before : 16 * step * before <= tol * r * left;
+             length = fmin(r, c->geometry.span / c->s - r);
+        bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
             *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
