@@ -18,9 +18,9 @@ KERNEL real margin_falls(const struct margin_context *c, real r)
 
 /* ---- The root ---- */
 
-/* A point of the search: the growth r, margin_share at r, and the margin itself. */
+/* A point of the search: the growth r, margin_share at r, the margin itself, and its relative tolerance. */
 struct root_point {
-    real r, share, value;
+    real r, share, value, tol;
 };
 
 /* The state of a search for a root of the margin, which is positive at lo and negative at hi. at[2] is the
@@ -110,7 +110,7 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             r += fmin((s->hi - r) / 4, r * ROOT_STEP * log(r));
             continue;
         }
-        root_add(s, (struct root_point){r, share, c->followed_value});
+        root_add(s, (struct root_point){r, share, c->followed_value, c->followed_tol});
         if (share == 0) {
             *root = r;
             return DOM_OK;
@@ -123,6 +123,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
+        /* The error of the previous point changes the step by as large a part as it changes margin_share. */
+        close = close && (s->known == 1 || step * s->at[1].tol <= 4 * tol * r * fabs(s->at[1].share));
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
             *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
@@ -160,7 +162,7 @@ static enum dom_status root_followed(struct margin_context *c, real near, real *
     const real share = margin_follow(aside, c);
     if (c->status != DOM_OK)
         return c->status;
-    root_add(&s, (struct root_point){aside, share, c->followed_value});
+    root_add(&s, (struct root_point){aside, share, c->followed_value, c->followed_tol});
     c->share = ROOT_ASIDE * ROOT_ASIDE * ROOT_ASIDE; /* from here on, all digits are needed */
     return root_search(c, &s, near, root);
 }
