@@ -302,9 +302,8 @@ int main(int argc, char **argv)
         {"r_max of hollow dominoes near s = 0.54", "passes", 280, 60, passes_near(0.54, 3), false, NULL},
         {"  of solid ones near s = 0.62", "passes", 221, 60, passes_near(0.62, 4), false, NULL},
         {"  with rounded edges, times as long as with sharp ones", "x", 4.4, 2, with_edges / in_double, false,
-         "no lower bound forbids it. By 'The cost of rounded edges' above, both searches visit almost as "
-         "many "
-         "dominoes, but a domino takes longer: the turn of a follower needs an arc sine and an iteration"},
+         "no lower bound forbids it. By 'The cost of rounded edges' above, both searches visit as many "
+         "dominoes, but a bare link takes three times as long"},
         {"  in quad, times as long as in double", "x", 64, 50, in_quad / in_double, false,
          "quad has no instructions of its own: each operation is a function of the compiler"},
         {"one cycle's duration to 1e-12", "links", 1761, 1300, cycle[OURS].seconds / link, false,
