@@ -150,9 +150,9 @@ extern const struct engine_grain engine_coarsest;
 
 /*
  * Runs a row repeatedly, and halves the step length until the verdict no longer changes. If `times` is false,
- * the coarse first run is not repeated if its verdict is certain. If `times` is true, the times of all hits
- * must also change by at most ENGINE_AGREES times the duration. Never takes more than ENGINE_FINEST steps per
- * unit of time. `hit` is an array of row->count elements; it may be NULL if `times` is false.
+ * a coarse first run with a certain verdict is not repeated. If `times` is true, the times of all hits must
+ * also change by at most ENGINE_AGREES times the duration. Never takes more than ENGINE_FINEST steps per unit
+ * of time. `hit` is an array of row->count elements; it may be NULL if `times` is false.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -139,7 +139,7 @@ static void turn(struct world *w, double tilt, double spin)
 }
 
 /* Starts the first box. Without a push, it starts slightly beyond the tilt at which it balances on its edge.
- * Its velocity is that of a motion that grows like exp(rate t). */
+ * Its distance from this tilt grows like exp(rate t), which determines its velocity. */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;

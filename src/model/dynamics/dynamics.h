@@ -10,8 +10,8 @@
 
 /*
  * The collision (22; c4), derived as in (59; e8). The struck domino, which is upright, and the chain that
- * hits it move on together. The contacts transmit angular momentum along the chain. The collision conserves
- * it:
+ * hits it move on together. The contacts transmit angular momentum along the chain, and the collision
+ * conserves it:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  *

@@ -2,8 +2,10 @@
 /*
  * Rounded edges. geometry/rounded.h has the equations of one contact, and geometry/rolling.c the sums over
  * the chain. The law of motion is the one in energy_balance.c or friction.c. The inertia i(theta) of a
- * rolling domino changes with its tilt. So J = sum r^-(q+1)i i(theta_i) theta_i'^2, and the collision becomes
- * J(0) omega(0) = (J(0) - i(0)) omega_1.
+ * rolling domino changes with its tilt, so the inertia of the chain and the collision are
+ *
+ *     J = sum r^-(q+1)i i(theta_i) theta_i'^2,
+ *     J(0) omega(0) = (J(0) - i(0)) omega_1.
  */
 #include "geometry/law.h"
 

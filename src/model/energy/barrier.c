@@ -7,9 +7,11 @@
  */
 #include "energy/barrier.h"
 
-/* The number of samples in each smooth piece (see barrier_scan). In a test with 1,000,000 random trains, 8
- * samples found every maximum that 150 samples found. tests/hard/test_sweep.c compares barriers with barriers
- * that are computed in 400 bits. */
+/*
+ * The number of samples in each smooth piece (see barrier_scan). In a test with 1,000,000 random trains, 8
+ * samples found every maximum that 150 samples found. tests/hard/test_sweep.c compares barriers with
+ * computations in 400 bits.
+ */
 #define BARRIER_SAMPLES 8
 
 /* The positions of the samples in a piece, as fractions of its width: sin^2(pi k / 16). */

@@ -27,8 +27,9 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Sets *motion to the friction that the motion needs at theta, and raises the maxima in *required_friction to
- * the friction needed at theta if they are smaller. */
+/*
+ * Sets *motion to the friction that the motion needs at theta, and updates the maxima in *required_friction.
+ */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {

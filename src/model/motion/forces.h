@@ -14,7 +14,7 @@ struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
     /*
-     * If `hit` is true, the motion begins with a collision at this moment. `omega` is tau times the angular
+     * `hit` is true at the start of a motion that begins with a collision. `omega` is tau times the angular
      * velocity of the head after the collision. Follower i loses theta_i' * `omega_lost` / tau of its angular
      * velocity.
      */

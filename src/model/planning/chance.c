@@ -5,9 +5,9 @@
  * contributes a number between 0 and 1, which depends smoothly on its margins.
  *
  * A first-order reliability index would be cheaper, since it needs only the derivatives at the row without
- * errors. But a domino stops both if the gap before it is too narrow and if it is too wide. So its margin has
- * a maximum in between, where the derivative is 0. A search that minimized this index found a row that
- * stopped in 54 % of all cases; with the present function, the row that was found stopped in 29 %.
+ * errors. But a domino may stop because the gap before it is too narrow, or because that gap is too wide. So
+ * its margin has a maximum in between, where the derivative is 0. A search that minimized this index found a
+ * row that stopped in 54 % of all cases; with the present function, the row that was found stopped in 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"

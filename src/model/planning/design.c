@@ -2,7 +2,7 @@
 /*
  * Designs a row: given the heights of the first and the last domino, finds a separation, a growth and a
  * number of dominoes. In the designed row, every cycle has at least `safety` times the energy that it needs.
- * The search uses the same computations as the public functions, so these give the same verdict on a designed
+ * The search uses the same computations as the public functions, so both give the same verdict on a designed
  * row.
  */
 #include "planning/planner.h"

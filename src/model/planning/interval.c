@@ -13,10 +13,10 @@
  * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
  * probability p.
  *
- * The term k of the binomial distribution is set to 1. Every other term is computed from its neighbour, by
- * their ratio, so no factorials are needed. The result is the sum over the tail divided by the sum over all
- * terms. gsl_cdf_beta_P could compute the same probability, but for a million rows or more, its continued
- * fraction does not converge for some p.
+ * The term k of the binomial distribution is set to 1. Every other term is its neighbour times a simple
+ * ratio, so no factorials are needed. The result is the sum over the tail divided by the sum over all terms.
+ * gsl_cdf_beta_P could compute the same probability, but for a million rows or more, its continued fraction
+ * does not converge for some p.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {

@@ -20,8 +20,8 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to those of shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be as thick as one of the boards. A box may have any
- * thickness, and a solid domino too if no boards are given. */
+/* Returns true if a domino of this height must be as thick as one of the boards. Any thickness is allowed if
+ * no boards are given, or if the domino is a box. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */

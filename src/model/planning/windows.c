@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds windows. The window of a value of a row (a gap, a position, a height, a thickness, a lean or the
- * friction) is the range of its values at which all dominoes still fall. */
+/* Finds windows. A window belongs to one value of a row: a gap, a position, a height, a thickness, a lean or
+ * the friction. It is the range in which this value may lie so that all dominoes still fall. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 

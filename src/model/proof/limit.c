@@ -153,9 +153,9 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Called for a pair that stops at r = 1. Looks for the smallest growth at which the pair keeps falling, and
- * returns a growth for which this is proved: if possible, a decimal number slightly above the lowest root
- * that is found from samples. Returns NaN if no proof succeeds.
+ * Called for a pair that stops at r = 1. Finds the lowest root of the margin from samples, and returns a
+ * growth above it at which the pair provably keeps falling: if possible, a decimal number slightly above the
+ * root. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)
 {

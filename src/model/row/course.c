@@ -62,8 +62,8 @@ struct course {
 
 /*
  * A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
- * the smallest contact force. With friction, LEFT_MOST_LOCKING replaces LEFT_MOST. It is tiny, because no
- * number tells how close a row is to locking.
+ * the smallest contact force. With friction, the tiny LEFT_MOST_LOCKING replaces LEFT_MOST, because no number
+ * tells how close a row is to locking.
  */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)

@@ -100,8 +100,7 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : lies;
 }
 
-/* Returns the tilt at which the motion of domino k as a head ends: it hits the next domino, or lies on the
- * floor. */
+/* Returns the tilt at which domino k, as a head, hits the next domino or lies on the floor. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
