@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running error bounds, from the head down the train: how far rounding can move the quantities of a domino
- * from their exact values, to first order in the unit roundoff. From a leader to its follower, the error of
- * the angle is multiplied by the slope, and the contact adds a few rounding errors.
+ * Running error bounds, from the head down the train: how far rounding can move the quantities of a domino,
+ * to first order in the unit roundoff. From leader to follower, the error of the angle is multiplied by the
+ * slope, and the contact adds a few rounding errors.
  */
 #ifndef DOM_BOUND_H
 #define DOM_BOUND_H
@@ -11,7 +11,7 @@
 
 struct bound {
     real angle;        /* error bound on theta_i */
-    real Y, arm, step; /* error bounds on struct contact, between domino i and its follower */
+    real Y, arm, step; /* error bounds on the contact of domino i with its follower */
     real slope;        /* error bound on theta_i' */
     real weight;       /* relative error bound on r^(-q i) */
     real inertia;      /* relative error bound on r^(-(q+1) i) */
@@ -19,8 +19,7 @@ struct bound {
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
-/* Changes *bound from the bounds on domino i to those on domino i + 1. `leader` and `follower` are the links
- * of these two dominoes. */
+/* Turns *bound from the bounds on the leader into those on its follower. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
@@ -28,18 +27,17 @@ KERNEL void bound_next(const struct geometry *geometry, const struct link *leade
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
-/* Returns an error bound on h(A) - h(B), where A and B are the angles of one domino at the tilts a and b.
- * angle_a and angle_b are the error bounds on A and B; t is tan((A - B)/2), with the error bound t_error. */
+/* Returns an error bound on h(A) - h(B) of one domino at the tilts a and b. A and B are their angles, with
+ * the bounds angle_a and angle_b; t = tan((A - B)/2), with the bound t_error. */
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound on tan((A - B)/2), where A is the angle of the follower of a, and B the angle of the
- * follower of b. t is the corresponding tangent for a and b themselves, and t_error is its error bound
- * (energy_change_between). */
+/* Returns an error bound on tan((A - B)/2) of the followers of a and b, where A and B are their angles. t is
+ * this tangent of a and b themselves, with the bound t_error (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Returns an error bound on t_f, which leaving_half_turn in sharp_change.c computes. */
+/* Returns an error bound on t_f, the result of leaving_half_turn in sharp_change.c. */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
                           const struct bound *bound, real t_f);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chain of followers at one tilt of the head. A pass visits the dominoes one by one, starting at the
- * head, and adds up sums such as (19; c1). It ends after geometry->n dominoes, or as soon as the tail of the
- * sums no longer matters at the tolerance. The tail is bounded by a geometric series.
+ * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down, and adds up
+ * sums such as (19; c1). It ends after geometry->n dominoes, or when the tail no longer matters at the
+ * tolerance. A geometric series bounds the tail.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -14,32 +14,34 @@
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error);
 
-/* Finds J, H1 and H(theta) - H(0) (struct sums) at theta in [0, theta_c], and error bounds unless `error` is
- * NULL. */
+/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c], and error bounds unless `error` is NULL. */
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error);
 
 /*
- * Finds the tilt of the head at which a domino detaches, and the number of that domino unless `domino` is
- * NULL. *leaves is false if no domino detaches during the cycle. At most one domino detaches, because the
- * train at theta_c is the train at 0 shifted by one domino.
+ * Finds the tilt of the head at which a domino detaches, and its number unless `domino` is NULL. *leaves is
+ * false if none detaches. At most one does, since the train at theta_c is the train at 0 shifted by one
+ * domino.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
 
 /*
- * Divides the motion of a train up to the tilt `end` into smooth pieces, and stores the tilts of the head at
- * the ends of the pieces in `edge`. The first edge is 0, or just above 0 if r s = 1, and the last is `end`.
- * If a domino detaches before `end`, the tilt at which it detaches is an edge, too, and beyond this edge one
- * domino fewer moves. Sets *edges to the number of edges. Unless `moving` is NULL, sets *moving to the number
- * of dominoes that move between edge[0] and edge[1], or to CHAIN_ENDLESS if no domino detaches.
+ * Divides the motion up to the tilt `end` into smooth pieces:
+ * - edge[0] is 0, or just above 0 if r s = 1.
+ * - If a domino detaches before `end`, the head's tilt at that moment is an edge. One domino fewer moves
+ *   after it.
+ * - The last edge is `end`.
+ *
+ * *edges is the number of edges. Unless `moving` is NULL, *moving is the number of dominoes that move up to
+ * edge[1], or CHAIN_ENDLESS if no domino detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns `self`, the status of the function that a search has evaluated. If `self` is DOM_OK, returns the
- * status of the solver instead. */
+/* Returns `self`, the status of the evaluated function, if it is an error, otherwise the status of the
+ * solver. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Power series for the far tail of a chain: the sums over followers whose tilts are nearly theta_inf. */
+/* Power series for the far tail of a chain, whose tilts are nearly theta_inf. */
 #ifndef DOM_FAR_H
 #define DOM_FAR_H
 
 #include "geometry/sums.h"
 
-/* Makes the series geometry->far of a train, with the order that is cheapest for `passes` passes. If a domino
- * detaches, or if no series saves time, the order is 0, which means that there is no series. */
+/* Makes the series geometry->far, with the cheapest order for `passes` passes. The order is 0 (no series) if
+ * a domino detaches, or if no series saves time. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order. The omitted terms are at most this factor times rest_H or rest_J. Returns
- * infinity if z is too large for these bounds. */
+/* Returns (z / radius)^order, or infinity if z is too large. Times rest_H or rest_J, it bounds the omitted
+ * terms. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -29,14 +29,14 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if `rest`, a bound on the omitted terms of a series, is below the tolerance. The value of the
- * series, `tail`, is added to the terms summed so far before the comparison, because it may cancel them. */
+/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. `tail`, the value of the
+ * series, counts, since it may cancel the sum so far. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
 }
 
-/* The value of a series at z, and its first and second derivatives with respect to theta. */
+/* The value of a series at z, and its derivatives with respect to theta. */
 struct far_point {
     real value, first, second;
 };
@@ -53,8 +53,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* These two functions return H (up to a constant) and J of the part of a train that begins with a domino at
- * z. */
+/* These two functions return H (up to a constant) and J of the part of a train from a domino at z on. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);
@@ -63,14 +62,13 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    /* The series stands for J / one^2. The derivative of `one` with respect to theta is -z one. */
+    /* The series is that of J / one^2. d one / d theta is -z one. */
     real one = 1 + z * z;
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};
 }
 
-/* Returns H(theta_a) - H(theta_b) from z_a and z_b, the values of z at both tilts, and t = tan((theta_a -
- * theta_b) / 2). */
+/* Returns H(theta_a) - H(theta_b) from z at both tilts, and t = tan((theta_a - theta_b) / 2). */
 KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 {
     real sum = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */
@@ -82,10 +80,7 @@ KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
     return -t * (1 + z_a * z_b) * sum;
 }
 
-/*
- * Returns true if the tilts of a and b are so close to theta_inf that the terms omitted from the far series
- * do not matter. The series can then replace all further dominoes of the pass.
- */
+/* Returns true if a and b are so close to theta_inf that the far series can replace all further dominoes. */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
 {
@@ -93,8 +88,7 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    /* The test above takes the first term of the series as an estimate of the tail. Test again with the whole
-     * series, because the tail may cancel the sum. */
+    /* Test again with the whole tail, not only its first term: the tail may cancel the sum. */
     real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;
@@ -104,7 +98,7 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
-/* Adds the contributions of domino a, and of all dominoes behind it, to the sums. Returns H. */
+/* Adds domino a and all dominoes behind it to the sums. Returns H. */
 KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
                                 const struct link *a, const struct link *b, real t)
 {
@@ -117,8 +111,7 @@ KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Returns the terms of H2 of a domino and of all dominoes behind it. second_derivative is theta'' of this
- * domino. */
+/* Returns the terms of H2 of a domino and of all dominoes behind it. */
 KERNEL real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
 {
     return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);

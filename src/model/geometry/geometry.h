@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * One domino that leans on the next: the geometry of section 2 and appendix A of the paper, in Cartesian
- * form. An angle theta is stored as a struct tilt, so the loops down the train need no trigonometry. The
- * member v = 1 - cos theta keeps its relative accuracy even if cos theta is nearly 1.
- */
+/* One domino that leans on the next: the geometry of section 2 and appendix A of the paper. An angle theta is
+ * stored as a struct tilt, so the loops down the train need no trigonometry. */
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
 
@@ -12,7 +9,7 @@
 
 struct tilt {
     real x, y; /* sin theta, cos theta (29; A4) */
-    real v;    /* 1 - cos theta */
+    real v;    /* 1 - cos theta, accurate even near 0 */
 };
 
 /* The tilt of an upright domino, before it is hit. */
@@ -31,18 +28,20 @@ enum { FAR_FIRST = 4, FAR_ORDER = 12 };
 enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 #endif
 
-/* H and J of a train, as power series around theta_inf (far.h). */
+/* H and J of a train, as power series around theta_inf (far.h) */
 struct far {
-    int order; /* the order of both series, an even number, or 0 if there is no series */
+    int order; /* the order of both series, which is even; 0 without a series */
     real radius, rest_H, rest_J;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 
 /*
- * The contributions of the far tail of a train to the sums A, B and C of struct equation_of_motion. Let
- * domino i be the first domino of the tail, at the tilt theta_inf - e, and let m = r^-(q+1)i S_i. The tail
- * contributes m theta_i' A(e) to A, m [theta_i'^2 B(e) + theta_i'' A(e)] to B, and r^-qi S_i C(e) to C. Each
- * array holds the value of one of these functions at theta_inf, and its first two derivatives. For instance,
+ * The contributions of the far tail of a train to A, B and C of struct equation_of_motion. Let domino i be
+ * the first of the tail, at the tilt theta_inf - e, and m = r^-(q+1)i S_i. The contributions are
+ *
+ *     m theta_i' A(e),   m [theta_i'^2 B(e) + theta_i'' A(e)],   r^-qi S_i C(e).
+ *
+ * Each array holds a function at theta_inf, and its first two derivatives:
  *
  *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
  */
@@ -52,56 +51,58 @@ struct far_friction {
 };
 
 /*
- * The shape of a domino with rounded edges, with lengths relative to its height (rounded.h). Its moment of
- * inertia about the line where its foot touches the floor, relative to that of a block with sharp edges, is
- * i(theta) = i.c + i.x sin theta + i.y cos theta. With sharp edges i is 1 and rho is 0.
+ * The shape of a domino with rounded edges (rounded.h). Lengths are divided by its height. The moment of
+ * inertia about the line where the foot touches the floor is i times that of a sharp block, with
+ *
+ *     i(theta) = i.c + i.x sin theta + i.y cos theta.
+ *
+ * With sharp edges i is 1 and rho is 0.
  */
 struct rounded {
     real rho;           /* radius of the edges */
-    real tall, wide;    /* 1 - 2 rho and d - 2 rho: the lengths of the flat parts */
-    real rho_1, tall_1; /* rho and tall of the follower, relative to the height of this domino */
+    real tall, wide;    /* the lengths of the flat parts: 1 - 2 rho and d - 2 rho */
+    real rho_1, tall_1; /* rho and tall of the follower, divided by the height of this domino */
     real theta_inf;     /* theta_inf as an angle; set only for a train */
-    real roll;          /* the term that a foot rolling down a slope adds to dh/dtheta */
+    real roll;          /* rolling on a slope adds this term to dh/dtheta */
     struct {
         real c, x, y;
     } i;
 };
 
-/* Describes a train that has been checked, with the quantities that are constant during a cycle. In a row,
- * describes one domino with its follower. */
+/* A train that has been checked, and the quantities that are constant during a cycle. In a row, one domino
+ * with its follower. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
-    real box;                      /* moment of inertia relative to that of a solid block: 1 without walls */
-    const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow; /* solution of the equation of motion, or NULL if the law of motion needs none */
+    real box;                        /* moment of inertia divided by that of a solid block */
+    const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
+    struct flow *flow;               /* solution of the equation of motion; NULL if none is needed */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    /* The work of the current search so far, and the limit of that work, both as a number of dominoes
-     * visited. `effort` is NULL if there is no limit. */
+    /* The work of the current search so far, and its limit, both in visited dominoes. `effort` is NULL
+     * without a limit. */
     size_t *effort;
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
-    real short_of; /* span - r s, which is >= 0: how far the head reaches beyond the next domino */
-    /* 1 - r^2 s^2. A follower detaches when 1 - cos theta of its leader reaches leave_at / leave_by. */
+    real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
+    /* 1 - r^2 s^2. A follower detaches when its leader has 1 - cos theta >= leave_at / leave_by. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
-    real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
-    real inertia;  /* r^-(q+1), the weight of a follower in J relative to that of its leader (20; c2) */
+    real weight;   /* r^-q: weight of a follower / weight of its leader in H (19; c1) */
+    real inertia;  /* r^-(q+1): weight of a follower / weight of its leader in J (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
     real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
-        real along,
-            down; /* components of gravity along the floor and into the floor: 0 and 1 on a level floor */
+        real along, down; /* gravity along and into the floor; 0 and 1 on a level floor */
     } g;
     struct {
-        real x, y; /* h(theta) = h.y cos theta + h.x sin theta. On a level floor, x is d and y is 1. */
+        real x, y; /* h(theta) = h.y cos theta + h.x sin theta; on a level floor, x = d and y = 1 */
     } h;
-    /* r^-q theta_1'(theta_inf): far down the train, each term of H1 is this multiple of the term before */
+    /* r^-q theta_1'(theta_inf): the ratio of successive terms of H1, far down the train */
     real decay;
-    /* the smallest ratio of successive terms that is assumed in estimates of the tail of J */
+    /* the smallest ratio of successive terms that the tail of J is assumed to have */
     real decay_J;
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
@@ -110,20 +111,19 @@ struct geometry {
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
-    size_t n; /* the number of dominoes from this one to the end of the chain */
-    /* The geometry of the follower in a row. NULL in a train, which is self-similar: one geometry holds for
-     * all its dominoes. */
+    size_t n; /* number of dominoes from this one to the end of the chain */
+    /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
-    real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
-    /* The largest gap that a head reaches, relative to its height: 1 unless its edges are rounded. */
+    real upright; /* inertia of an upright domino; 1 with sharp edges */
+    /* The largest gap that a head reaches, divided by its height. 1 with sharp edges. */
     real span;
     struct rounded rounded;
-    real lean; /* tilt of this domino before it is hit: 0 if it is plumb */
+    real lean; /* tilt before the hit; 0 if the domino is plumb */
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Returns dh/dtheta of one domino with sharp edges, which is 0 at theta_u. */
+/* Returns dh/dtheta of one domino with sharp edges. It is 0 at theta_u. */
 KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.x * t.y - geometry->h.y * t.x;
@@ -135,10 +135,8 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
-/*
- * Returns the sum of the absolute values of the terms of dh/dtheta, for error bounds: each term has a few
- * rounding errors. On a slope the result is doubled, since h.x and h.y are then sums of rounded numbers.
- */
+/* Returns the sum of the absolute values of the terms of dh/dtheta, for error bounds. On a slope it is
+ * doubled, since h.x and h.y are then rounded sums. */
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
     real d = geometry->d, along = fabs(geometry->g.along), down = geometry->g.down;
@@ -151,8 +149,7 @@ KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
 }
 
-/* These two functions return the relative moment of inertia i(theta) of a domino about the line where it
- * touches the floor (struct rounded), and the derivative of i. */
+/* These two functions return i(theta) of struct rounded, and its derivative. */
 KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 {
     const struct rounded *of = &geometry->rounded;
@@ -165,9 +162,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smaller of two tilts of the head: theta_u, and the tilt at which a follower that starts near
- * pi/2 has clearly moved away from pi/2. Tilts below both do not matter at the beginning of a cycle. If
- * theta_u is 0 (edges of radius d/2), returns the second tilt.
+ * Tilts below this one do not matter at the beginning of a cycle. It is the smaller of theta_u and the tilt
+ * at which a follower that starts near pi/2 has clearly left pi/2. theta_u = 0 (edges of radius d/2) is
+ * skipped.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -177,24 +174,22 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
-/* Let theta_u be the tilt at which a single domino tips over. These functions return theta_u,
- * tan(theta_u / 2) and h(theta_u) - h(0). */
+/* A single domino tips over at theta_u. These functions return theta_u, tan(theta_u / 2) and
+ * h(theta_u) - h(0). */
 KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Finds the sine and cosine of theta_c - theta_u. The sine is negative if domino 1 has not tipped over when
- * it hits the next domino (5; b0). */
+/* Finds the sine and cosine of theta_c - theta_u. The sine is negative if domino 1 hits the next domino
+ * before it tips over (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts an angle to a tilt. The angle must lie between the lean of the head (0 in a train) and theta_c. An
- * angle that differs from theta_c only by rounding gives theta_c. */
+/* Converts an angle to a tilt. The angle lies between the lean of the head (0 in a train) and theta_c. An
+ * angle equal to theta_c within rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/*
- * These functions return upper bounds on the errors of tilts, as angles: for a tilt with at most `units`
- * rounding errors in each coordinate, for the tilt of a head, for theta_u, for theta_f and for theta_leave.
- */
+/* These functions bound the errors of tilts, as angles: a tilt with `units` rounding errors in each
+ * coordinate, the head, theta_u, theta_f and theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);
@@ -211,8 +206,8 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* Returns the tilt for p = tan(theta / 2). Searches use p as their variable, since p needs no trigonometry
- * and keeps the digits of small tilts. */
+/* Returns the tilt for p = tan(theta / 2). Searches vary p, which needs no trigonometry and keeps the digits
+ * of small tilts. */
 KERNEL struct tilt tilt_half(real p)
 {
     real pp = p * p, share = 2 / (1 + pp);
@@ -224,49 +219,43 @@ KERNEL real half_of_tilt(struct tilt t)
     return t.x / (1 + t.y);
 }
 
-/* Returns the tangent of half the angle from one tilt to another. If `from` is upright, no digits cancel. */
+/* Returns the tangent of half the angle between two tilts. No digits cancel if `from` is upright. */
 KERNEL real half_turn(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
     return sine / (1 + cosine);
 }
 
-/*
- * The contact of a leader with its follower: the angle between them, the arm of the contact force on the
- * leader (table 1), and the slope (34; A10). X and Y are accurate for all angles, from X near 0 to X near 1.
- * If the difference Y - r L x would cancel, the arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2
- * L d v. This difference cancels only when the follower is about to detach.
- */
+/* The contact of a leader with its follower: the angle between them, the arm of the force on the leader
+ * (table 1), and the slope (34; A10). X and Y are accurate for all angles. */
 struct contact {
     real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
-    real arm;  /* r a = Y - r L x */
-    real step; /* d theta_1 / d theta (14; b10); 1 if the leader is upright, even at Y = 0 */
+    real arm;  /* r a = Y - r L x; see geometry_contact */
+    real step; /* d theta_1 / d theta (14; b10); 1 for an upright leader, even at Y = 0 */
 };
 
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    /* a chain multiplies many slopes, so a slope near 1 must be accurate to one rounding error */
+    /* a chain multiplies many slopes: near 1, a slope may have only one rounding error */
     if (2 * rLx <= Y)
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
+    /* Y - r L x would cancel, so the arm follows from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v. */
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
-/*
- * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). v' = 1 - y' is computed from the leader's
- * tilt, as a sum of terms that all have the same sign. x' and y' are then computed from v', so that they
- * remain the sine and cosine of one angle along a long train.
- */
+/* Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). All terms of v' = 1 - y' have the same
+ * sign. x' and y' follow from v', so they stay the sine and cosine of one angle along a long train. */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
     real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The sine of the follower may then be negative.
- * The formula x' = Y x + X y keeps the sign, which tilt_follower would lose. */
+/* Returns the follower's tilt if the leader leans backwards. The follower's sine may then be negative. x' = Y
+ * x + X y keeps this sign. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
@@ -278,8 +267,7 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
 }
 
-/* Returns the slope d theta_1 / d theta at the moment when the domino is hit. The slope is 1 if the domino is
- * plumb. */
+/* Returns the slope d theta_1 / d theta at the hit. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).step;

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a chain in order, from the head down, and the contact of each with its follower. */
+/* The dominoes of a chain, from the head down, and the contact of each with its follower. */
 #ifndef DOM_LINK_H
 #define DOM_LINK_H
 
 #include "geometry/geometry.h"
 
 struct link {
-    const struct geometry *geometry; /* geometry of this domino and its follower */
+    const struct geometry *geometry; /* this domino and its follower */
     size_t i;
     struct tilt tilt;
-    struct contact contact; /* contact with the follower, if one leans on this domino */
-    real step;              /* slope between domino and follower, theta_{i+1}' / theta_i' */
+    struct contact contact; /* contact with the follower, if `leads` */
+    real step;              /* slope of the contact: theta_{i+1}' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
@@ -20,8 +20,7 @@ struct link {
 KERNEL_LOOP void link_geometry(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
-    /* An upright domino has just been hit by its follower, so the follower leans on it, even if theta_leave
-     * is 0. */
+    /* An upright domino has just been hit, so its follower leans on it, even if theta_leave is 0. */
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
@@ -53,8 +52,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from theta'' of its leader, by the derivative of (14; b10). Does not compute
- * the follower's cosine as Y y - X x, because the digits of this difference cancel near pi/2. */
+/* Returns theta'' of a follower, by the derivative of (14; b10). The follower's cosine Y y - X x is avoided,
+ * since its digits cancel near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
@@ -65,17 +64,16 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* Let t = tan((theta_a - theta_b) / 2) for a domino that has the tilt theta_a in one chain and theta_b in
- * another. Returns t of the follower divided by t of its leader, (1 - G) / (1 + t^2 G) as in
- * energy_change_between. 1 - G is computed from the arms, so it keeps its digits. */
+/* A domino has the tilt theta_a in one chain and theta_b in another; t = tan((theta_a - theta_b) / 2).
+ * Returns t of its follower / t = (1 - G) / (1 + t^2 G), as in energy_change_between. The arms give 1 - G
+ * with all digits. */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* These two functions return r a and r b, where a and b are the lever arms of the contact of a domino with
- * its follower (table 1), including friction. */
+/* These two functions return r a and r b: the lever arms (table 1) with friction, multiplied by r. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;
@@ -86,8 +84,8 @@ KERNEL real contact_arm_b(const struct link *k)
     return k->contact.Y + k->geometry->mu * k->contact.X;
 }
 
-/* Returns a / b, the part of a torque on the follower that the contact passes on to the leader. Without
- * friction this is the slope (14; b10). */
+/* Returns a / b, the part of a torque that the follower passes on to its leader. Without friction it is the
+ * slope (14; b10). */
 KERNEL real torque_ratio(const struct link *k)
 {
     return contact_arm_a(k) / contact_arm_b(k);

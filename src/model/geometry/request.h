@@ -8,7 +8,7 @@
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
-/* A train, and how to compute: members of struct dom_train and of struct dom_compute. */
+/* A train, and how to compute, as in struct dom_train and struct dom_compute. */
 struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
@@ -24,16 +24,16 @@ struct request {
 
 struct block; /* struct block is defined in joint.h, once for each precision */
 
-/* A row, and how to compute: members of struct dom_row and of struct dom_compute. */
+/* A row, and how to compute, as in struct dom_row and struct dom_compute. */
 struct row_request {
     const struct dom_domino *domino;
-    const struct block *block; /* the dominoes, converted to the precision of the kernel; may be NULL */
+    const struct block *block; /* the dominoes in the kernel's precision; may be NULL */
     size_t count;
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];
     dom_real boxes_above; /* as in struct dom_row */
     bool floor;
-    /* true if a domino that stops is given the energy that it needs, so that the row continues */
+    /* true to give a domino that stops the energy that it needs, and go on */
     bool carries_on;
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_precision precision;

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Dominoes whose edges are rounded with the radius rho, relative to the height. The foot rolls on the floor
- * without slipping, and the round upper edge of a follower slides down the flat back of its leader. The lower
- * edge at the back stays sharp. With l = 1 - 2 rho the potential energy of a domino is
+ * Dominoes with edges of radius rho. Lengths are divided by the height. The foot rolls on the floor without
+ * slipping. The round upper edge of a follower slides down the flat back of its leader. The lower edge at the
+ * back stays sharp. With l = 1 - 2 rho the potential energy of a domino is
  *
  *     h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta.
  *
- * On a floor that slopes by alpha, theta + alpha replaces theta, and 2 rho theta sin alpha is subtracted,
- * since the foot rolls down. The moment of inertia is taken about the line of contact with the floor. rho_1
- * and l_1 are rho and l of the follower, relative to the height of the leader. With delta = theta_1 - theta
- * the contact obeys
+ * On a floor that slopes by alpha, theta + alpha replaces theta. Since the foot rolls down, 2 rho theta sin
+ * alpha is subtracted. The moment of inertia is taken about the line of contact with the floor.
+ *
+ * rho_1 and l_1 are rho and l of the follower, divided by the height of the leader. With
+ * delta = theta_1 - theta the contact obeys
  *
  *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
@@ -24,23 +25,24 @@
 /* Returns h(0) - h(theta) of one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
-/* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. rounded_between returns
- * a domino at the tilt half way between its tilts in a and in b. rounded_arms and rounded_pushes are members
- * of struct contact_law. */
+/* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 
 /*
- * rounded_next consists of three parts. rounded_factors updates theta_i', theta_i'' and the weights.
- * rounded_step moves on to the follower, and finds the turn from there to the next follower. rounded_levers
- * finds the lever arms and the derivatives of the new contact. If only the tilts of a chain matter,
- * rounded_step is enough. To walk down two chains side by side, call each part for one chain and then for the
- * other: the processor can then work on the turns of both chains at once.
+ * The three parts of rounded_next:
+ * - rounded_factors updates theta_i', theta_i'' and the weights.
+ * - rounded_step moves on to the follower, and finds the turn to the next one. It is enough for tilts.
+ * - rounded_levers finds the lever arms and the derivatives of the new contact.
+ *
+ * For two chains side by side, call each part for both: the processor then works on both turns at once.
  */
 KERNEL void rounded_factors(struct walk *walk);
 KERNEL void rounded_step(struct walk *walk);
 KERNEL void rounded_levers(struct walk *walk);
+/* Returns a domino half way between its tilts in a and in b. */
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
+
 KERNEL struct arms rounded_arms(const struct link *link);
 KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 

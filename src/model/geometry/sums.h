@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sums over the dominoes of a chain. Each sum is compensated for rounding, and its tail is bounded. */
+/* The sums over the dominoes of a chain, compensated for rounding, with bounds on their tails. */
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
@@ -8,47 +8,44 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. It is less accurate than the other sums: its rounding
-     * errors are not compensated, and its tail is bounded only through H1. */
+    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. Less accurate: rounding is not compensated, and only the
+     * tail of H1 is bounded. */
     real H2;
-    /* H(theta) - H(0), or the difference between H at theta and H at another tilt. Set only by passes that
-     * compare two tilts. */
+    /* H(theta) - H(0), or H(theta) minus H at another tilt. Only in passes that compare two tilts. */
     real dH;
-    real left;   /* the part of dH due to a follower that has detached during the cycle */
+    real left;   /* part of dH due to a follower that has detached in the cycle */
     size_t n;    /* number of dominoes in the sums */
-    bool pushes; /* true if no contact opens between the two tilts; only with PASS_PUSHES */
+    bool pushes; /* no contact opens between the two tilts; only with PASS_PUSHES */
 };
 
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms, increased if an arm b is a difference that cancels. The
-     * rounding errors are estimated from these sums. */
+    /* Sums of the absolute values of all terms, from which rounding errors are estimated. They are increased
+     * if an arm b cancels. */
     real A_size, B_size, C_size;
-    /* True if no acceleration satisfies the equation of motion (Painleve): A <= 0, or the arm b of a follower
-     * is <= 0. */
+    /* True if no acceleration satisfies the equation (Painleve): A <= 0, or some arm b <= 0. */
     bool locks;
     size_t n; /* number of dominoes in the sums */
 };
 
-/* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. At r = 1, a
- * pass would be longer only in trains with sqrt(s (s + 2 d)) < 2e-5. */
+/* The largest number of dominoes in a pass, which then takes tens of milliseconds. At r = 1, only trains with
+ * sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be at most this fraction of the tolerance, so that a result made of several sums
- * stays within the tolerance. */
+/* The tail of a sum may be this fraction of the tolerance. A result of several sums then stays within the
+ * tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
 /* A compensated sum, with bounds on its next terms. */
 struct series {
     real sum, size; /* sum of the terms, and sum of their absolute values */
-    real lost;      /* the sum of the rounding errors so far, to be added at the end */
-    /* Upper bounds on the next term, and on the ratio of each later term to the term before it. */
+    real lost;      /* sum of the rounding errors, to be added at the end */
+    /* Upper bounds on the next term, and on later term / term before. */
     real next, ratio;
 };
 
-/* Adds a term to the sum, and the rounding error of this addition to `lost` (Fast2Sum, which needs the larger
- * of the two numbers first). */
+/* Adds a term, and its rounding error to `lost` (Fast2Sum needs the larger number first). */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
@@ -57,11 +54,8 @@ KERNEL_LOOP void series_add(struct series *s, real term)
     s->size += fabs(term);
 }
 
-/*
- * Returns true when the remaining terms can be left out. `term` is an upper bound on the last term, and each
- * later term is at most `ratio` times the one before it. A tail below the unit roundoff of the sum can always
- * be left out.
- */
+/* Returns true when the remaining terms can be left out. `term` bounds the last term, and `ratio` bounds
+ * later term / term before. A tail below the unit roundoff of the sum never matters. */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
     s->next = term * ratio;
@@ -69,8 +63,7 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns a bound on the rounding error of the sum, plus a bound on the terms left out. No terms are left out
- * if `ended` is true. */
+/* Returns a bound on the rounding error and on the terms left out (none if `ended`). */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
@@ -88,8 +81,7 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Every 4096 dominoes, checks for an interrupt, for a search that has taken too much work, and for a pass
- * that is too long. */
+/* Every 4096 dominoes, checks for an interrupt, a search with too much work, and a pass that is too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)
@@ -100,7 +92,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(geometry, i); /* count the work, although this pass has no result */
+    chain_count(geometry, i); /* the work counts, although this pass has no result */
     return DOM_TOO_LONG;
 }
 
