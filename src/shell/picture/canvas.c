@@ -10,8 +10,7 @@
 
 static const struct {
     int rgb;
-    /* the nearest of the 8 basic colours, by its number in escape sequences, or 0 for the default colour of
-     * text */
+    /* the escape code of the nearest of 8 colours, or 0 for the default colour of text */
     int of_8;
     char letter; /* the character that draws a curve on a terminal without braille */
 } inks[INKS] = {
@@ -105,8 +104,7 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille, no line is dashed,
- * because each curve is drawn with a character of its own. */
+/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille, no line is dashed. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
@@ -132,8 +130,7 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
     }
 }
 
-/* Writes the braille character with these dots, or, without braille, the character of the ink. Returns the
- * length of the character in bytes. */
+/* Writes a braille character or, without braille, the character of the ink. Returns its length in bytes. */
 static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
     if (!c->look.braille)

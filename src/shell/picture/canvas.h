@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures made of characters: text, shades, and lines of braille dots or of other characters. They are in
- * colour if the terminal has colours. What is drawn into a cell replaces its content, except that new dots
- * are added to old dots. */
+/* Pictures made of characters: text, shades, and lines of dots. Drawing into a cell replaces its content, but
+ * new dots are added to old ones. */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
 
@@ -27,12 +26,10 @@ int ink_colour(enum ink ink);
 /* Returns the colour for a shade from 0 to 1 in the viridis palette, whose brightness increases steadily. */
 int shade_colour(double shade);
 
-/* Returns a round step for a ruler or an axis: the smallest number >= `least` that is 1, 2 or 5 times a power
- * of ten. */
+/* Returns a step for a ruler: the smallest number >= `least` of the form 10^n, 2 10^n or 5 10^n. */
 double ruler_step(double least);
 
-/* Returns true if the name of the terminal, $TERM, begins with one of the names in this NULL-terminated list.
- */
+/* Returns true if $TERM begins with one of the names in this NULL-terminated list. */
 bool term_begins(const char *const *names);
 
 /* What the terminal of a stream can show. Files and pipes get plain characters. */
@@ -64,11 +61,11 @@ void canvas_free(struct canvas *canvas);
 /* Draws the dot at (x, y), counted from the upper left corner. A dot outside the canvas is ignored. */
 void canvas_dot(struct canvas *canvas, int x, int y, enum ink ink);
 
-/* The number of dash patterns, which distinguish curves of the same colour. Pattern 0 is an unbroken line. */
+/* The number of dash patterns. Pattern 0 is an unbroken line. */
 enum { DASHES = 5 };
 
-/* Draws a straight line of dots. *phase is the position in the dash pattern, and is updated so that the
- * pattern continues in the next piece of a curve. */
+/* Draws a straight line of dots. Updates *phase, so that the dash pattern continues in the next piece of a
+ * curve. */
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
@@ -78,7 +75,7 @@ void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sam
 /* Writes text, starting in the given cell. Characters outside the canvas are not drawn. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Draws two shades in 0 .. 1 into the upper and lower half of a cell. A shade that is NaN is not drawn. */
+/* Draws two shades in 0 .. 1 into the halves of a cell. A NaN is not drawn. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
 /* Returns true if a cell is empty or outside the canvas. */

@@ -26,7 +26,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    /* If there is no room for another curve, the last curve is replaced. No caller adds that many curves. */
+    /* No caller adds more curves than there is room for. */
     c->curves -= c->curves == CHART_CURVES;
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
@@ -88,8 +88,7 @@ void chart_scale(struct chart *c, double x, double y)
 
 /* ---- What the user chooses ---- */
 
-/* Applies the scale that the user has chosen for an axis, and checks the range. Returns NULL, or a message.
- */
+/* Applies the user's scale to an axis, and checks the range. Returns NULL, or a message. */
 static const char *axis_dress(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
@@ -137,8 +136,7 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`, and the margin on either side
- * is `pad` times the range of the data. */
+/* Sets the ends that are NaN, for data from `low` to `high`. The margin is `pad` times their range. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -150,8 +148,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* A very narrow range is treated as a single value, because the labels of the ticks could not show
-         * it. */
+        /* Labels cannot show a very narrow range, which is treated as a single value. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
@@ -163,8 +160,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Replaces a coordinate by an end of the axis if it is infinite, or if it is 0 and the axis is logarithmic.
- * Returns other coordinates unchanged. */
+/* Returns an end of the axis for an infinite value, or for 0 on a logarithmic axis. Returns other values
+ * unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high
@@ -172,7 +169,7 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Moves the ends of an axis of a map from the centres of the outermost cells to their outer edges. */
+/* Moves the ends of a map's axis from the centres of the outermost cells to their outer edges. */
 static void cells_fit(struct chart_axis *a, int cells)
 {
     double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
@@ -192,8 +189,7 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-/* Moves the ends of an axis to those that the user has chosen. Returns false if no cell of a map is between
- * the new ends. */
+/* Applies the user's range to an axis. Returns false if it contains no cell of a map. */
 static bool range_choose(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
@@ -206,8 +202,7 @@ static bool range_choose(struct chart *c, int k)
     return overlaps || !c->map.value;
 }
 
-/* Returns true if a value is infinite, or if it is within the range that the user has chosen for an axis.
- * Also returns true if the user has chosen no range. */
+/* Returns true if a value is infinite, or within the range that the user has chosen, if any. */
 static bool is_within(const struct chart *c, int k, double value)
 {
     const struct chart_look *look = &c->look;

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
- * chart_show (show.h) draws the chart where the answer goes: in characters, as a picture on a terminal, or
- * into a file with gnuplot.
- */
+/* Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
+ * chart_show (show.h) draws it where the answer goes. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
@@ -13,13 +10,13 @@ enum chart_kind {
     CHART_LINE,
     CHART_POINTS,
     CHART_MARKED, /* a line through points */
-    CHART_STEPS,  /* y is constant from each x to the next */
+    CHART_STEPS,  /* y is constant from each x to the next; a NaN repeats the previous y */
     CHART_RANGES, /* a vertical line from low to high at each x */
     CHART_BOTH    /* points with their ranges, connected by a line */
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN if the point has no range */
+    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN without a range */
 };
 
 struct chart_curve {
@@ -38,9 +35,8 @@ struct chart_axis {
     double low, high; /* the ends of the axis; if an end is NaN, chart_fit chooses it from the data */
 };
 
-/* The values of a map, one for each cell of a grid, row by row, from the lowest row to the highest. At first
- * the axes end at the centres of the outermost cells. chart_fit moves the ends of the axes to the outer edges
- * of these cells. */
+/* The values of a map, one for each cell, row by row from the lowest row up. The axes end at the centres of
+ * the outermost cells until chart_fit moves them to the outer edges. */
 struct chart_map {
     double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
     int across, down;
@@ -55,9 +51,8 @@ struct chart_event {
 enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
 enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
 
-/* What the user chooses about a chart. A string that the user has not chosen is NULL, and a number that the
- * user has not chosen is 0. The first element of each array is for the x axis, and the second for the y axis.
- */
+/* What the user chooses about a chart, with NULL or 0 for no choice. The arrays are for the x axis and the y
+ * axis. */
 struct chart_look {
     const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
     enum chart_scale scale[2];
@@ -109,31 +104,30 @@ void chart_level(struct chart *chart, double y, const char *title);
 /* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Converts all numbers of the chart to the units in which they are shown. `x` and `y` are the sizes of these
- * units. */
+/* Converts all numbers of the chart to the displayed units, whose sizes are `x` and `y`. */
 void chart_scale(struct chart *chart, double x, double y);
 
 /*
- * Makes a chart ready to be drawn. Chooses the ends of each axis where they are given as NaN. Moves points at
- * infinity, and points at 0 on a logarithmic axis, to an end of the axis. In a curve of steps, replaces a y
- * that is NaN by the previous y. Removes curves without points, and events outside the x axis. Returns false
- * if nothing is left to show within the axes.
+ * Makes a chart ready to be drawn:
+ * - chooses the ends of axes that are NaN
+ * - moves points at infinity, or at 0 on a logarithmic axis, to an end of the axis
+ * - removes curves without points, and events outside the x axis
+ * Returns false if nothing is left to show.
  */
 bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Applies the title, the labels and the scales that the user has chosen. Returns NULL, or a message if the
- * chart cannot be drawn with what the user has chosen. */
+/* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font. A size that the user has not chosen has its usual
- * value. */
+/* Returns the sizes of the picture and of its font, with usual values for those not chosen. */
 struct chart_look chart_size(const struct chart *chart);
 
-/* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.
- * axis_number returns the value at a position. */
+/* Returns the position of a value on its axis: 0 is the lower end, and 1 the upper end. */
 double axis_place(const struct chart_axis *axis, double value);
+
+/* Returns the value at a position. */
 double axis_number(const struct chart_axis *axis, double place);
 
 enum { TICKS = 24, TICK_TEXT = 24 };
@@ -147,12 +141,11 @@ struct ticks {
 /* Chooses about `most` ticks for an axis, or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
-/* Where the name of an event is written: it begins at `from`, a fraction of the x axis, in the row `row`
- * above the chart, counted from 0. Names that would overlap are in different rows. `letter` is the width of a
+/* Returns where to write the name of an event, so that names do not overlap. `letter` is the width of a
  * character, as a fraction of the x axis. */
 struct event_spot {
-    double from;
-    int row;
+    double from; /* where the name begins, as a fraction of the x axis */
+    int row;     /* the row above the chart, counted from 0 */
 };
 struct event_spot event_spot(const struct chart *chart, int event, double letter);
 

@@ -12,8 +12,7 @@ enum { ROOM = 320 };
 /* The height of a line of text in cm, divided by the font size in points. */
 #define LINE_CM 0.048
 
-/* Returns how many characters fit on one line of a picture. `width` is in cm, and the font size `font` in
- * points. */
+/* Returns how many characters fit on a line of `width` cm, with a font of `font` points. */
 static int columns_in(double width, double font)
 {
     const double usual = 64;
@@ -21,11 +20,10 @@ static int columns_in(double width, double font)
     return columns > 16 ? columns : 16;
 }
 
-/* The width, in characters, of the sample line before a title in the legend, including the blanks around it.
- */
+/* The width of the sample line before a title in the legend, in characters, with blanks. */
 #define SAMPLE 9
 
-/* Returns how many characters of a title fit on a line of the legend in a picture of `columns` characters. */
+/* Returns how many characters of a title fit on a line of the legend. */
 static int legend_columns(const struct chart *c, int columns)
 {
     return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns - SAMPLE;
@@ -52,7 +50,7 @@ static int lines_around(const struct chart *c, int columns)
     int lines = 3, longest, across = legend_across(c, columns, &longest);
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
-    /* The number of lines for each entry of the legend: two if the longest title has to be broken. */
+    /* An entry of the legend has two lines if the longest title has to be broken. */
     const int high = longest > legend_columns(c, columns) ? 2 : 1;
     return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
                         ? 0
@@ -61,9 +59,9 @@ static int lines_around(const struct chart *c, int columns)
 
 struct chart_look chart_size(const struct chart *c)
 {
-    /* `least_high` is the minimum height of the axes, as a fraction of the width of the picture. A picture
-     * that is less than `narrow` cm wide has a smaller font, of `least_font` points or more. */
-    const double least_high = 0.45, least_font = 7, narrow = 10;
+    const double least_high = 0.45; /* the minimum height of the axes, relative to the picture's width */
+    const double narrow = 10;       /* below this width in cm, the font is smaller */
+    const double least_font = 7;    /* in points */
     struct chart_look look = c->look;
     look.width = look.width > 0 ? look.width : CHART_WIDTH;
     look.font =
@@ -97,8 +95,8 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/* Breaks `text` into lines of roughly equal length, with at most `most` characters each. Writes the lines as
- * the content of a double-quoted gnuplot string. Returns the number of lines. */
+/* Breaks `text` into similar lines of at most `most` characters, for a double-quoted gnuplot string. Returns
+ * the number of lines. */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };
@@ -129,8 +127,7 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
     fprintf(out, ")\n");
 }
 
-/* Sets up the legend, with as many columns as the longest title allows. The width in 'set key' is
- * negative because gnuplot assumes that characters are wider than they are. */
+/* Sets up the legend, with as many columns as the longest title allows. */
 static void legend_script(const struct chart *c, FILE *out)
 {
     int longest, across = legend_across(c, columns_of(c), &longest), most = 1;
@@ -139,20 +136,19 @@ static void legend_script(const struct chart *c, FILE *out)
         const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
         most = lines > most ? lines : most;
     }
-    /* By default, gnuplot leaves room for only one line of each title, but a title may have `most` lines. */
+    /* By default, gnuplot leaves room for one line of a title, but a title may have `most`. */
     if (c->look.legend == CHART_LEGEND_OFF)
         fprintf(out, "unset key\n");
     else if (c->look.legend == CHART_LEGEND_RIGHT)
         fprintf(out, "set key outside right top Left reverse samplen 2 spacing %g noenhanced\n", 1.1 * most);
-    else
+    else /* the width is negative, since gnuplot assumes that characters are wider */
         fprintf(out,
                 "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
                 most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
-/* Writes the title and the labels around the axes. The labels of the y axis and of the colours of a map are
- * written horizontally above the axes. Beside an axis, a label that is longer than the axis would be cut off.
- */
+/* Writes the title and the labels. Beside the y axis, a long label would be cut off, so it is written
+ * above. */
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];
@@ -211,9 +207,7 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
     fprintf(out, "END\n");
 }
 
-/* Writes the data of a map and the command that draws the map. If both axes are linear, the map is an image,
- * for which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes. The boxes
- * overlap a little, because the background would show between boxes that only touch. */
+/* Writes the data of a map, and the command that draws it: as an image, or as boxes on logarithmic axes. */
 static void map_script(const struct chart *c, FILE *out)
 {
     const struct chart_map *m = &c->map;
@@ -226,6 +220,7 @@ static void map_script(const struct chart *c, FILE *out)
             if (image)
                 fprintf(out, "%.8g %.8g ", axis_number(&c->x, x + wide / 2),
                         axis_number(&c->y, y + high / 2));
+            /* boxes overlap a little, because the background would show between them */
             else if (isfinite(value))
                 fprintf(out, "%.8g %.8g %.8g %.8g ", axis_number(&c->x, x),
                         axis_number(&c->x, fmin(x + 1.05 * wide, 1)), axis_number(&c->y, y),
@@ -248,8 +243,8 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        /* the width of the line, or 0 for the usual width; the size of the points, or 0 for no points */
-        double width, size;
+        double width; /* the width of the line, or 0 for the usual width */
+        double size;  /* the size of the points, or 0 for no points */
         bool dashed;
     } styles[] = {
         [CHART_LINE] = {"1:2 with lines", .dashed = true},
@@ -261,7 +256,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     };
     const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
-    /* In a small picture, points are smaller and lines thinner, so that they do not cover each other. */
+    /* In a small picture, large points and thick lines would cover each other. */
     const double point = c->tex ? 2 : 1, small = fmin(chart_size(c).width / (0.8 * CHART_WIDTH), 1),
                  thin = fmax(small, 0.6);
     double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;

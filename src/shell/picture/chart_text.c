@@ -36,8 +36,7 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Clips a line in one dimension. *from and *to are the ends of the visible part, as fractions of the line.
- * They are moved so that start + f * change is in [low, high] for all f in [*from, *to]. */
+/* Reduces the interval [*from, *to] to the f for which start + f * change is in [low, high]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;
@@ -126,8 +125,7 @@ static void map_ends(const struct chart_map *m, double *low, double *high)
         }
 }
 
-/* Returns the shade of a map at the position (x, y), given as fractions of the axes. Returns NaN if the map
- * has no value there. */
+/* Returns the shade of a map at (x, y), given as fractions of the axes, or NaN if it has no value. */
 static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
 {
     int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
@@ -152,8 +150,8 @@ static void map_draw(const struct frame *f)
 
 /* ---- Texts and axes ---- */
 
-/* Writes `text` between two columns, in at most `most` rows. If `text` is too long, the last row is cut off.
- * Returns the number of rows. If the canvas is NULL, only counts the rows. */
+/* Writes `text` between two columns, cut off after `most` rows. Returns the number of rows. If the canvas is
+ * NULL, only counts the rows. */
 static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
     int rows = 0;
@@ -224,8 +222,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves, starting in the row `row` of the canvas. Returns the number of rows that
- * the titles take up. If `row` is negative, only counts these rows. */
+/* Writes the titles of the curves from row `row` on. If `row` is negative, only counts the rows. Returns the
+ * number of rows. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;
@@ -256,9 +254,7 @@ static int legend(const struct frame *f, int row)
     return rows;
 }
 
-/* Writes the legend of a map: a bar of shades with the lowest and the highest value at its ends. The label is
- * beside the bar or, if there is no room, above it. Returns the number of rows. If `row` is negative, only
- * counts the rows. */
+/* Like legend, but for a map: writes a bar of shades between the lowest and the highest value. */
 static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };
@@ -269,6 +265,7 @@ static int map_legend(const struct frame *f, int row)
     map_ends(&f->chart->map, &low, &high);
     snprintf(last, sizeof last, " %.4g", high);
     int rows = 0, at = snprintf(text, sizeof text, "%s: %.4g ", label, low), width = f->canvas->width;
+    /* the label goes above the bar if there is no room beside it */
     if (at + SHADES + (int)strlen(last) + 2 > width) {
         rows = text_put(c, 2, width, row, f->most, false, label);
         at = snprintf(text, sizeof text, "%.4g ", low);

@@ -15,8 +15,7 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads the reply of the terminal up to its last character, 'c', or until the terminal has sent nothing for
- * too long. */
+/* Reads the reply of the terminal, which ends with 'c', until a time limit. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
     enum { WAIT = 1000 /* the time limit in ms, long enough even for a slow connection */ };
@@ -29,8 +28,7 @@ static void answer_read(int terminal, char *answer, size_t size)
     }
 }
 
-/* Returns true if a reply such as "ESC [ ? 62 ; 4 ; 22 c" contains the attribute 4, which stands for
- * sixel. */
+/* Returns true if a reply such as "ESC [ ? 62 ; 4 ; 22 c" contains the attribute 4, sixel. */
 static bool has_sixel(const char *answer)
 {
     const char *at = strstr(answer, "[?");
@@ -42,8 +40,7 @@ static bool has_sixel(const char *answer)
     return false;
 }
 
-/* Asks the terminal for its attributes (DA1), and returns true if it can show sixel. Does not ask if the user
- * has already typed something, because the typed characters would be lost. */
+/* Asks the terminal for its attributes (DA1). Returns true if it can show sixel. */
 static bool ask_sixel(void)
 {
     char answer[64] = "";
@@ -57,6 +54,7 @@ static bool ask_sixel(void)
         quiet.c_cc[VMIN] = 1;
         quiet.c_cc[VTIME] = 0;
         tcsetattr(terminal, TCSANOW, &quiet);
+        /* characters that the user has already typed would be lost */
         if (poll(&typed, 1, 0) == 0 && write(terminal, "\033[c", 3) == 3)
             answer_read(terminal, answer, sizeof answer);
         tcsetattr(terminal, TCSANOW, &before);
@@ -104,8 +102,7 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* The text of a stage scales with the picture. The text of a small chart is smaller, so that there is
-     * room for the curves. */
+    /* The text of a stage scales with the picture. A small chart has small text, to leave room for curves. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,

@@ -8,16 +8,13 @@
 
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
-/*
- * Returns the protocol with which the terminal of a stream shows pictures. A terminal with the kitty protocol
- * is recognised by its name. Other terminals are asked whether they can show sixel. If the environment
- * variable DOMINO_GRAPHICS is none, sixel or kitty, its value is used instead. A terminal without colours
- * shows no pictures, nor does any terminal if NO_COLOR is set.
- */
+/* Returns the protocol with which the terminal of a stream shows pictures. DOMINO_GRAPHICS may be none, sixel
+ * or kitty. Otherwise kitty is recognised by name, and other terminals are asked for sixel. A terminal
+ * without colours shows no pictures. */
 enum graphics graphics_of(FILE *stream);
 
-/* Computes the size in pixels of a picture that leaves room for the prompt and is at most two thirds as tall
- * as it is wide. */
+/* Computes the size of a picture in pixels, with room for the prompt. The height is at most 2/3 of the
+ * width. */
 void graphics_size(FILE *stream, int *width, int *height);
 
 /* Writes the gnuplot terminal setting for a stage or a chart of this size in pixels. */

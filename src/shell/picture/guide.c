@@ -185,8 +185,7 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
     page_end(p);
 }
 
-/* Writes the gnuplot terminal setting. The font is smaller than that of 'draw', because a guide has
- * margins. */
+/* Writes the gnuplot terminal setting. The font is smaller than for 'draw', since a guide has margins. */
 static void guide_terminal(const struct sheet *v, const char *ending, char *terminal, size_t size)
 {
     if (strcmp(ending, ".pdf") == 0)

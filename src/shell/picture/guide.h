@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A printed guide for building a row: a stage drawn to scale, and tables below the stage, on A4 pages. */
+/* A printed guide for building a row: a stage drawn to scale, with tables below it. */
 #ifndef SHELL_GUIDE_H
 #define SHELL_GUIDE_H
 
@@ -31,8 +31,8 @@ struct guide {
 /* Writes a table as plain text. Cells that are bold on paper are followed by a '!'. */
 void guide_text(const struct guide_table *table, FILE *out);
 
-/* Draws a guide where the answer goes. A .pdf file gets as many A4 pages as are needed. Other pictures are
- * one long page. On failure, sets *problem and returns false. */
+/* Draws a guide where the answer goes: on A4 pages in a .pdf file, and otherwise on one long page. On
+ * failure, sets *problem and returns false. */
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

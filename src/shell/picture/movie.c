@@ -95,8 +95,7 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     snprintf(what, sizeof what, "make '%s'", m->shown);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    /* ffmpeg writes to a file, because in a pipe it could not go back to write the duration of the film. The
-     * remaining elements of argv are NULL. */
+    /* In a pipe, ffmpeg could not go back to write the duration of the film. */
     argv[n] = "file:/dev/stdout";
     return program_run((char *const *)argv, m->drawn, m->file->out, what, m->picture.interrupt, problem);
 }

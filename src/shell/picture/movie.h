@@ -19,21 +19,19 @@ struct movie {
     char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 
-/* Checks the extension of the file. If it is unknown, or if it needs ffmpeg and ffmpeg is not installed,
- * reports a problem and returns false. */
+/* Returns true if the extension is known, and ffmpeg is installed if needed. Otherwise reports a problem. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation whose frames are `delay` hundredths of a second apart. `stage` determines the size of
- * all frames, so its caption must have as many lines as the captions of the frames. On failure, sets *problem
- * and returns false. */
+/* Begins an animation whose frames are `delay` hundredths of a second apart. The caption of `stage` must have
+ * as many lines as those of the frames. On failure, sets *problem and returns false. */
 bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 /* Adds a frame to the script. */
 void movie_frame(struct movie *movie, const struct stage *stage);
 
-/* Ends the animation. Writes the film to its file if `whole` is true, which means that the script is
- * complete. Otherwise discards the film and returns false. */
+/* Ends the animation. Writes the film if the script is complete (`whole`). Otherwise discards the film and
+ * returns false. */
 bool movie_end(struct movie *movie, bool whole, struct problem *problem);
 
 #endif

@@ -29,8 +29,7 @@ bool program_exists(const char *name)
     return false;
 }
 
-/* Waits for a program to end, and kills it after an interrupt, because ^C does not reach the program itself.
- * Returns true if the program was successful. */
+/* Waits for a program, and kills it after an interrupt. Returns true if the program was successful. */
 static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
@@ -38,7 +37,7 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
         if (dom_raised(interrupt))
-            kill(-child, SIGKILL); /* kills the whole process group of the program */
+            kill(-child, SIGKILL); /* ^C does not reach the program's process group */
         nanosleep(&moment, NULL);
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -47,10 +46,7 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 /* Makes the child process run the program. */
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
-    /*
-     * A separate process group protects the program from ^Z. Otherwise the program would stop immediately,
-     * and its parent, which stops only after the command, would wait for it forever.
-     */
+    /* In the parent's process group, ^Z would stop the program, and the parent would wait forever. */
     setpgid(0, 0);
     /* The program must end when its parent ends. The parent may already have ended. */
     system_end_with_parent();
@@ -63,8 +59,7 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
     _exit(127);
 }
 
-/* Reports that a program failed, with the first line that the program wrote to standard error. Returns
- * false. */
+/* Reports the first line that a failed program wrote to standard error. Returns false. */
 static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
 {
     char line[256] = "";
@@ -131,10 +126,10 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
     return true;
 }
 
-/* Returns an error number if the disk was too full for the end of the drawing, and 0 otherwise. gnuplot does
- * not report this error, so the function tests whether the disk has room for another block. */
+/* Returns an error number if the disk was too full for the drawing, and 0 otherwise. */
 static int drawing_error(FILE *drawing, long size)
 {
+    /* gnuplot does not report this error, so this tests whether another block fits */
     int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
     return ftruncate(fileno(drawing), size) != 0 ? errno : error;
 }

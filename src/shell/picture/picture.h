@@ -16,13 +16,12 @@ struct picture {
 /* Returns true if gnuplot is installed. Otherwise reports a problem. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal setting. On failure, sets
- * *problem and returns false. */
+/* Begins a picture for `out`, with a gnuplot terminal setting. On failure, sets *problem and returns
+ * false. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Ends a picture. Draws the picture if `whole` is true, which means that the script is complete. Otherwise
- * discards the picture and returns false. */
+/* Ends a picture. Draws it if the script is complete (`whole`). Otherwise discards it and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 
 /* Returns true if a program with this name is in one of the directories in PATH. */
@@ -31,8 +30,8 @@ bool program_exists(const char *name);
 /* Opens a temporary file, which is deleted when it is closed. On failure, sets *problem and returns NULL. */
 FILE *temporary_open(struct problem *problem);
 
-/* Runs a program with `in` as standard input and `out` as standard output. If the program fails, the message
- * is "PROGRAM did not WHAT: REASON", where WHAT is the text `what`, for example "draw it". */
+/* Runs a program with `in` as standard input and `out` as standard output. `what` completes the message
+ * "PROGRAM did not WHAT: REASON". Returns false on failure. */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -84,7 +84,7 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
-    /* the limit is half the usual number of columns, because characters are twice as tall as wide */
+    /* half the usual width, because characters are twice as tall as wide */
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
@@ -92,13 +92,12 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
-/* Writes the gnuplot terminal setting for a chart. The extension of `path` selects the terminal. The font
- * 'sans' exists even on a minimal Debian system. In svg and png, the font is large enough to be read on a
- * phone, which shrinks the picture. */
+/* Writes the gnuplot terminal setting for a chart in the file `path`. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look *chosen = &chart->look;
     struct chart_look look = chart_size(chart);
+    /* the font 'sans' exists even on a minimal Debian system */
     const char *name = ending_of(path)->terminal, *family = look.family ? look.family : "sans";
     const bool svg = strcmp(name, "svg") == 0;
     const double dots = svg ? 45 : 60; /* in a cm */
@@ -110,7 +109,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
     else if (strcmp(name, "pdfcairo") == 0)
         snprintf(terminal, size, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
                  look.height, family, look.font);
-    else
+    else /* the font is large, since a phone shrinks the picture */
         snprintf(terminal, size, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
                  dots * look.height, svg ? " dynamic" : "", family, look.font * 17 / CHART_FONT,
                  svg ? " background rgb 'white'" : "");
@@ -130,8 +129,7 @@ void script_head(const struct answer *a, const char *terminal)
     fprintf(a->out, ".pdf'\n");
 }
 
-/* Draws a picture with gnuplot, into a file or on a terminal that can show pictures. If the file is to be a
- * gnuplot script, writes only the script. */
+/* Draws a picture with gnuplot. If the file is a gnuplot script, writes only the script. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {

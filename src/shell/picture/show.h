@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Shows the picture of a command where its answer goes. On the terminal the picture is made of characters or,
- * if the terminal can display graphics, of pixels. In a file, the extension of the file name determines the
- * format of the picture.
- */
+/* Shows the picture of a command where its answer goes. A terminal shows characters or, if it can, pixels. In
+ * a file, the extension determines the format. */
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 
@@ -32,19 +29,16 @@ struct ending {
 };
 const struct ending *ending_of(const char *path);
 
-/* Returns true if the terminal is large enough for the picture of a command. Otherwise reports a problem. */
+/* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
 bool picture_fits(const struct answer *a, const char *command, struct problem *problem);
 
-/* Checks, before any computation, that a picture can be drawn where the answer goes. Sets *problem and
- * returns false if it cannot. */
+/* Returns true if a picture can be drawn where the answer goes. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns the words that explain the marks of a picture in its caption. Which marks a picture has depends on
- * where the answer goes. */
+/* Returns the words that explain the marks of a picture, which depend on where the answer goes. */
 struct marks picture_marks(const struct answer *a);
 
-/* Writes the first lines of a gnuplot script. The script draws a .pdf file with the same name as the script.
- */
+/* Writes the head of a gnuplot script that draws a .pdf file of the same name. */
 void script_head(const struct answer *a, const char *terminal);
 
 /* Draws a chart where the answer goes, and frees the chart. */

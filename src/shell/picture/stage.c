@@ -31,13 +31,12 @@ void drawn_stand(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
-/* The right half of a silhouette, from the ground up. x is the distance from the axis, as a fraction of the
- * width. y is the height above the ground, as a fraction of the height. */
+/* The right half of a silhouette, from the ground up. x is 0 on the axis. x and y are relative to the width
+ * and the height. */
 enum { SILHOUETTE = 8 };
 typedef struct point silhouette[SILHOUETTE];
 
-/* Returns the silhouette of a tower with two square storeys and a lantern, or of a person. Returns NULL for a
- * domino. */
+/* Returns the silhouette of a tower or a person, or NULL for a domino. */
 static const struct point *silhouette_of(const struct drawn *k)
 {
     static const silhouette tower = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
@@ -97,8 +96,7 @@ int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
     return n;
 }
 
-/* Returns the point where the upper edge of a follower, which may be rounded, touches the back of its leader.
- */
+/* Returns where the upper edge of a follower, which may be rounded, touches its leader. */
 static struct point touch(const struct drawn *follower, const struct drawn *leader)
 {
     struct point up = direction(follower->theta), face = direction(leader->theta);
@@ -213,8 +211,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    /* With the finest tolerance, the chain includes even dominoes that are very light but large enough to be
-     * seen. */
+    /* With the finest tolerance, the chain includes light dominoes that are large enough to be seen. */
     fine.tol = domq_arithmetic(fine.precision)->tol_floor;
     stage->unit = "h";
     stage->ruler = "x";
@@ -230,8 +227,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        /* The tilts of the remaining dominoes are so close to their limit that a picture cannot show the
-         * difference, so these dominoes are drawn at the limit. */
+        /* The remaining dominoes are drawn at the limit of the tilts; the difference is too small to see. */
         train_follow(&f, (double)angles.theta_f);
         f.leans = f.leans && !angles.detaches;
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes a stage as a gnuplot script, to scale, for a picture in a file or for a frame of a film. */
+/* Writes a stage, to scale, as a gnuplot script. */
 #include "answer/wrap.h"
 #include "language/text.h"
 #include "picture/stage.h"
@@ -86,8 +86,8 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes the tics of an axis. `unit` is the unit of the labels, in the unit of the stage. The tics are `step`
- * units of the labels apart. */
+/* Writes the tics of an axis, `step` units of the labels apart. `unit` is this unit, in the unit of the
+ * stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";
@@ -138,10 +138,10 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
 
 /* ---- Labels where there is room ---- */
 
-/* The rectangle that a label covers: its centre and its size, in dots. x is the distance from 0 on the ruler,
- * and y the height above the ground. */
+/* The rectangle that a label covers, in dots. */
 struct box {
-    double x, y, wide, high;
+    double x, y; /* the centre: the distance from 0 on the ruler, and the height above the ground */
+    double wide, high;
 };
 
 enum { LABELS = 256 };
@@ -152,9 +152,8 @@ struct labels {
     int count;
 };
 
-/* Writes a label at the position x on the ruler. If `upright` is true, the label is rotated by 90 degrees and
- * starts `height` dots above the ground. Otherwise the centre of the label is at this height. Returns false
- * if the label would overlap another label. */
+/* Writes a label at the position x on the ruler. `height` is the height of its centre in dots or, if
+ * `upright` turns it by 90 degrees, of its lower end. Returns false if it would overlap another label. */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
 {
@@ -174,8 +173,7 @@ static bool label_put(struct labels *l, double x, double height, bool upright, c
     return true;
 }
 
-/* The colours of dominoes also differ in lightness, so they can be told apart in grey print and by
- * colour-blind people. */
+/* The colours also differ in lightness, for grey print and colour-blind people. */
 static const char *const fill[PARTS] = {"#f4efe2", "#e8b85a", "#4f95c4", "#c8400c", "#000000"};
 
 static const char *colour_of(const struct drawn *d)
@@ -194,8 +192,8 @@ static struct measured height_of(const struct stage *stage, size_t k)
     return measured(stage->row[k].height, "m", 3);
 }
 
-/* Writes the label that shows the height of a domino and, for a marked domino, why it is marked. Returns
- * false if the neighbouring dominoes leave no room for the label. */
+/* Writes the height of a domino and, for a marked domino, why it is marked. Returns false if the neighbours
+ * leave no room. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -211,16 +209,14 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     return drawn_marked(d) || (before > half && after > half);
 }
 
-/* Returns true if the height of a domino need not be written, because the previous domino has the same
- * height. */
+/* Returns true if the previous domino has the same height, and this one is not marked. */
 static bool height_repeats(const struct stage *stage, size_t k)
 {
     return k > 0 && !drawn_marked(&stage->domino[k]) &&
            strcmp(height_of(stage, k - 1).text, height_of(stage, k).text) == 0;
 }
 
-/* Writes the number of a domino below the ground, and its height above the domino. Returns false if there is
- * no room for one of these labels. */
+/* Writes the number of a domino below it, and the height above it. Returns false if one has no room. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -238,8 +234,7 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* If the gap before a domino is wide enough, writes the size of the gap into it, rotated by 90 degrees if
- * necessary. */
+/* Writes the size of the gap before a domino into the gap, if there is room. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -250,8 +245,7 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
 }
 
-/* Writes a line below the caption that lists the dominoes without labels, with their heights. Omits the line
- * if it would be too long. */
+/* Writes a line with the heights of the dominoes without labels, unless it would be too long. */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
 {
@@ -276,12 +270,12 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
     }
 }
 
-/* Writes numbers, heights and gaps where there is room. Marked dominoes come first. Then come the other
- * dominoes from the front, where a growing row has its largest dominoes. The gaps come last. */
+/* Writes numbers, heights and gaps where there is room. */
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
     struct labels l = {.script = script, .sheet = v};
     bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
+    /* marked dominoes, then the others from the front, where the largest ones are, and then gaps */
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);
@@ -310,8 +304,7 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push on the back of a domino as an arrow perpendicular to the back, with the size of the push at
- * the tail. */
+/* Draws the push on the back of a domino: an arrow perpendicular to it, and the size at the tail. */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,
@@ -355,7 +348,7 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
             k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
 }
 
-/* Writes the outlines of all dominoes in one state as closed curves. Returns the number of these dominoes. */
+/* Writes the outlines of all dominoes in one state as closed curves. Returns their number. */
 static int part_script(const struct stage *stage, const struct sheet *v, enum part part, FILE *script)
 {
     int count = 0;

@@ -40,20 +40,20 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
-/* Fills a domino with a character, by sampling points that are closer together than the characters. Points on
- * the edges are not sampled, because they would make the domino one character wider. */
+/* Fills a domino with a character, by sampling points that are closer than characters. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
     const char mark[2] = {(char)(k->part == ENDS      ? 'X'
                                  : k->part == WEAKEST ? '*'
                                  : k->number < 0      ? '#'
                                                       : '0' + k->number % 10)};
-    /* Only the next domino of a train may be taller than the picture, and this domino is upright. */
+    /* Only the next domino of a train may be too tall, and it is upright. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;
     for (int i = 0; i <= rows; i++)
         for (int j = 0; j <= columns; j++) {
+            /* points on the edges would make the domino one character wider */
             double up = seen * (0.02 + 0.96 * i / rows), back = (j + 0.5) / (columns + 1);
             double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
             double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
@@ -71,7 +71,7 @@ static void domino_outline(struct grid *g, const struct drawn *k)
     double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[OUTLINE] = {0},
            y[OUTLINE] = {0};
     struct point outline[OUTLINE];
-    /* The rounding of edges is too small to be seen, so only silhouettes need the exact outline. */
+    /* Rounded edges are too small to be seen, so only silhouettes need the exact outline. */
     bool is_silhouette = k->number == NUMBER_TOWER || k->number == NUMBER_PERSON;
     int phase = 0, count = is_silhouette ? drawn_outline(k, outline) : CORNERS;
     for (int i = 0; i < count; i++) {
@@ -142,7 +142,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
     }
 }
 
-/* Writes the numbers of the dominoes. Marked dominoes come first, so that there is room for their numbers. */
+/* Writes the numbers of the dominoes, where marked dominoes have priority. */
 static void numbers_draw(struct grid *g, const struct stage *stage)
 {
     struct canvas *c = &g->canvas;
@@ -174,7 +174,7 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     struct grid g = {.ground = rows - BELOW};
     if (!canvas_make(&g.canvas, look, width, rows))
         return false;
-    /* A column is left free on either side, so that the outlines at the ends are drawn completely. */
+    /* A free column on either side leaves room for the outlines at the ends. */
     double across = (stage->right - stage->left) / (width - LEFT - 2),
            up = 1.02 * stage->top / (2 * g.ground);
     g.unit = across > up ? across : up;
