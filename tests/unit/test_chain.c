@@ -178,6 +178,6 @@ static void assert_few_passes(double rho, size_t on_average, size_t at_most)
 /* A scan of samples would take hundreds of passes. */
 TEST(limits_take_few_passes)
 {
-    assert_few_passes(0, 10, 36);
-    assert_few_passes(0.01, 15, 60);
+    assert_few_passes(0, 9, 36);
+    assert_few_passes(0.01, 12, 52);
 }

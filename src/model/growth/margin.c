@@ -216,15 +216,11 @@ KERNEL void margin_follow_begin(struct margin_context *c)
     c->last[0].half = c->last[1].half = 0;
 }
 
-/* The tolerance of a margin near a root is this number times the square of margin_share at the growth before.
- */
-#define FOLLOW_ROUGH ((real)1e-4)
-
 KERNEL real margin_follow(real r, void *context)
 {
     struct margin_context *c = context;
     struct margin m = {0};
-    real tol = c->geometry.tol, next = fmax(tol, FOLLOW_ROUGH * c->share * c->share), rough, share;
+    real tol = c->geometry.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
     struct followed *last = c->last;
     /* start from the tilt extrapolated from the last two maxima */
     if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r)
@@ -235,7 +231,7 @@ KERNEL real margin_follow(real r, void *context)
         if (margin_to(c, r, rough, &m) != DOM_OK)
             return REAL_NAN;
         share = margin_share(&m);
-        next = fmax(tol, FOLLOW_ROUGH * share * share);
+        next = fmax(tol, ROUGH * share * share);
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
