@@ -71,7 +71,7 @@ TEST(two_tops)
         struct block b = {h, d, i % 5 ? 0 : 0.9 * atan(d / (2 * h)) * (2 * random_unit(&seed) - 1), 0};
         double edge = sqrt(3 * g * (hypot(h, d) - centre(&b, 0)) / (h * h + d * d));
         b.push = edge * (i % 3 ? random_log(&seed, 1.0001, 1.1) : random_log(&seed, 1.1, 5));
-        struct domq_domino domino[] = {{h, d, 0, 1, 0, 0}, {2 * h, d, gap, 1, 0, 0}};
+        struct domq_domino domino[] = {{h, d, 0, 1, 0, 0, 0}, {2 * h, d, gap, 1, 0, 0, 0}};
         struct row_setup row = row_setup_default(domino, 2, b.push);
         struct domq_fall fall;
         struct domq_verdict verdict;

@@ -434,7 +434,7 @@ TEST(radii_that_do_not_fit)
     assert_status(ask_train_check(&train), DOM_OK);
     train.alpha = lean[1] * (1 + 1e-9);
     assert_status(ask_train_check(&train), DOM_NO_STAND);
-    struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0}};
+    struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0, 0}};
     struct row_setup row = row_setup_default(two, 2, 4);
     struct domq_verdict verdict;
     row.rho = 0.01;

@@ -16,7 +16,7 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
     double unit = 2 / (g * size[0][0] * size[0][0] * size[0][0] * size[0][1]);
     for (size_t k = 0; k < count; k++)
         run->domino[k] = (struct domq_domino){
-            size[k][0], size[k][1], size[k][2], unit * size[k][0] * size[k][0] * size[k][1], 0, 0};
+            size[k][0], size[k][1], size[k][2], unit * size[k][0] * size[k][0] * size[k][1], 0, 0, 0};
     run->row = row_setup_default(NULL, count, push);
     run->row.mu = mu;
 }
