@@ -9,9 +9,8 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* `every` holds the commands of all groups. For each letter, a linked list holds the commands that begin with
- * this letter: it begins with first[letter], continues with next[index], and ends with 0. The lists store
- * each index plus 1. */
+/* The commands of all groups. Those with the same first letter form a linked list. `first` and `next` hold
+ * indices plus 1; 0 ends a list. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -54,8 +53,7 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter whose first synonym is this word. If there is none, returns the parameter that has
- * the word as a value, as q has 'hollow', or NULL. */
+/* Returns the parameter that has this word as its first synonym or, failing that, as a value. */
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
@@ -67,8 +65,7 @@ static const struct parameter *parameter_for(const char *word)
     return NULL;
 }
 
-/* Returns true if the word is a synonym of the topic. If the topic is a parameter, also returns true if the
- * word stands for one of its values. */
+/* Returns true if the word is a synonym of the topic, or a value of the parameter. */
 static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
@@ -167,8 +164,7 @@ static bool out_of_range(struct problem *problem, const struct argument *a, domq
                              range);
 }
 
-/* Checks a tilt, and stores it in radians in *number. A tilt without a unit is in the session's unit of
- * angles. */
+/* Checks a tilt. A tilt without a unit is in the session's unit of angles. */
 static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
                        domq_real *number, struct problem *problem)
 {
@@ -209,8 +205,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
                        struct problem *problem)
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
-    /* s and d are fractions of the height, so a value that is a length is divided by the height of the first
-     * domino. */
+    /* s and d are fractions of the height. A length is divided by the height of domino 1. */
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
@@ -259,6 +254,7 @@ int command_values(const struct command *c, int *fewest)
     *fewest = 0;
     for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
+        /* Arguments after one that is not a value cannot be given. */
         bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i;
         if (!is_value && !a->optional)
             return -1;

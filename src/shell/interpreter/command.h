@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each command is one entry of a table. Parsing, error messages, help, completion, and the value of the
- * command in expressions all follow from this entry. */
+/* A command is one entry of a table. Its syntax, help, completion and value in expressions all come from this
+ * entry. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -46,15 +46,13 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    /* For ARGUMENT_OF, the name of the parameter. For other kinds, the noun that messages use for a value or
-     * a choice. */
+    /* For ARGUMENT_OF: the name of the parameter. Otherwise the noun for a value in messages. */
     const char *of;
     int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Functions for the kinds from ARGUMENT_GRID to ARGUMENT_UNIT; NULL for other kinds. `parse` stores its
-     * result in question->parsed. `bind` evaluates this result in the state of the query, and stores the
-     * values in given->bound. */
+    /* Only for the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. `parse` stores its result in question->parsed.
+     * `bind` computes the values from it, and stores them in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -91,21 +89,23 @@ struct command {
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
-    /* The name of a parameter whose value the answer repeats in a column, or NULL. A sweep over this
-     * parameter omits the column, unless an argument of the command takes the place of the parameter. */
+    /* The name of a parameter whose value the answer repeats in a column. A sweep over this parameter omits
+     * the column, unless an argument replaces the parameter. */
     const char *echo;
-    /* The key of the last column if this column takes much longer to compute than the others, and otherwise
-     * NULL. Sweeps and expressions leave it out. */
+    /* The key of a last column that takes long to compute. Sweeps and expressions omit it. */
     const char *alone;
     /* The reason why 'sweep' refuses this command, or NULL. Also NULL for commands that compute nothing. */
     const char *unswept;
     bool train; /* the answer is about the endless train */
-    /* What the command writes. In csv and json, a picture is written as its data. A chart is a picture that
-     * can also be written to a .tex file. A document is text that can also be written to a .md or .tex file.
-     * A page is long text for the pager. */
-    enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
-    /* For a command that answers yes or no: the statement that is true if the answer is yes. See
-     * answer_holds. */
+    /* What the command writes: */
+    enum {
+        WRITES_DATA,
+        WRITES_PICTURES,  /* in csv and json: the data of a picture */
+        WRITES_CHARTS,    /* pictures that can also be written to a .tex file */
+        WRITES_DOCUMENTS, /* text that can also be written to a .md or .tex file */
+        WRITES_PAGES,     /* long text for the pager */
+    } writes;
+    /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_holds). */
     const char *holds;
     bool runs;  /* the command runs other commands, whose answers go to the same output */
     bool files; /* the command reads or writes files, so a safe session refuses to run it */
@@ -113,8 +113,8 @@ struct command {
     bool changes;
     /* the shortest abbreviation that stands for this command even though other commands begin with it */
     const char *shortest;
-    /* Computes the answer to a query. A command that changes something stores the new state in query->next.
-     * On failure, sets *problem and returns false. */
+    /* Computes the answer to a query, and stores any new state in query->next. On failure, sets *problem and
+     * returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
     /* Called instead of `run` if the command needs the whole session, and not only its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
@@ -128,49 +128,38 @@ struct command_group {
     const struct command *commands; /* the commands of the group; the name of the last element is NULL */
 };
 
-/*
- * Registers the groups of all commands. The title of the last element is NULL. Must be called before the
- * first command runs. The array is defined in commands/registry.c, so that the interpreter does not depend on
- * the individual commands.
- */
+/* Registers the groups of all commands. The title of the last element is NULL. Call this function before the
+ * first command runs. */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Lists of names (see names_list in names.h). command_names has all commands, and topic_names all commands
- * and parameters. answer_keys has all column keys of a command's answer, and command_keys only those that a
- * sweep or an expression can ask for. */
+/* Functions of type names_list (see names.h): */
 const char *command_names(const void *context, int k);
-const char *topic_names(const void *context, int k);
-const char *answer_keys(const void *command, int k);
-const char *command_keys(const void *command, int k);
+const char *topic_names(const void *context, int k);  /* all commands and parameters */
+const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
+const char *command_keys(const void *command, int k); /* those that a sweep or an expression can ask for */
 
-/* A names_list of all names that have a value in the state `context`. If `context` is NULL, the list has only
- * names that have a value in every state. */
+/* A names_list of the names that have a value in the state `context` or, if it is NULL, in every state. */
 const char *value_names(const void *context, int k);
 
-/* Of the topics that have this word as a synonym, returns number k, counted from 0, or NULL if there are
- * fewer. For example, 'growth' is a synonym of r, and 'speed' of several topics. */
+/* Returns number k (counted from 0) of the topics with this synonym, or NULL. For example, 'speed' is a
+ * synonym of several topics. */
 const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns true for 'print', the command of a line that is only an expression. Messages do not mention
- * 'print', because the user has usually not typed it. */
+/* Returns true for 'print'. Messages do not mention 'print', because the user can omit it. */
 bool command_is_print(const struct command *command);
 
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/*
- * Returns the maximum number of arguments that a command takes in an expression, and stores the minimum
- * number in *fewest. An argument that is not a value cannot be given in an expression, nor can the arguments
- * after it. Returns -1 if the command cannot be used in an expression.
- */
+/* Returns the maximum number of arguments in an expression, or -1 if the command cannot be used there. Stores
+ * the minimum in *fewest. Only values can be arguments in an expression. */
 int command_values(const struct command *command, int *fewest);
 
-/* Returns the usage of a command, such as "rmax [S]". The text lives until the end of the block that contains
- * the call. */
+/* Returns a text such as "rmax [S]". It lives until the end of the block that contains the call. */
 enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
@@ -183,25 +172,24 @@ static inline bool command_allowed(const struct means *means, const struct comma
            problem_error(problem, "a safe session cannot read or write files");
 }
 
-/* Returns an answer for a command to fill in. This answer is not printed: only the cells of its last row are
- * stored, in `kept`. */
+/* Returns an answer that is not printed. It stores the cells of its last row in `kept`. */
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit of an argument as a quantity with the value 1. The unit of a plain number is 1. */
+/* Returns the unit of an argument, with the value 1. A plain number has the unit 1. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Checks the value of an argument, and stores the value in SI units in *number. Sets *problem and returns
- * false if the unit or the value is wrong. */
+/* Checks the unit and the value of an argument, and stores the value in SI units. On failure, sets *problem
+ * and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns the angular velocity omega with its error bound. `omegasq` is tau^2 omega^2, and `error` is its
- * error bound. If omegasq may be 0, the error bound on omega is sqrt(error) / tau. */
+/* Returns omega with its error bound, from omegasq = tau^2 omega^2 and the error bound of omegasq. If omegasq
+ * may be 0, the bound on omega is sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* CELL_OF makes a cell from a member of a result and the error bound on this member. CELL_TIMES multiplies
- * the member and its bound by a factor. */
+/* CELL_OF makes a cell from a member of a result and its error bound. CELL_TIMES multiplies both by a
+ * factor. */
 #define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
 #define CELL_TIMES(result, member, factor)                                                                   \
     cell_bound((result).member *(factor), (result).error.member *(factor))

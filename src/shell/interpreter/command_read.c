@@ -6,8 +6,7 @@
 
 /* ---- Definitions ---- */
 
-/* Reads a name, and skips the blanks before and after it. Returns the position after the blanks, or NULL if
- * there is no name. */
+/* Reads a name and the blanks around it. Returns the position after them, or NULL if there is no name. */
 static const char *definition_name(const char *c, char name[VARIABLE_NAME])
 {
     c = skip_blanks(c);
@@ -86,8 +85,8 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true if a command that cannot be used in expressions is written like a function, as in "quit()" or
- * "print(2)". In this case, moves the reader past the name and past an empty "()". */
+/* Returns true for a command without a value that is written like a function, as in "quit()" or "print(2)".
+ * Moves the reader past the name and an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -109,8 +108,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns the command that an assignment "NAME = VALUE" stands for, which is 'set' or 'let'. If NAME is
- * neither a parameter nor a variable, sets the reader's problem and returns NULL. */
+/* Returns 'set' or 'let', whichever "NAME = VALUE" stands for. If NAME is unknown, reports a problem and
+ * returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -133,8 +132,7 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
-/* Returns the command that a shorthand stands for. Returns NULL if the line is not a shorthand, or if there
- * is a problem. */
+/* Returns the command that a shorthand stands for. Returns NULL for other lines, and after an error. */
 static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
@@ -182,8 +180,7 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Chooses among several commands that begin with `name`. Returns the index of the command that claims this
- * abbreviation by its member `shortest`, or NAMES_SEVERAL if no command does. */
+/* Returns the index of the command that claims this abbreviation by its `shortest`, or NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
     const char *all;
@@ -205,8 +202,7 @@ static const char *synonym_command(const char *word)
     return NULL;
 }
 
-/* Reports that no command has this name, and suggests what the user may have meant. `k` and `message` are the
- * results of names_find for this name. */
+/* Reports an unknown command, with a suggestion. `k` and `message` are the results of names_find. */
 static void command_unknown(struct reader *r, const char *name, int k, const char *message)
 {
     const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);
@@ -232,8 +228,7 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
-/* Reads the name of a command, which may be abbreviated, and returns the command. If there is no such
- * command, sets the reader's problem and returns NULL. */
+/* Reads the name of a command, which may be abbreviated. Reports an unknown command and returns NULL. */
 static const struct command *name_read(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE], exact[VARIABLE_NAME];

@@ -15,8 +15,8 @@
 #define TRAIN_NOTE                                                                                           \
     "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
 
-/* Tells the user that the answer is about the endless train, and not about the row of the scene. This note
- * goes below the answer, or to standard error if the answer is a picture in a file. */
+/* Tells the user that the answer is about the endless train, not about the row. If the answer is a picture in
+ * a file, the note goes to standard error. */
 static void train_note(const struct session *session, struct answer *answer)
 {
     const char *note =
@@ -38,8 +38,7 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs one of the command's functions: `act` if the command has it, `picture` if the answer is drawn into a
- * file, and otherwise `run`. */
+/* Runs the function `act` of a command if it has one, `picture` for a picture file, and otherwise `run`. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -109,8 +108,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     return done;
 }
 
-/* Runs a command through the pager if its answer may be longer than the terminal: a help page or, at the
- * prompt, any answer. */
+/* Runs a command. Help pages, and at the prompt also tables, go through the pager. */
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
@@ -144,8 +142,7 @@ static const char *endings_of(const struct command *c)
                                    : ".txt";
 }
 
-/* Returns true if the answer of the command can be written to a file with this extension. Otherwise reports a
- * problem and returns false. */
+/* Returns true if the command can write a file with this extension. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct ending *ending = ending_of(path);
@@ -212,17 +209,13 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 
 /* ---- Commands ---- */
 
-/*
- * Returns true if the command has written nothing. A program may be waiting for its answer, so an empty JSON
- * object is written instead. With --shard, the outputs of all parts are concatenated; only part 1 writes the
- * object, and only if the answer is not a table.
- */
+/* Returns true if the command has written nothing. A JSON object is then written for programs that wait for
+ * an answer. With --shard, only part 1 writes it, because all outputs are concatenated. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote tells whether the last command of the file wrote rows, and not whether
-     * 'source' did. */
+    /* After 'source', session->wrote is about the last command of the file. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
@@ -270,21 +263,20 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if the commands of the current line are logged. The commands of a sourced file are not logged,
- * because the 'source' command is logged instead. */
+/* Returns true if the current line is logged. Of a sourced file, only the 'source' command is logged. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a line. If one of them opens a log, only the commands after it are logged. */
+/* Runs the commands of a line. If one of them opens a log, the later ones are logged. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* A line with several commands is logged before it runs, because a later command may fail after others
-     * have run. A line with a single command is logged after it is known whether the command failed. */
+    /* Several commands are logged at once, because some may run before another fails. A single command is
+     * logged when its result is known. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
@@ -294,8 +286,8 @@ static void run_commands(struct session *session, const struct text *text, const
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
-            /* The parser, and not text_end, decides where a command ends: 'complete LINE' takes the rest of
-             * the line, and a '"' within a word is an ordinary character. */
+            /* Only the parser knows where a command ends. For example, 'complete LINE' takes the rest of the
+             * line. */
             end = r.at > end || command_ends(r.at) ? r.at : end;
         }
         if (*end != ';' || session_stops(session, errors))
@@ -325,7 +317,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.length = (int)length;
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
-    /* The files of 'log' and 'tee' are flushed after each line, so that no lines are lost in a crash. */
+    /* 'log' and 'tee' are flushed after each line, in case of a crash. */
     const char *wrong = records_flush(&session->output);
     if (wrong)
         session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
@@ -333,8 +325,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* At the prompt and with --interruptible, SIGINT ends only the running command. Forgets a SIGINT that has
- * arrived before or during it. */
+/* Forgets an earlier SIGINT. At the prompt and with --interruptible, SIGINT ends only one command. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)

@@ -11,8 +11,7 @@ bool is_value_name(const struct state *state, const char *name)
 
 /* ---- Expressions ---- */
 
-/* Returns true if the word at `at` may follow a value. Otherwise the word was probably meant as a unit;
- * reports what is wrong with it, and returns false. */
+/* Returns true if the word at `at` may follow a value. Otherwise reports a misspelled or misplaced unit. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN];
@@ -32,8 +31,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Reports an error in the expression for the argument `name`. The message quotes the wrong word. Does nothing
- * if a problem has already been reported. Returns false. */
+/* Reports an error in the expression for the argument `name`, unless a problem is known already. Returns
+ * false. */
 static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
                        const struct expression_error *error)
 {
@@ -47,8 +46,7 @@ static bool item_wrong(struct problem *problem, const struct text *text, const c
                           *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word), error->message);
 }
 
-/* Reports a character that directly follows a value, where there should be a blank or an operator. Returns
- * false. */
+/* Reports a character after a value that is neither a blank nor an operator. Returns false. */
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     reader_place(r, end);
@@ -68,8 +66,7 @@ static bool ends_in_number(const char *begin, const char *end)
     return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
 }
 
-/* Records what may be typed at the cursor: a value, the rest of an expression, or the unit of the last
- * number. `good` is true if the expression was parsed without an error. */
+/* Records what may be typed at the cursor: a value, the rest of an expression, or a unit. */
 static void expression_offer(const struct reader *r, const struct argument *a, const struct parse *p,
                              bool good)
 {
@@ -101,8 +98,7 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     return t;
 }
 
-/* Resolves the names in the expression of an item. A problem in the body of a function has no column, because
- * the body is not part of the line. */
+/* Resolves the names in an expression. Problems in the body of a function have no column in the line. */
 static bool item_resolve(struct reader *r, struct expression_error *error, struct tree *tree)
 {
     struct reader inside = *r;
@@ -166,12 +162,8 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /* ---- Words for values ---- */
 
-/*
- * Reads a word and returns its index in a list of words for values. The word may be abbreviated, unless it
- * could also begin an expression, as h could in 'set q h'. `is_word_only` is true if the value cannot be an
- * expression. If the word is not in the list, returns a negative number and does not move the reader. The
- * message then comes from names_find, or is empty if the word could begin an expression.
- */
+/* Returns the index of the next word in a list, or a negative number without moving the reader. The word may
+ * be abbreviated, unless it may be an expression, as h in 'set q h'. In that case `message` is empty. */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
@@ -307,8 +299,7 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    /* In a list of names and values, 's' is the separation and not seconds. 'g' is gravity and not gram,
-     * unless the value is a mass. */
+    /* In "r 2 s 0.3 g 1.6", s and g are parameters, not second and gram. After a mass, g is gram. */
     r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;

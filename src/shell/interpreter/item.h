@@ -1,25 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses and binds the values among a command's arguments. A value is parsed once. To bind it in a state
- * means to evaluate it and to check the result; a sweep does this at every point. */
+/* Parses and binds values among a command's arguments. To bind a value means to evaluate it in a state and
+ * check it. A sweep binds a value at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* The parsers below move the reader forward. After an error they set the reader's problem and return false or
- * NULL. */
+/* The parsers below move the reader. After an error, they set its problem and return false or NULL. */
 
 /* Parses an expression for an argument. The item keeps a pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses value number i of a parameter: one of the parameter's words, or an expression. Messages call the
- * value `name`. */
+/* Parses value number i of a parameter: a word or an expression. Messages call the value `name`. */
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                       struct item *item);
 
-/* Parses one value in a list of names and values, such as "r 1.5 s 0.3". Another name may follow. For an
- * effect, the value "on" stands for its usual value. */
+/* Parses one value of a list such as "r 1.5 s 0.3". The value "on" of an effect stands for its usual
+ * value. */
 bool item_parse_listed(struct reader *reader, const struct parameter *parameter, struct item *item);
 
 /* Parses one of the argument's choices. The item's number is the index of the choice. */
@@ -28,21 +26,19 @@ bool item_parse_choice(struct reader *reader, const struct argument *argument, s
 /* Parses an angle or one of the argument's choices. For choice k, the item's number is -1 - k. */
 bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses the name of an effect or of a parameter of the model. `form` is the end of the error message, and
- * shows what the command takes. */
+/* Parses the name of an effect or parameter of the model. Error messages end with `form`, which shows what
+ * the command takes. */
 const struct parameter *parameter_parse(struct reader *reader, const char *form);
 
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes the value of an item and checks it against the item's argument. Stores the value in *number and,
- * with its unit, in *quantity, which may be NULL. On failure, sets *problem and returns false. If `text` is
- * not NULL, the column of the problem is that of the value in this text. */
+/* Computes and checks the value of an item. Stores it in *number and, with its unit, in *quantity, which may
+ * be NULL. On failure, sets *problem and returns false. The problem has a column if `text` is not NULL. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
-/* Returns true if the name has a value in this state. If the state is NULL, returns true if the name has a
- * value in every state. */
+/* Returns true if the name has a value in this state, or in every state if `state` is NULL. */
 bool is_value_name(const struct state *state, const char *name);
 
 /* A names_list of the parameters of the model and, after them, the effects. */

@@ -10,8 +10,7 @@ struct lookup {
     struct problem *problem;         /* receives the reason why a command has no answer */
 };
 
-/* `cells` is a row of the answer of the command t->refers. Stores the number of cell t->index in *result. On
- * failure, sets the error and returns false. */
+/* Stores cell t->index of a row of the command t->refers. An empty cell or a word is an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {
@@ -50,8 +49,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
-/* Evaluates a function defined by 'let'. The body of the function can use the arguments of this function, but
- * not those of its caller. */
+/* Evaluates a 'let' function. Its body can use its own arguments, but not those of its caller. */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {
@@ -79,8 +77,7 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem);
 }
 
-/* Evaluates "(VALUE with NAME VALUE ...)": changes the parameters after 'with' in a copy of the state, and
- * evaluates VALUE in this copy. */
+/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
 static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
                                                     struct quantity *result)
 {

@@ -16,9 +16,9 @@ enum preview {
 };
 
 /*
- * Parses the first `length` bytes of a line, followed by `tail`, and says whether the last command is wrong,
- * incomplete or complete. If `offer` is not NULL, the last character of `tail` must be the cursor, and *offer
- * records what may be typed there. If `offer` is NULL, the values of arguments are also computed and checked.
+ * Parses `length` bytes of a line and then `tail`, and judges the last command. If `offer` is not NULL,
+ * `tail` ends in the cursor, and *offer records what may be typed there. Otherwise, values are also computed
+ * and checked.
  */
 enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
                           struct offer *offer);

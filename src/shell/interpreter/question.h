@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A question is a parsed command with its arguments. While the line is parsed, the syntax is checked and
- * names are resolved. The values are computed later, when the question is bound in a state; a sweep binds its
- * question at every point. A parsed question does not change, so threads can share it. Its memory is in the
- * arena of the line.
+ * A question is a parsed command with its arguments. Names are resolved, but values are computed when the
+ * question is bound in a state. A sweep binds its question at every point. Threads can share a question. Its
+ * memory is in the arena of the line.
  */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
@@ -26,17 +25,16 @@ struct question {
     const char *name; /* the text of the question as typed, for messages */
 };
 
-/* Parses the command at the reader's position, and its arguments. On failure, sets the reader's problem and
- * returns false. */
+/* After an error, the functions below set the reader's problem or *problem, and return false. */
+
+/* Parses the command at the reader's position, and its arguments. */
 bool command_parse(struct reader *reader, struct question *question);
 
-/* Parses the arguments of question->command, up to the end of the command, a '>' or one of the reader's
- * `stops`. On failure, sets the reader's problem and returns false. */
+/* Parses the arguments of question->command, up to the end, a '>' or one of the reader's `stops`. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question that is an argument of another command: COMMAND, COMMAND.KEY, or an expression, which
- * becomes a question of the command 'print'. If `is_number` is true, the answer must be a single number. On
- * failure, sets the reader's problem and returns false. */
+/* Parses a question inside another command: COMMAND, COMMAND.KEY, or an expression for 'print'. If
+ * `is_number` is true, the answer must be one number. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
 /* A names_list of the commands that question_parse_any accepts. */
@@ -52,27 +50,25 @@ struct call {
     struct state state; /* the state after the assignments of 'with', if there are any */
 };
 
-/* Binds a question in the state of a query. On failure, sets *problem and returns false. In both cases the
- * caller must free the arena call->given.memory. */
+/* Binds a question in the state of a query. Even after an error, the caller must free call->given.memory. */
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 
-/* Allocates zeroed memory from the arena given->memory for the result of argument.bind, and makes
- * given->bound point to this memory. If memory runs out, sets *problem and returns NULL. */
+/* Allocates zeroed memory in given->memory for the result of argument.bind, and makes given->bound point to
+ * it. Returns NULL if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
-/* Binds a question and runs its command. On failure, sets *problem and returns false. */
+/* Binds a question and runs its command. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Binds a question, runs its command, and stores one number of the answer in SI units: the cell of
- * question->key, or the value of an expression. On failure, sets *problem and returns false. */
+/* Binds and runs a question. Stores one number in SI units: the cell of question->key, or the value of an
+ * expression. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question asks for a single number. Otherwise sets *problem to a message that lists the
- * keys to choose from, and returns false. */
+/* Returns true if the question asks for one number. Otherwise the problem lists the keys to choose from. */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

@@ -23,7 +23,7 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          usage);
 }
 
-/* Returns true if argument i, a value of an effect, is optional and the word is meant for a later value. */
+/* Returns true if value i of an effect is optional and the word belongs to a later value. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
@@ -34,8 +34,7 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
     return false;
 }
 
-/* Parses argument i of a question, which is a value of question->parameter. Some parameters accept the name
- * of a file instead of values. */
+/* Parses argument i, a value of question->parameter. For some parameters it may be a file. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -60,7 +59,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* If the word is meant for a later value, argument i has been left out and gets its usual value. */
+    /* If the word belongs to a later value, this value has been omitted. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
@@ -80,8 +79,7 @@ static bool is_expression_topic(const char *word)
     return is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
-/* Parses the name of a parameter or of a topic. If the command takes no value after the name, the name of a
- * variable is also accepted. */
+/* Parses the name of a parameter or topic. Variables are accepted if no value follows. */
 static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     char message[NAMES_MESSAGE];
@@ -173,8 +171,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Commands have no options. If '--check' follows a command that answers yes or no, this function reports
- * that 'assert' can be used instead, and returns true. */
+/* Commands have no options. At '--check' after a yes-or-no command, reports that 'assert' does this, and
+ * returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
@@ -184,8 +182,7 @@ static bool check_wrong(const struct reader *r, const struct command *c)
     return true;
 }
 
-/* Parses "with NAME VALUE ..." if this text is next. On failure, sets the reader's problem and returns false.
- */
+/* Parses "with NAME VALUE ...", if this text is next. Returns false after an error. */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))
@@ -200,8 +197,7 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true if the reader is at the end of the command, at a '>', or at one of the characters in r->stops.
- * Otherwise reports a problem and returns false. */
+/* Returns true at the end of the command, a '>' or one of r->stops. Otherwise reports a problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
@@ -265,9 +261,8 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside of other commands ---- */
 
-/* Parses a word of the form COMMAND or COMMAND.KEY, and returns the command. Returns NULL if the command does
- * not exist or computes nothing. Stores the index of the column KEY in *key, or -1 if there is no such
- * column. Without a KEY, stores the index of the principal column. */
+/* Returns the command of COMMAND or COMMAND.KEY, or NULL if it computes nothing. Stores the column KEY or,
+ * without a KEY, the principal column. *key is -1 if there is no such column. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

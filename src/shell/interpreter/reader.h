@@ -9,21 +9,17 @@
 
 enum { OFFER_LISTS = 8 };
 
-/* What completion can offer at the cursor, apart from the names of a list and the values of an argument. */
+/* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
-/*
- * What may be typed next, for completion, hints and colours. A line that is being typed is parsed with a
- * cursor at its end, a character that no parser accepts. Every function that tries to read at the cursor
- * records in this struct what it would accept.
- */
+/* What may be typed next, for completion, hints and colours. Typed text is parsed with a cursor at its end,
+ * which no parser accepts. A function that fails there records what it would accept. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    /* The argument to which the expression at the cursor belongs. Its kind is ARGUMENT_NONE if there is no
-     * such expression. */
+    /* The argument whose expression is at the cursor. Otherwise its kind is ARGUMENT_NONE. */
     struct argument value;
     bool is_inside;                    /* the cursor is not at the beginning of the expression */
     unsigned kinds;                    /* bits of enum offer_kind */
@@ -31,8 +27,7 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* An array with one element for each byte of the line, or NULL. An element is set to true if its byte
-     * belongs to a command's name. */
+    /* One element for each byte of the line: true in the name of a command. May be NULL. */
     bool *is_command;
 };
 
@@ -42,7 +37,7 @@ struct reader {
     const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
-    /* Additional characters that end a word or value, such as the ',' in a list of values. May be NULL. */
+    /* More characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
     bool unresolved;     /* names in expressions are left to be resolved later */
@@ -69,15 +64,14 @@ void reader_named(const struct reader *reader, const char *begin, const char *en
 /* Sets the column of the next problem to that of the character at `at`. */
 void reader_place(const struct reader *reader, const char *at);
 
-/* Returns true if a command ends at c, which is the end of the text, a ';', or a '#' that begins a
- * comment. */
+/* Returns true if a command ends at c. */
 static inline bool command_ends(const char *c)
 {
     return *c == '\0' || *c == ';' || *c == '#';
 }
 
-/* Skips blanks. Returns true if no argument follows: the command ends, or '>', '|', 'with' or one of the
- * reader's `stops` is next. */
+/* Skips blanks. Returns true after the last argument: at the end, or at '>', '|', 'with' or one of
+ * `stops`. */
 bool reader_ends(struct reader *reader);
 
 /* Returns true if the next word is `word`, and not a longer word that begins with `word`. */
@@ -86,20 +80,16 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the next word is `word`, skips this word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a string in the
- * arena. Both set the reader's problem and return NULL if memory runs out. */
+/* reader_memory returns zeroed memory of the arena, and reader_copy a copy of a string. If memory runs out,
+ * both set the reader's problem and return NULL. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
-/*
- * Reads a word, which ends at a blank. If `quotes` is true, also reads text in double quotes, where '""'
- * stands for one '"'. The result is allocated in the arena. If a '"' is never closed, sets the reader's
- * problem and returns NULL.
- */
+/* Reads a word up to a blank, into the arena. If `quotes` is true, also reads text in double quotes, where
+ * '""' stands for one '"'. Without a closing quote, sets the reader's problem and returns NULL. */
 char *read_word(struct reader *reader, bool quotes);
 
-/* Like read_word, reads a word or a quoted text, but as it was typed: Greek letters are not replaced by their
- * names. */
+/* Reads a word or quoted text as it was typed, without replacing Greek letters. */
 char *read_text(struct reader *reader);
 
 /* Reads the name of a file, as read_text does. A leading '~' is replaced by the home directory. */

@@ -3,15 +3,13 @@
 #include "session/parameters.h"
 #include <string.h>
 
-/* The maximum height of a tree, and the maximum depth of nested function calls. Each level uses part of the
- * stack, which may be as small as 128 kB. */
+/* Limits for trees and nested function calls. Each level needs stack, which may be only 128 kB. */
 enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol without arguments. Returns 0, as the functions below do for a node without
- * children. */
+/* Turns a node into a symbol without arguments. Returns 0, the height of its children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -21,8 +19,7 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
     return 0;
 }
 
-/* The functions below resolve a node or its children. They return the largest height of a child, or -1 after
- * an error. */
+/* The functions below resolve a node. They return the largest height of a child, or -1 after an error. */
 
 static int children_resolve(struct resolver *r, struct tree *t)
 {
@@ -91,9 +88,8 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of the column that a name in an expression stands for. "ans.margin" or "rmax.r" includes
- * the key of the column, and a name without a key stands for the principal column. Stores the unit of the
- * column in the tree. Returns -1 after an error. */
+/* Returns the column for a name such as "ans.margin" or "rmax.r", or -1 after an error. Without a key, this
+ * is the principal column. Stores the unit of the column in the tree. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

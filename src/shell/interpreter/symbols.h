@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The names in expressions: parameters, variables, functions defined by 'let', the last answer, and commands
- * with their keys. Names are resolved once, when the line is parsed. A sweep then evaluates the resolved tree
- * at every point.
- */
+/* The names in expressions: parameters, variables, 'let' functions, the last answer, and commands with their
+ * keys. Names are resolved once, and a sweep evaluates the resolved tree at every point. */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
 
@@ -25,21 +22,20 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* What a node of kind TREE_SYMBOL stands for, and what the member `refers` of the node points to. The member
- * `value` of a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is its unit. */
+/* What a node of kind TREE_SYMBOL stands for, and what `refers` points to. The `value` of a SYMBOL_PARAMETER,
+ * SYMBOL_COMMAND or SYMBOL_ANS is its unit. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* The struct command that gave the last answer; the value is column `index` of this answer. If `refers`
-     * is NULL, the value is the last one that 'print' has shown. */
+    /* The struct command of the last answer, and its column `index`. If `refers` is NULL, the last value of
+     * 'print'. */
     SYMBOL_ANS,
     SYMBOL_WITH, /* a list of struct assignment, which is in force while the child node is evaluated */
 };
 
-/* A function defined by 'let', after the names in its body have been resolved. Each expression that uses a
- * function has its own copy of this struct. */
+/* A 'let' function whose names have been resolved. Each expression has a copy of its own. */
 struct routine {
     const struct variable *function;
     const struct tree *body;
@@ -62,21 +58,19 @@ struct resolver {
     int depth; /* the nesting depth of the function whose body is being resolved */
 };
 
-/* Resolves every name of a tree. Returns the height of the tree. After an error, sets *resolver->error and
- * returns -1. */
+/* Resolves all names of a tree. Returns its height, or sets *resolver->error and returns -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
-/* Adds the name of a function to the message about an error in its body. `at` is the position where an
- * expression uses the function. */
+/* Adds the name of a function to the message about an error in its body. `at` is the place of the call. */
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 
-/* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either *error or
- * *problem. */
+/* Evaluates a resolved tree in the state of a query. After an error, sets *error or *problem and returns
+ * false. */
 bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
                     struct expression_error *error, struct problem *problem);
 
-/* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a copy
- * of the query that refers to *state. On failure, sets *problem and returns false. */
+/* Copies the query's state to *state, and assigns values to its parameters. *changed becomes a query of this
+ * state. On failure, sets *problem and returns false. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 
