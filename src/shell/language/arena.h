@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An arena: memory that is allocated in pieces and freed all at once. The result of parsing a command lives
- * in an arena until the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
+/* An arena is memory that is allocated in pieces and freed at once. A parsed command lives in an arena until
+ * it has run. `struct arena arena = {.block = NULL}` is an empty arena. */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 
@@ -14,8 +14,7 @@ struct arena {
 /* Returns zeroed memory that is aligned for any type, or NULL if memory runs out. */
 void *arena_take(struct arena *arena, size_t size);
 
-/* Returns a copy of the first `length` bytes of a text, terminated by a NUL byte. Returns NULL if memory runs
- * out. */
+/* Returns a copy of the first `length` bytes of a text, with a NUL byte, or NULL if memory runs out. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 
 /* Frees all memory of the arena. The arena is then empty, and can be used again. */

@@ -87,8 +87,7 @@ static bool at_end(const struct csv_file *file)
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell. If another cell follows, skips the separator and sets *more to true. Otherwise skips the rest
- * of the line and sets *more to false. On failure, sets file->problem and returns false. */
+/* Reads a cell, and the separator or the rest of the line. Sets *more to true if another cell follows. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);
@@ -124,16 +123,12 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
     return true;
 }
 
-/*
- * Finds the separator. A line such as "sep=;" above the first line names the separator, and is skipped.
- * Otherwise the separator is ';' if the first line contains one. Otherwise it is a tab if the first tab of
- * the first line stands directly between two names, or if the first line has no comma. In all other cases it
- * is a comma.
- */
+/* Finds the separator. A line such as "sep=;" names it, and is skipped. */
 static void separator_find(struct csv_file *file)
 {
     const char *name = file->next + (*file->next == '"'), *tab = text_end(file->next, "\t\n");
     bool named = strncasecmp(name, "sep=", 4) == 0 && name[4] && strchr(",;\t", name[4]);
+    /* A tab directly between two names is a separator, even if there are commas. */
     bool tabs = *tab == '\t' && tab > file->next && tab[-1] != ',' && !strchr(" \t,#\n", tab[1]);
     bool commas = *text_end(file->next, ",\n") == ',' && !tabs;
     file->separator = *(named ? name + 4 : *text_end(file->next, ";\n") == ';' ? ";" : commas ? "," : "\t");

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Splits csv files, as people and spreadsheets write them, into lines and cells. csv_table.h interprets the
- * cells. Cells are separated by ',', ';' or tabs. The first line, or a line "sep=;" above it, shows which of
- * these separators a file uses. A quoted cell may contain separators and newlines, and '""' in a quoted cell
- * stands for one quote. Lines end with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a
- * cell are skipped. A comment begins with a '#' at the beginning of a line or after a blank.
+ * Splits csv files into lines and cells, which csv_table.h interprets.
+ * - Separators are ',', ';' or tabs. The first line, or a line "sep=;" above it, shows which.
+ * - A quoted cell may contain separators, newlines, and '""' for one quote.
+ * - Lines end with LF, CRLF or CR.
+ * - A byte order mark, empty lines, and blanks around a cell are skipped.
+ * - A comment begins with a '#' at the beginning of a line or after a blank.
  *
- * Numbers have a decimal point or a decimal comma. "1,234" may mean 1.234 or 1234. The text "1,234" is read
- * as 1.234 if the cells are separated by ';', if the locale has decimal commas, or if another number in the
- * file can only be read with a decimal comma. Otherwise it is an error. In a file with decimal commas,
- * "1.234" is an error.
+ * Numbers have a decimal point or a decimal comma. The ambiguous "1,234" is read as 1.234 in these cases:
+ * - The separator is ';'.
+ * - The locale has decimal commas.
+ * - Another number can only be read with a decimal comma.
+ * In other files "1,234" is an error. In a file with decimal commas, "1.234" is an error.
  */
 #ifndef SHELL_CSV_H
 #define SHELL_CSV_H
@@ -18,10 +20,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The maximum numbers of cells in a line, of bytes in a line with its line ending, and of bytes in a file. */
+/* The maximum number of cells and bytes in a line, and of bytes in a file. */
 enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
-/* A position in a file: the number of a line, and of a character in this line. Both count from 1. */
+/* A line of a file, and a character of this line. Both count from 1. */
 struct csv_place {
     long line;
     int column;
@@ -58,8 +60,8 @@ struct csv_file {
         bool is_used;
         /* in some number, '.' (or ',') can only be the decimal mark */
         bool is_clear;
-        /* The position of the first number in which the '.' (or ',') could also be a thousands separator.
-         * at.line is 0 if there is no such number. */
+        /* The place of the first number in which the mark could separate thousands. at.line is 0 without such
+         * a number. */
         struct csv_place at;
         char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
     } point, comma;
@@ -69,27 +71,26 @@ struct csv_file {
 bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Reads a whole file into file->text, which the caller frees. On failure, sets file->problem and returns
- * false. */
+/* After an error, the functions below set file->problem and return false. */
+
+/* Reads a whole file into file->text, which the caller frees. */
 bool csv_load(struct csv_file *file, FILE *in);
 
-/* Reads the next record that is not empty. Returns false at the end of the file. After an error, sets
- * file->problem and returns false. */
+/* Reads the next record that is not empty. Returns false at the end of the file. */
 bool csv_read(struct csv_file *file, struct csv_record *record);
 
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Replaces decimal commas in the text of a cell by points, and records which decimal marks the cell uses.
- * `at` is the position of the cell. On failure, sets file->problem and returns false. */
+/* Replaces decimal commas in the text of a cell by points, and records its decimal marks. `at` is the
+ * position of the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Must be called after the last number. If a number in the file can be read in two ways, sets file->problem
- * and returns false. */
+/* Must be called after the last number. Ambiguous numbers are a problem of the file. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell, in quotes if it contains any of the characters in `quoted`. Escapes control characters
- * except newlines and tabs. */
+/* Writes a cell, quoted if it contains one of the characters `quoted`. Escapes control characters except
+ * newlines and tabs. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -23,7 +23,7 @@ static bool is_empty(const char *text)
 
 enum { UNIT = 32 };
 
-/* Copies the unit from a text such as "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
+/* Copies the unit of a text such as "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
@@ -56,8 +56,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     return true;
 }
 
-/* Reads the second line. If any of its cells is a unit, the line gives the units of the columns. Otherwise
- * the line is the first row. */
+/* Reads the second line, which may give units. Otherwise it is the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -83,8 +82,8 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Splits the heading of a column into a name and a unit. The unit follows a bracket or a comma, or is the
- * last word. Copies the name in lower case, and returns a pointer to the unit. */
+/* Splits a heading into a name in lower case and a unit, which it returns. The unit follows a bracket or
+ * comma, or is the last word. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
@@ -223,8 +222,7 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Reports that a unit is missing. No unit is assumed, because dominoes of 48 mm might then be read as
- * dominoes of 48 m. Returns false. */
+/* Reports a missing unit, because dominoes of 48 mm must not be read as 48 m. Returns false. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -237,8 +235,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false after an error. If more text
- * follows the expression, returns false with an empty message. */
+/* Evaluates a single expression without names. After an error, returns false. If more text follows, the
+ * message is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};
@@ -252,8 +250,7 @@ static bool constant_read(const char *text, struct quantity *q, struct expressio
     return good && *error->at == '\0';
 }
 
-/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without checking
- * the range. On failure, sets the problem of the file and returns false. */
+/* Stores the number in cell k of the current row in csv->value[k], in SI units. Does not check the range. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -281,7 +278,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 
 bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    /* A bound such as 1e-9 has no exact double, so the value is rounded to a double before the comparison. */
+    /* A bound such as 1e-9 has no exact double, so doubles are compared. */
     double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
@@ -304,8 +301,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads and checks the value of column k in the current row. On failure, sets the problem of the file and
- * returns false. */
+/* Reads and checks the value of column k in the current row. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -329,8 +325,8 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Reports that the row has more cells than the first line. If an unquoted decimal comma may be the reason,
- * the message says so. Returns false. */
+/* Reports that a row has more cells than the first line, perhaps because of an unquoted decimal comma.
+ * Returns false. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;
@@ -348,8 +344,7 @@ static bool cells_many(struct csv_table *csv, int cells)
                      csv->head.cells, csv_separator_name(&csv->file), reading);
 }
 
-/* Reads the next row. Skips repetitions of the first line, which occur in concatenated files. Returns false
- * at the end of the file. After an error, sets the problem of the file and returns false. */
+/* Reads the next row. Skips copies of the first line, which occur in concatenated files. */
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Tables in csv files. The first line names the columns, in any order and in any case, and may give their
- * units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". Alternatively the second
- * line gives the units. A cell is an expression. A unit in a cell takes precedence over the unit of the
- * column. A cell with only a '-' counts as empty. A file has the same meaning in every session: it cannot use
- * the variables of the session, and an angle without a unit is in radians.
+ * Tables in csv files.
+ * - The first line names the columns, in any order and case. It may give units: "height (mm)", "height [mm]",
+ *   "height, mm", "height mm" or "height_mm". Otherwise the second line may give them.
+ * - A cell is an expression. A '-' counts as empty. A unit in a cell takes precedence over the column's unit.
+ * - A file means the same in every session. It cannot use variables, and angles without a unit are in
+ *   radians.
  */
 #ifndef SHELL_CSV_TABLE_H
 #define SHELL_CSV_TABLE_H
@@ -12,8 +13,8 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* The maximum number of columns that a kind of table has, and of other columns in a file. A row of dominoes
- * is saved with all of them, and a file must not have more than CSV_CELLS_MOST columns. */
+/* The maximum number of columns of a kind, and of other columns in a file. A row of dominoes is saved with
+ * both, in at most CSV_CELLS_MOST columns. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */
@@ -46,24 +47,22 @@ struct csv_column {
 struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
-    /* the first line, with the names, may be missing if the file has all columns of the kind, in the same
-     * order */
+    /* The first line may be missing if the file has all columns of the kind, in order. */
     bool headless;
     size_t rows_most; /* the maximum number of rows */
     /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind of table to try, or NULL. The kinds are tried in turn, until the file has all columns that
-     * a kind requires. If no kind fits, messages are about the first kind. */
+    /* The next kind to try, or NULL. The first kind whose required columns are in the file is used. If there
+     * is none, messages are about the first kind. */
     const struct csv_kind *otherwise;
 };
 
-/* A table that is being read. `kind` is chosen after the first line has been read. Arrays of size
- * CSV_COLUMNS_MOST have one element for each column of the kind, and arrays of size CSV_CELLS_MOST have one
- * element for each column of the file. */
+/* A table that is being read. Arrays of size CSV_COLUMNS_MOST are about the columns of the kind, and arrays
+ * of size CSV_CELLS_MOST about those of the file. */
 struct csv_table {
-    const struct csv_kind *kind;
+    const struct csv_kind *kind; /* chosen when the first line has been read */
     struct csv_file file;
     char *path;             /* the path of the file, for messages */
     struct csv_record head; /* the first line */
@@ -72,10 +71,9 @@ struct csv_table {
     struct csv_record row; /* the current row */
     bool is_read_ahead;    /* `row` has been read ahead: it is the next row, and not the current row */
     size_t rows;           /* the number of rows that have been read */
-    /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
+    /* The position of each column in the file, counted from 1, or 0 if it is not there. */
     int column[CSV_COLUMNS_MOST];
-    /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives no unit for the
-     * column. */
+    /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
     bool other[CSV_CELLS_MOST]; /* true for each column of the file that is not one of the kind's columns */
@@ -83,32 +81,28 @@ struct csv_table {
     char unused[200];
 };
 
-/* Reads a file and parses the first line of its table. If the file has an error, the returned table holds the
- * problem. Takes ownership of the path. If memory runs out, returns NULL and sets errno, and the path remains
- * with the caller. */
+/* Reads a file and the first line of its table. After an error, the table holds the problem. If memory runs
+ * out, returns NULL and sets errno. Otherwise the table owns the path. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */
 void csv_close(struct csv_table *csv);
 
-/* Reads the next row. Returns false at the end of the table. After an error, sets the problem of the file and
- * returns false. */
+/* Reads the next row. Returns false at the end. After an error, sets the file's problem and returns false. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of the kind's column k in the current row. If the row has no such cell, returns an empty
- * cell at the beginning of the row. */
+/* Returns the cell of column k in the current row, or an empty cell at the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
 /* Returns true if a value is in the range of a column. Otherwise writes a message and returns false. */
 enum { CSV_MESSAGE = 256 };
 bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV_MESSAGE]);
 
-/* Returns true if a value is in the range of column k. Otherwise sets the problem of the file and returns
- * false. */
+/* Returns true if a value is in the range of column k. Otherwise sets the file's problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes the columns of the file that are not among the kind's columns, each after a comma. If `names` is
- * true, writes their names and units, and otherwise their cells in the current row. */
+/* Writes the columns that the kind does not have, each after a comma. If `names` is true, writes names and
+ * units, otherwise the cells of the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

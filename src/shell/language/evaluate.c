@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Evaluates trees. The value of a comparison is 1 or 0, and a condition is true unless its value is 0. */
+/* Evaluates trees. A comparison gives 1 or 0, and a condition is false only if it is 0. */
 #include "language/expression.h"
 #include "language/quad.h"
 #include <stdarg.h>
@@ -18,7 +18,7 @@ void expression_report(struct expression_error *error, const char *at, bool of_v
     error->names_function = false;
 }
 
-/* Returns true if a result is finite and no exponent of its unit is too large. Otherwise reports an error. */
+/* Returns true if a result and the exponents of its unit are in range. Otherwise reports an error. */
 static bool is_valid(struct evaluation *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };
@@ -33,10 +33,14 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
 
 /* ---- Functions ---- */
 
-/* The kind of a function says which units its arguments and its result have. The result of a KEEPS function
- * has the unit of the arguments. The result of a HALVES function has the square root of the argument's unit.
- */
-enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
+/* The units of a function's arguments and result. */
+enum function_kind {
+    OF_NUMBER,
+    OF_ANGLE,
+    TO_ANGLE,
+    KEEPS,  /* the result has the unit of the arguments */
+    HALVES, /* the result has the square root of the argument's unit */
+};
 
 struct function {
     const char *name;
@@ -123,8 +127,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* Converts a value without a unit to an angle if the other value is an angle, as in "thetac - 1". Returns
- * true if *a and *b then have the same unit. */
+/* Turns a value without a unit into an angle if the other value is one, as in "thetac - 1". Returns true if
+ * the units then agree. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
@@ -182,8 +186,7 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Evaluates the tree `value`, an operand of the chain t, and combines the result with *q, the value of all
- * operands before it. */
+/* Combines *q, the value of the operands so far, with the next operand `value` of the chain t. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0). The parser makes
- * a tree. Evaluation does not change the tree, so the tree can be evaluated many times, and by several
- * threads. Adjacent operators of the same precedence share one node, a chain. The children of a chain are its
- * operands, and each child except the first stores the operator before it. An expression ends at a blank if
- * the text after the blank cannot continue the expression: "1 - 2" is one expression, and "1 -2" is two.
+ * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
+ *
+ * The parser makes a tree. Evaluation does not change the tree, so threads can share it. Operators of the
+ * same precedence share one node, a chain. Its children are the operands. Each operand except the first
+ * stores the operator before it.
+ *
+ * An expression ends at a blank if the next text cannot continue it: "1 - 2" is one expression, and "1 -2" is
+ * two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
@@ -14,8 +17,8 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
-/* The parser makes a TREE_NAME node for each name that is not built in. Each such node must be resolved
- * before evaluation; resolving changes its kind to TREE_NUMBER or TREE_SYMBOL. */
+/* The parser makes a TREE_NAME for each name that is not built in. Resolving a name makes it a TREE_NUMBER or
+ * TREE_SYMBOL. Only resolved trees can be evaluated. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -72,8 +75,7 @@ struct expression_error {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. The macros below have the value false, so that a function can store an error and return
- * false in one statement. */
+/* Stores an error. The macros below are false, for `return expression_wrong(...)`. */
 void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 #define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
@@ -86,9 +88,8 @@ struct parse {
     struct arena *arena;
     /* letters that are names, not units, when they stand alone after a blank; may be NULL */
     const char *no_unit;
-    /* Parses the "with NAME VALUE ..." at parse->end in "(VALUE with NAME VALUE ...)". Returns a tree for the
-     * value together with its "with", or NULL after an error. If this pointer is NULL, the parser does not
-     * accept "with". */
+    /* Parses "with NAME VALUE ..." at parse->end, after `value`. Returns a tree for both, or NULL after an
+     * error. If this pointer is NULL, "with" is not accepted. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */

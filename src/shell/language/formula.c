@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How tightly operators bind, in increasing order. An operand is put in parentheses if it binds less tightly
- * than its operator requires. */
+/* How tightly operators bind, in increasing order. An operand that binds less tightly than required gets
+ * parentheses. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 
 static enum binding binding(const struct tree *t);
@@ -30,8 +30,8 @@ static enum binding binding(const struct tree *t)
                                                           : BINDS_WORD;
 }
 
-/* Returns how tightly the first operand of a chain must bind to need no parentheses. A product may begin with
- * a minus sign. */
+/* Returns how tightly a chain's first operand must bind, or it gets parentheses. A product may begin with a
+ * minus sign. */
 static enum binding first_binding(const struct tree *chain)
 {
     enum binding level = chain_binding(chain);
@@ -63,8 +63,7 @@ void formula_number(const struct formula *f, domq_real number, int digits)
     fprintf(f->out, "%.*s \\cdot 10^{%d}", (int)(power - text), text, atoi(power + 1));
 }
 
-/* Writes the factors of a product that are above the fraction bar, or those that are below it. A single
- * factor in braces needs no parentheses. */
+/* Writes the factors above or below the fraction bar. A single factor in braces needs no parentheses. */
 static void factors(const struct formula *f, const struct tree *chain, bool below, bool braces)
 {
     int count = 0;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes the tree of an expression as a formula in one of three styles: as the user types it, with Greek
- * letters, or in TeX. */
+/* Writes an expression as a formula: as it is typed, with Greek letters, or in TeX. */
 #ifndef SHELL_FORMULA_H
 #define SHELL_FORMULA_H
 
@@ -12,8 +11,8 @@ enum formula_style { FORMULA_PLAIN, FORMULA_LETTERS, FORMULA_TEX, FORMULA_STYLES
 struct formula {
     FILE *out;
     enum formula_style style;
-    /* Writes a name that is not built in (a TREE_NAME or TREE_SYMBOL), or the number that the name stands
-     * for. A negative number needs parentheses. */
+    /* Writes a TREE_NAME or TREE_SYMBOL, or the number that it stands for. A negative number needs
+     * parentheses. */
     void (*name)(const struct formula *formula, const struct tree *tree);
     void *context; /* for `name` */
 };

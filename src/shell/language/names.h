@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Looks up names in lists. A name may be typed in full or as an unambiguous prefix; for a name with a typo,
- * messages suggest the correct spelling. */
+/* Looks up names in lists. An unambiguous prefix stands for a name. If a name has a typo, messages suggest
+ * the right name. */
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
@@ -8,14 +8,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A list of names is a function that returns the name with index k, or NULL after the last name. */
+/* Returns the name with index k of a list, or NULL after the last name. */
 typedef const char *names_list(const void *context, int k);
 
 /* Returns the index of the name that equals the text, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
 
-/* Returns the index of a name in a text such as "gap separation spacing", or -1 if the text does not contain
- * the name. `separator` is the character between the names of the text. The text may be NULL. */
+/* Returns the index of a name in a text such as "gap separation spacing", or -1. `separator` is the character
+ * between names. The text may be NULL. */
 int names_index(const char *list, char separator, const char *name);
 
 enum { NAMES_MESSAGE = 256 };
@@ -28,9 +28,8 @@ enum {
 };
 
 /*
- * Returns the index of the name that equals the text, or of the only name that begins with the text.
- * Otherwise returns NAMES_UNKNOWN, NAMES_CLOSE or NAMES_SEVERAL, and writes a message such as "unknown
- * command 'barier'; did you mean 'barrier'?". `what` is the noun for the names in the message, here
+ * Returns the index of the name that equals the text, or of the only one that begins with the text. Otherwise
+ * returns one of the negative results above, and writes a message. `what` is the noun in the message, such as
  * "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
@@ -41,8 +40,8 @@ const char *names_closest(names_list *list, const void *context, const char *tex
 
 enum { NAMES_SHOWN = 64 };
 
-/* Returns a copy of a text that can be shown in a message: the copy is shortened if necessary, and control
- * characters are escaped. The copy lives until the end of the block that contains the call. */
+/* Returns a copy of a text for messages, shortened and escaped. It lives until the end of the block that
+ * contains the call. */
 #define names_shown(text) escape_text(text, (char[NAMES_SHOWN]){""}, NAMES_SHOWN)
 
 #endif

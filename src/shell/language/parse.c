@@ -59,8 +59,8 @@ enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL
 
 static struct tree *parse_chain(struct parse *p, enum level least);
 
-/* Parses the unit after a number or after a value in parentheses, if there is a unit. Returns the value with
- * its unit, or NULL after an error. */
+/* Parses the unit after a number or a ')', if there is one. Returns the value with its unit, or NULL after an
+ * error. */
 static struct tree *parse_unit(struct parse *p, struct tree *value)
 {
     const char *c = skip_blanks(p->end);
@@ -221,8 +221,7 @@ static struct tree *parse_primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* Longer operators come before their prefixes: "<=" comes before "<". '^' is not in the table, because
- * parse_factor handles it. */
+/* "<=" comes before its prefix "<". parse_factor handles '^'. */
 static const struct op {
     const char *text;
     enum tree_operator op;
@@ -236,11 +235,8 @@ static const struct op {
     {"and", OPERATOR_AND, LEVEL_AND},        {"or", OPERATOR_OR, LEVEL_OR},
 };
 
-/*
- * Returns the operator at `at`, or NULL if there is none. `at` is the position after a value and any blanks.
- * Outside parentheses, '>' is not an operator, because it redirects the answer to a file. A sign with a blank
- * before it and none after it begins another value: "1 -2" is two values.
- */
+/* Returns the operator at `at`, the position after a value and blanks, or NULL if there is none. Outside
+ * parentheses, '>' redirects the answer. In "1 -2", the sign begins a second value. */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
     const struct op *op = NULL;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mathematical functions and text conversion for domq_real, the floating-point type of quad precision.
- * quad(sqrt)(x) is the square root of a domq_real. */
+/* Functions for domq_real, the type of quad precision. quad(sqrt)(x) is the square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 
@@ -38,8 +37,8 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
 /* WIDE_DIGITS is enough for an exact round trip, and WIDE_TEXT is the size of a buffer for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number with `digits` significant digits, as printf does with "%.*g". Returns `text`. The text that
- * quad_text returns lives until the end of the block that contains the call. Messages use 10 digits. */
+/* Writes a number as "%.*g" does. Returns `text`. The result of quad_text lives until the end of the block
+ * that contains the call. Messages use 10 digits. */
 const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 #define quad_text(value, digits) quad_write(value, digits, (char[WIDE_TEXT]){""})
 
@@ -47,8 +46,8 @@ const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 
-/* Writes a number with enough digits for an exact round trip: 15 significant digits or more, up to `most`.
- * Omits trailing zeros. Returns `text`. */
+/* Writes a number with enough digits for an exact round trip, from 15 up to `most`. Omits trailing zeros.
+ * Returns `text`. */
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);
 
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */

@@ -15,13 +15,13 @@ static const struct {
 
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
-/* Returns the ASCII text for the first character of `typed`, a text of `left` bytes. Stores the length of the
- * character in bytes in *length. A byte without a replacement is returned unchanged, in `byte`. */
-static const char *plain_form(const char *typed, size_t left, char byte[2], size_t *length)
+/* Returns the ASCII text for the first character of `typed`, a text of `size` bytes. Stores the length of the
+ * character. Other bytes are returned unchanged, in `byte`. */
+static const char *plain_form(const char *typed, size_t size, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {
         *length = strlen(letters[k].typed);
-        if (*length <= left && memcmp(typed, letters[k].typed, *length) == 0)
+        if (*length <= size && memcmp(typed, letters[k].typed, *length) == 0)
             return letters[k].plain;
     }
     *length = 1;
@@ -73,6 +73,7 @@ ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
 {
     size_t n = 0, begin = 0; /* the last of the joined lines begins at the offset `begin` */
     int c = 0;
+    /* A long line with a NUL byte is not read to its end, because a device may never end it. */
     for (bool has_nul = false; !(has_nul && n > TEXT_MOST);) {
         if (n + 1 >= *size) {
             size_t larger = *size ? 2 * *size : 256;
@@ -121,6 +122,7 @@ const char *text_end(const char *c, const char *ends)
     char stops[8] = "#\"";
     strncat(stops, ends, sizeof stops - sizeof "#\"");
     for (const char *begin = c; *(c += strcspn(c, stops));) {
+        /* A comment begins with a '#' at the beginning or after a blank. */
         if (strchr(ends, *c) || (*c == '#' && (c == begin || isspace((unsigned char)c[-1]))))
             break;
         const char *next = *c == '"' ? text_quote(c) : c + 1;

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A line of input, converted to the ASCII text that the interpreter reads. Greek letters become their names,
- * and typographic signs and spaces become plain ones. The original columns are recorded, so that error
- * messages count columns in the line as it was typed.
- */
+/* A line of input, converted to ASCII for the interpreter. Greek letters become their names, and typographic
+ * signs become plain ones. Error messages still count columns in the line as it was typed. */
 #ifndef SHELL_TEXT_H
 #define SHELL_TEXT_H
 
@@ -25,41 +22,36 @@ struct text {
 
 enum { TEXT_MOST = 4 << 20 }; /* the maximum length of a line in bytes */
 
-/* Converts the first `length` bytes of `typed`, which must remain valid as long as the text is used. Returns
- * false if memory runs out. Free the text with text_free. */
+/* Converts the first `length` bytes of `typed`, which must outlive the text. Returns false if memory runs
+ * out. Free the text with text_free. */
 bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
 
 /*
- * Reads the next line of a stream, without its newline, into the buffer *line of *size bytes. As with
- * getline, the buffer grows as needed and the caller frees it. If `joined` is not NULL, a line that ends with
- * a backslash is joined with the line after it, and *joined is increased by 1. Returns the length of the
- * line. At the end of the stream, returns -1. After an error, or if memory runs out, returns -1 and sets
- * errno. A line longer than TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If
- * such a line contains a NUL byte, the line is not read to its end, because it may come from a device that
- * never ends.
+ * Reads the next line into the buffer *line of *size bytes, without its newline. As with getline, the buffer
+ * grows and the caller frees it. Returns the length of the line, or -1 at the end. After an error, returns -1
+ * and sets errno.
+ * - If `joined` is not NULL, a line that ends with a backslash is joined with the next, and *joined is
+ *   increased by 1.
+ * - Of a line longer than TEXT_MOST, only the first TEXT_MOST + 1 bytes are kept.
  */
 ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
 
 /* Appends formatted text to `text`, as far as there is room in its buffer of `size` bytes. */
 void text_add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Returns a pointer to the first character at or after c that is not a blank. A newline is not a blank. */
+/* Returns the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);
 
-/* Returns a pointer to the character after the quote that closes the quote at c, or NULL if there is no
- * closing quote. '""' between quotes stands for one quote. */
+/* Returns the character after the quote that closes the quote at c, or NULL. '""' between quotes stands for
+ * one quote. */
 const char *text_quote(const char *c);
 
-/*
- * Returns a pointer to the first character at or after c that is in `ends` or begins a comment. A comment
- * begins with a '#' at c itself or after a blank. Characters in quotes do not count. Returns the end of the
- * text if there is no such character, or if a quote is never closed.
- */
+/* Returns the first character at or after c that is in `ends` or begins a comment. Characters in quotes do
+ * not count. Otherwise, or if a quote is never closed, returns the end of the text. */
 const char *text_end(const char *c, const char *ends);
 
-/* If the line ends in a backslash, and so continues on the next line, removes the backslash and returns true.
- */
+/* If the line continues on the next, removes the backslash at its end and returns true. */
 bool text_continues(char *line);
 
 /* Converts a position in text->line to its column in the line as it was typed. Columns count from 1. */

@@ -68,8 +68,7 @@ const char *unit_write(struct quantity q, const char *between, char text[UNIT_TE
     return text;
 }
 
-/* The kinds of quantities, with a name and an example of each. If the name is NULL, messages show the unit,
- * which is shorter than a name. */
+/* Kinds of quantities. Without a name, messages show the unit, which is shorter. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;

@@ -14,7 +14,7 @@ struct quantity {
     int length, time, angle, mass;
 };
 
-/* Returns true if the unit has no length, time or mass. The unit may be a power of an angle. */
+/* Returns true for a number or a power of an angle: no length, time or mass. */
 static inline bool quantity_plain(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;
@@ -35,26 +35,23 @@ static inline bool quantity_alike(struct quantity a, struct quantity b)
 /* Multiplies *quantity by a power of `by`. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
 
-/* Returns a unit such as "m/s^2" as a quantity. Columns of tables may have units that cannot be typed, such
- * as "h" or "mgh/2"; for these the function returns the plain number 1. */
+/* Returns a unit such as "m/s^2" as a quantity. For units of columns that cannot be typed, such as "h" or
+ * "mgh/2", returns the plain number 1. */
 struct quantity expression_unit(const char *unit);
 
-/* Writes the unit of a quantity, or "" for a plain number. The base units are separated by `between`: " "
- * gives "m^2 s^-1", for messages, and "*" gives "m^2*s^-1", which can be typed after a number. Returns
- * `text`.
- */
+/* Writes the unit of a quantity, or "" for a plain number. Returns `text`. Between base units, " " gives "m^2
+ * s^-1" for messages, and "*" gives "m^2*s^-1", which can be typed. */
 enum { UNIT_TEXT = 64 };
 const char *unit_write(struct quantity quantity, const char *between, char text[UNIT_TEXT]);
 
-/* Returns the unit of a quantity for messages. The text lives until the end of the block that contains the
- * call. */
+/* Returns the unit of a quantity. The text lives until the end of the block that contains the call. */
 #define expression_unit_text(quantity) unit_write(quantity, " ", (char[UNIT_TEXT]){""})
 
 /* The largest exponent that can be typed in a unit. */
 enum { UNIT_POWER_MOST = 9 };
 
-/* Returns a phrase for messages that says what kind of quantity this is, such as "a length", "a time" or "in
- * m^2 s^-1". The phrase lives until the end of the block that contains the call. */
+/* Returns a phrase such as "a length", "a time" or "in m^2 s^-1". It lives until the end of the block that
+ * contains the call. */
 #define expression_kind(quantity) kind_write(quantity, (char[UNIT_TEXT]){""})
 const char *kind_write(struct quantity quantity, char text[UNIT_TEXT]);
 
@@ -73,16 +70,12 @@ static inline bool name_start(char c)
 /* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
 size_t name_length(const char *text);
 
-/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If the name is too long, copies as
- * much as fits and returns false. */
+/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If it is too long, copies what fits
+ * and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
-/*
- * Scans a unit such as "cm" or "m/s^2" at the beginning of a text, and multiplies *quantity by this unit.
- * Returns the end of the unit, or NULL if there is no unit. The scan stops before a factor that is not a
- * unit: in "4.8 cm/h", the unit is cm. Gram and tonne are units only as the first factor: in "4.8 cm/g", g is
- * the acceleration of gravity.
- */
+/* Multiplies *quantity by the unit at the beginning of a text. Returns the end of the unit, or NULL. The unit
+ * in "4.8 cm/h" is cm, because h is not a unit. */
 const char *unit_scan(const char *text, struct quantity *quantity);
 
 #endif

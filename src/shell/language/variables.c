@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The text of a function. Copies of a variable share the text, because each step of 'undo' holds copies of
- * all variables. */
+/* The text of a function. All copies of a variable share it, because each step of 'undo' has copies. */
 struct body {
     atomic_size_t users;
     char text[];
