@@ -136,9 +136,8 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties the cells whose numbers are too large for the precision. Returns `reason`, or an explanation of the
- * empty cells if `reason` is NULL or "". In a table for people, the explanation is written only once, below
- * the rows. */
+/* Empties cells whose numbers are too large for the precision. Returns `reason` or, without one, an
+ * explanation. In a table for people, the explanation is below the rows. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {

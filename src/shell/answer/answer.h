@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A command names the columns of its answer and then passes the rows, which consist of cells. A format writes
- * each row immediately, so a long curve appears while it is computed. Sentences are written only for people,
- * and not for programs. */
+/* A command names the columns of its answer, and then passes rows of cells. A format writes each row
+ * immediately, so a long curve appears while it is computed. Sentences are only written for people, not for
+ * programs. */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -30,13 +30,14 @@ struct layout {
     bool letters; /* the terminal can show Greek letters */
     bool bold;    /* the terminal has colours */
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
-    /* bit i is set if column i has error bounds, which csv and json write as a column of their own */
+    /* Bit i is set if column i has error bounds. In csv and json, these are a separate column. */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
-    /* In a table for people: the number of digits, the widths of the columns, and where a last column of
-     * words begins. `words` is -1 if the words are written below each row. */
-    int digits, column[ANSWER_COLUMNS], words;
+    /* In a table for people: */
+    int digits;
+    int column[ANSWER_COLUMNS]; /* the widths of the columns */
+    int words; /* where a last column of words begins, or -1 if the words are below each row */
     /* the terminal is too narrow for a table, so a row is written as one line for each column */
     bool is_stacked;
     /* A row with the usual kinds of cells, in case the first row has other kinds. May be NULL. */
@@ -47,8 +48,8 @@ struct csv_layout {
     bool units;       /* column names include the units, so that the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
     char *last_head;  /* the last header line that was written to this file, or NULL */
-    /* Texts to append, each terminated by a NUL byte: the first to the header line, and the others to the
-     * rows. May be NULL. */
+    /* Texts to append, each with a NUL byte: the first to the header line, the others to the rows. May be
+     * NULL. */
     const char *extra;
 };
 
@@ -106,8 +107,7 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_head)(const char *line);
-    /* Ends the answer. Returns NULL, or a reason that could not be written with its row and that the caller
-     * must report. */
+    /* Ends the answer. Returns NULL, or a reason that the caller must report because no row could show it. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -125,29 +125,21 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes some columns from the answer. `keys` lists their keys, separated by blanks. Rows that are passed to
- * answer_row must have cells for the removed columns as well. */
+/* Removes columns, whose keys are separated by blanks in `keys`. Rows for answer_row must still have their
+ * cells. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
-/* Changes the unit or the explanation of a column in this answer. If an argument is NULL, the column keeps
- * its unit or its explanation. */
+/* Changes the unit or the explanation of a column in this answer. NULL leaves it as it is. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/*
- * Announces a number that a column will contain. In a table of rows, the unit of a column is fixed before
- * later rows are known; it depends on the first row and on the announced numbers. Does nothing if the answer
- * has no such column.
- */
+/* Announces a number of a column. The unit of a column in a table of rows depends on the first row and on the
+ * announced numbers. Does nothing if there is no such column. */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/*
- * Writes a row. If a cell of the row has no value, `reason` explains why. For people, the reason is written
- * on a line below the row. For programs, it is in a column or key "reason"; csv has this column only if the
- * `reason` of the first row is not NULL. For a row without a reason, pass "" if other rows may have one, and
- * otherwise NULL. Always returns true, so that a command can end with `return answer_row(...)`.
- */
+/* Writes a row, and returns true. `reason` says why a cell has no value. If only other rows may have a
+ * reason, pass ""; if no row has one, pass NULL. Programs get the reason in a column "reason". */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */
@@ -156,15 +148,14 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Keeps the cells of a row for 'ans' without writing them, for a command that answers in sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* Fixes the layout before the first row is written, as if the first row were `sample`. If `sample` is NULL,
- * no column has error bounds. */
+/* Fixes the layout as if the first row were `sample`. If `sample` is NULL, no column has error bounds. */
 void answer_plan(struct answer *answer, const struct cell *sample);
 
-/* Returns a copy of the answer that writes its rows to another stream. The layout must have been fixed. If
- * `first` is true, the copy also writes the lines above the first row. */
+/* Returns a copy of the answer for another stream. The layout must be fixed already. If `first` is true, the
+ * copy also writes the lines above the first row. */
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
-/* Returns true if no more rows can be written, because the disk is full or a pipe has no reader. */
+/* Returns true if no more rows can be written: the disk is full, or a pipe has no reader. */
 bool answer_lost(const struct answer *answer);
 
 /* Returns true if column i has error bounds. */

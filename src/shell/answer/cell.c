@@ -57,8 +57,7 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return quad_write(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits of a number to print: at most `all`, and enough that rounding adds little to the
- * error bound. */
+/* Returns how many digits of a number to print. Rounding then adds little to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -124,9 +123,8 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* Returns the style in which a cell is written. Brief numbers are written in double precision, because only a
- * few of their digits are known. Large counts do not fit into float, so counts are also written in double
- * precision if the precision is float. */
+/* Returns the style for a cell. Brief numbers have few digits, and large counts do not fit into float, so
+ * both are written in double precision. */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
@@ -155,9 +153,8 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* About half of the computed numbers need `all` digits, and most of the others one digit fewer. If the
-     * text with one digit fewer ended in zeros, they have been removed already, and this text is the
-     * shortest. Otherwise, texts with fewer digits are tried. */
+    /* About half of the computed numbers need `all` digits, and most others one fewer. If zeros at the end
+     * have been removed, the text is the shortest. Otherwise fewer digits are tried. */
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];

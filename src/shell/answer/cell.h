@@ -35,8 +35,7 @@ struct cell {
     bool computed;
 };
 
-/* Each of the functions below returns a cell. NaN and infinity give an empty cell, which becomes null in
- * json. */
+/* The functions below return cells. NaN and infinity give an empty cell, which is null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 
@@ -50,20 +49,20 @@ struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
-/* Returns false if a number is too large for csv and json at the precision of the session. */
+/* Returns false if a number is too large for csv and json at this precision. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true if a number other than 0 becomes 0 in csv and json at the precision of the session. */
+/* Returns true if a number other than 0 becomes 0 in csv and json at this precision. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table. A number has at most `digits` digits, followed by its error bound if
- * `bounds` is set. */
+/* Returns the text of a cell in a table, with at most `digits` digits, and with its error bound if `bounds`
+ * is set. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell for programs. A number is written without its error bound, and with the fewest
- * digits that are enough for an exact round trip. */
+/* Returns the text of a cell for programs, without its error bound. Numbers have the fewest digits for an
+ * exact round trip. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of an error bound for programs, or `none` if no bound is known. */

@@ -15,7 +15,7 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Returns the text to append to the next line: first to the header line, and in later calls to each row. */
+/* Returns the text to append to the header line or, in later calls, to a row. */
 static const char *extra_next(struct answer *a)
 {
     const char *extra = a->csv.extra ? a->csv.extra : "";
@@ -29,6 +29,7 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
     (void)cells;
     char head[ANSWER_HEAD];
     size_t n = 0;
+    /* The column for reasons exists only if the `reason` of the first row is not NULL. */
     a->csv.has_reasons = a->csv.has_reasons || reason;
     for (int i = 0; a->columns[i].key && n < sizeof head; i++) {
         const struct column *c = &a->columns[i];

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: each row is an object on a separate line. A command without rows, and an error, are also
- * written as objects. */
+/* The format json: each row is an object on one line. So are an error and a command without rows. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "io/escape.h"

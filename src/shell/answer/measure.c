@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A unit applies to numbers below a limit, which is given in the base unit. For each base unit, the smallest
- * limit comes first. */
+/* Units apply to numbers below a limit, which is in the base unit. The smallest limit comes first. */
 static const struct {
     const char *base;
     domq_real below;

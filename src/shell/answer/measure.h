@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Units for people. Cells, csv and json contain base units: m, kg, and fractions of 1. A table converts
- * numbers from these units as follows, and leaves every other unit as it is:
+ * Units for people. Cells, csv and json contain base units: m, kg, and fractions of 1. A table converts only
+ * these:
  *
  *   "m"      mm below 1 cm, cm below 1 m, otherwise m
  *   "kg"     g below 1 kg, otherwise kg
  *   "share"  %
  *
- * A column of a table of rows has the same unit in all rows (see answer_largest). In sentences,
- * measured(value, "m", 4).text does the same for a single value.
+ * A column has one unit in all rows of a table (see answer_largest). A sentence converts a value by
+ * measured(value, "m", 4).text.
  */
 #ifndef SHELL_MEASURE_H
 #define SHELL_MEASURE_H
 
 #include "answer/cell.h"
 
-/* A unit for people. A number in the base unit is multiplied by 10^power to convert it to this unit. */
+/* A unit for people. A number in the base unit is multiplied by 10^power. */
 struct measure {
     const char *unit;
     int power;
@@ -27,15 +27,14 @@ struct measure measure_of(const char *unit, domq_real largest);
 /* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Formats a value for people, as in "4.8 cm" or "11 %". The result has `digits` significant digits, or more
- * if there are more digits before the decimal point, as in 1234 %. */
+/* Formats a value for people, as in "4.8 cm" or "11 %". The result has `digits` significant digits, or all
+ * digits before the decimal point, as in 1234 %. */
 struct measured {
     char text[CELL_TEXT];
 };
 struct measured measured(domq_real value, const char *unit, int digits);
 
-/* Returns a fraction in percent, with enough digits to distinguish the fraction from 1: "99.97 %" rather than
- * "100 %". */
+/* Returns a fraction in percent, with enough digits to differ from 100 %, as in "99.97 %". */
 struct measured measured_share(domq_real value, int digits);
 
 /* The unit of an axis or a ruler. */
@@ -44,9 +43,8 @@ struct axis_unit {
     double size; /* in m */
 };
 
-/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, and m otherwise. These limits
- * are larger than those for a column of numbers, because a ruler has room for three digits before the decimal
- * point. */
+/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, and otherwise m. A ruler has
+ * room for three digits before the decimal point. */
 struct axis_unit measure_axis(double longest);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format for people: tables that fit into the width of the terminal and use the letters that it can
- * show. */
+/* The format for people: tables that fit into the terminal and use the letters that it can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"
@@ -24,8 +23,7 @@ enum {
 
 /* ---- Text ---- */
 
-/* Returns the unit that people see: for angles the unit of the style, and otherwise the unit of the
- * measure. */
+/* Returns the unit as it is shown. Angles have the unit of the style. */
 static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
                                char text[CELL_TEXT])
 {
@@ -41,15 +39,14 @@ static int number_width(const struct answer *a, int digits)
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Returns the largest number of digits that are shown. If error bounds are shown, only these bounds limit the
- * digits. */
+/* Returns how many digits are shown at most. If error bounds are shown, only these limit the digits. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell in the unit of the measure. A number with an error bound gets only digits that
- * are certain. Any other number gets as many digits as the style and the tolerance allow. */
+/* Returns the text of a cell in the unit of the measure. A known error bound limits its digits; otherwise the
+ * style and the tolerance do. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {
@@ -108,8 +105,7 @@ static void key_field(const struct answer *a, const char *key, int width)
 
 /* ---- A table of rows ---- */
 
-/* Chooses the number of digits and the widths of the columns, so that all columns fit into the terminal if
- * possible. */
+/* Chooses digits and column widths so that all columns fit into the terminal if possible. */
 static void rows_measure(struct answer *a)
 {
     struct layout *l = &a->layout;
@@ -160,8 +156,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
 
 enum line { KEYS, UNITS, VALUES };
 
-/* Writes one line of the table: the keys, the units or the values. `cells` determines the kinds of the
- * columns, and holds the values. The line of units is left out if no column has a unit. */
+/* Writes the keys, the units or the values. Without units, the line of units is omitted. */
 static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
     char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
@@ -266,8 +261,8 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_line(a, cells, VALUES);
 }
 
-/* Writes a sentence. A '\n' at the beginning or at the end of the format adds a blank line. A '\n' in an
- * argument, such as a file name, does not. */
+/* Writes a sentence. A '\n' at either end of the format adds a blank line, but one in an argument does
+ * not. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
     char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];

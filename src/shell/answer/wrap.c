@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Returns true if a word of n bytes must stay on the same line as the next word: "r = 1.5", "7.5 cm", "5 %",
- * "2: 0.14". */
+/* Returns true if a word of n bytes must stay next to the following word, as in "r = 1.5", "7.5 cm" or
+ * "5 %". */
 static bool word_joins(const char *word, size_t n)
 {
     const char *next = word + n + 1, last = word[n - 1];
@@ -16,8 +16,7 @@ static bool word_joins(const char *word, size_t n)
            (number && last == ':' && isdigit((unsigned char)*next));
 }
 
-/* Returns the length of the first piece of a text. A piece is a word together with the words that must stay
- * on the same line. */
+/* Returns the length of the first piece of a text. A piece is one word, or several that stay together. */
 static size_t piece_length(const char *text)
 {
     size_t n = strcspn(text, " \n"), word = 0;
@@ -65,6 +64,7 @@ void write_wrapped(FILE *out, const char *text, int left, int right)
 {
     enum { BELOW = 4 };
     text += strspn(text, " ");
+    /* If a piece does not fit, the text goes below, with less indentation. */
     if (right && left > BELOW && left + longest_piece(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");
