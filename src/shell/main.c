@@ -65,8 +65,7 @@ struct plan {
 
 /* ---- Signals: before a script ends, it writes what it has found ---- */
 
-/* `interrupted` is the number of the signal that ends the running command, and `ended` is the number of the
- * signal that ends the whole script. Both are 0 before a signal. */
+/* The signals that end the running command and the whole script, or 0. */
 static volatile sig_atomic_t interrupted, ended;
 
 /* True after --interruptible: SIGINT ends only the running command. */
@@ -80,10 +79,8 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Installs the signal handler. After a first signal that ends the script, a second signal ends the program at
- * once. A signal that was ignored when the program started stays ignored, except SIGINT after
- * --interruptible.
- */
+/* Installs the signal handler. After a signal that ends the script, a second one ends the program at once.
+ * Signals that were ignored stay ignored, except SIGINT after --interruptible. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
@@ -100,8 +97,7 @@ static void signals_begin(struct session *session)
 
 /* ---- Options ---- */
 
-/* Reads the argument of --shard, such as "2/7". If the text has another form or the numbers are out of range,
- * prints a message and returns false. */
+/* Reads the argument of --shard, such as "2/7". If it is wrong, prints a message and returns false. */
 static bool shard_read(const char *text, struct shard *shard)
 {
     enum { PARTS_MAX = 1000000000 };
@@ -213,9 +209,8 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
-/* Closes standard output, which writes the text that is still buffered. If any output was lost, prints a
- * message and returns false. If the reader of a pipe has gone, as in 'domino | head', the program ends by
- * SIGPIPE instead, unless its caller ignores this signal. */
+/* Closes standard output. If output was lost, prints a message and returns false. If a pipe has lost its
+ * reader, as in 'domino | head', the program ends by SIGPIPE, unless its caller ignores this signal. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;
@@ -238,8 +233,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* SIGPIPE and SIGXFSZ are ignored. A pipe without a reader, or a file that exceeds its size limit, then
-     * becomes an error of write(2), which is reported. */
+    /* SIGPIPE and SIGXFSZ are ignored, so that a closed pipe or a file that is too large is an error of
+     * write(2). */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

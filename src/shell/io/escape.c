@@ -6,8 +6,7 @@
 
 enum { PLANE = 0x10000 };
 
-/* Decodes the first character of a non-empty text (RFC 3629). Returns the length of the character in bytes,
- * or 0 if the bytes are not UTF-8. */
+/* Decodes the first character of a text (RFC 3629). Returns its length in bytes, or 0 if it is not UTF-8. */
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -24,8 +23,8 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true for characters of the Unicode classes Cc, Zl, Zp, Cf and Cn. The exceptions are the joiners
- * U+200C and U+200D, which some scripts need. */
+/* Returns true for the Unicode classes Cc, Zl, Zp, Cf and Cn, except the joiners U+200C and U+200D, which
+ * some scripts need. */
 static bool is_hidden(uint32_t code)
 {
     static const struct {

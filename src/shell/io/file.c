@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Output files after '>' and '>>' are written completely or not at all. The text first goes to a temporary
- * file without a name, which vanishes however the program ends. When the command has finished, '>' copies the
- * text to a replacement, which is a new file in the folder of the target, and renames the replacement to the
- * name of the target. '>>' locks the target and appends the text. A target that has several hard links or
- * another owner is locked and overwritten in place, because a rename would change more than its contents.
- * This also happens if no file can be created in the folder of the target.
+ * Files after '>' and '>>' are written completely or not at all.
+ * - The text first goes to a temporary file without a name, which vanishes however the program ends.
+ * - '>' copies the text to a replacement, a new file in the folder of the target, and renames it to the
+ *   target.
+ * - '>>' locks the target and appends the text.
+ * - A target with several hard links or another owner is locked and overwritten in place, because a rename
+ *   would change more than its contents. So is a target in whose folder no file can be created.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
@@ -24,15 +25,13 @@ struct file {
     /* must be the first member, so that a pointer to it is also a pointer to struct file */
     struct output output;
     struct target target;
-    /* true if `out` is the temporary file; false if `out` is the device or FIFO itself, which receives the
-     * text without delay */
+    /* False if `out` is the target itself, such as a device or a FIFO. */
     bool is_held;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target. If the target exists, but no file can be created in
- * its folder, opens the temporary file in the usual folder for such files. Returns NULL and sets errno on
- * failure. */
+/* Opens the temporary file in the folder of the target. If only an existing target can be written, uses the
+ * usual folder. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));
@@ -41,8 +40,8 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream that receives the text. This is the target itself if the target is a device, a FIFO or
- * standard output, and otherwise the temporary file. Returns NULL and sets errno on failure. */
+/* Opens the stream that receives the text: a device, a FIFO or standard output itself, or the temporary
+ * file. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -61,8 +60,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* The first line of the text may repeat the last line of column names in the target. If so, returns the
- * length of this line, which is then not appended again. Otherwise returns 0. */
+/* Returns the length of the first line of the text if it repeats the last column names of the target. This
+ * line is not appended. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -79,8 +78,7 @@ static long repeated_head(const struct file *f)
     return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
 }
 
-/* Copies the text, from the offset `from` to the end, into an open file. Returns false and sets errno on
- * failure. */
+/* Copies the text from the offset `from` into an open file. Sets errno on failure. */
 static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
@@ -92,18 +90,19 @@ static bool text_copy(FILE *text, long from, int to)
     return !ferror(text);
 }
 
-/* Writes or appends the text to an open file, and closes the file. If the disk is full, the old contents are
- * not lost: space is reserved before the first byte is overwritten, and text that was appended in part is cut
- * off again. Returns false and sets errno on failure. */
+/* Writes or appends the text to an open file, and closes it. If the disk is full, the old contents remain.
+ * Sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
     struct stat old, text;
     fstat(file, &old);
     fstat(fileno(o->out), &text);
+    /* Space is reserved before the first byte is overwritten. */
     errno = o->append ? 0 : system_reserve(file, 0, text.st_size);
     bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
     int reason = errno;
+    /* Text that was appended in part is cut off. */
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;
     bool is_closed = close(file) == 0;
     errno = is_copied ? errno : reason;
@@ -112,8 +111,7 @@ static bool file_fill(const struct file *f, int file)
 
 enum { REPLACEMENT = PATH_MAX + 32 }; /* the size of a buffer for the name of a replacement */
 
-/* Creates the replacement, with the group and mode of the target if the target exists. Returns -1 if this is
- * not allowed. */
+/* Creates the replacement with the group and mode of the target. Returns -1 if this is not allowed. */
 static int replacement_open(const struct target *t, char name[REPLACEMENT])
 {
     mode_t mask = umask(0);
@@ -145,8 +143,8 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the target. Signals are blocked, except during the wait for another program that has
- * locked the target. Returns false and sets errno on failure. */
+/* Writes the text into the target. Signals are only delivered during the wait for a lock. Sets errno on
+ * failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

@@ -9,8 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The pause between two attempts when no system call can wait for the event: short for a user, but long for a
- * processor. */
+/* The time between two attempts where no system call can wait. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)
@@ -34,6 +33,7 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     if (file >= 0)
         FD_SET(file, to_write ? &out : &in);
     sigset_t before = io_block();
+    /* A signal after the check of the flag also ends pselect. */
     if (!dom_raised(interrupt))
         pselect(file + 1, &in, &out, NULL, longest, &before);
     io_unblock(&before);

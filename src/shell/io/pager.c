@@ -17,13 +17,11 @@
 /* Text that does not fill the screen within this time is shown as it arrives, without a pager. */
 #define HOLD_SECONDS 0.5
 
-/* The prompt of the program less. In its syntax, '?e' tests for the end of the text, and ':' separates the
- * two cases. */
+/* The prompt of 'less'. In its syntax, '?e' tests for the end of the text, and ':' means "else". */
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
-/* Signals that are handled differently while a pager program runs. As in system(3), SIGQUIT is ignored.
- * Unlike in system(3), ^Z stops both programs, and ^C ends the running computation. After the computation, ^C
- * is ignored until the pager program ends. */
+/* Signals with other handlers while a pager program runs. SIGQUIT is ignored. Unlike in system(3), ^Z stops
+ * both programs. ^C ends the computation, and is ignored afterwards. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
@@ -65,13 +63,11 @@ static const char *line_next(const char *line, const char *end)
 
 /* ---- A pager program ---- */
 
-/* Starts a pager program that reads the text from the descriptor `text`. `command` is $PAGER, or NULL for the
- * program less. Returns false on failure. */
+/* Starts a pager program that reads from the descriptor `text`. `command` is $PAGER, or NULL for 'less'. */
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If the program in $PAGER does not exist, the text is shown by the program less or, failing that, by
-     * cat. */
+    /* If $PAGER does not exist, 'less' or else 'cat' shows the text. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
@@ -100,8 +96,8 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the pager program. From now on, all text goes through a pipe to this program. Returns false on
- * failure, or if the terminal is not capable enough for the program less. */
+/* Starts the pager program and a pipe to it. Returns false on failure, or if the terminal is too simple for
+ * 'less'. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *command = getenv("PAGER");
@@ -128,8 +124,7 @@ static bool program_open(struct pager *p)
     return true;
 }
 
-/* Closes the pipe, and waits for the program to end.  A signal that ends the session also ends the
- * program. */
+/* Closes the pipe, and waits for the program. A signal that ends the session also ends the program. */
 static void program_close(struct pager *p)
 {
     const struct timespec moment = {.tv_nsec = 20000000};
@@ -141,8 +136,8 @@ static void program_close(struct pager *p)
             kill(p->child, SIGTERM);
         nanosleep(&moment, NULL);
     }
-    /* A program that was killed does not restore the terminal modes.  If this process is in the background,
-     * the terminal belongs to another job. */
+    /* A killed program does not restore the terminal. In the background, the terminal belongs to
+     * another job. */
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
     for (int i = 0; i < SIGNALS; i++)
@@ -186,8 +181,7 @@ static bool pages_write(struct pager *p, const char *text, size_t size)
 
 /* ---- The level ---- */
 
-/* Writes text to its destination in the current state. Returns false if that fails, usually because the user
- * has quit the pager. */
+/* Writes text to its destination. Returns false on failure, usually because the user has quit. */
 static bool pass_on(struct pager *p, const char *text, size_t size)
 {
     bool is_written = p->state == PAGES ? pages_write(p, text, size) : fwrite(text, 1, size, p->to) == size;
@@ -200,7 +194,7 @@ static bool pass_on(struct pager *p, const char *text, size_t size)
     return false;
 }
 
-/* Begins to show the text that has been held so far. If `with_pages` is true, shows it with a pager. */
+/* Begins to show the text that has been held, with a pager if `with_pages` is true. */
 static bool show(struct pager *p, bool with_pages)
 {
     if (p->to)
@@ -241,6 +235,7 @@ static const char *pager_pop(struct output *o, bool keep)
         show(p, false);
     if (p->state == PROGRAM)
         program_close(p);
+    /* Messages are shown after the pager has ended. */
     if (o->messages != o->below->messages)
         fclose(o->messages);
     if (p->messages)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The output levels of 'log' and 'tee'. They pass text on to the level below, and write a copy of it into a
- * file. */
+/* The levels of 'log' and 'tee' pass text on to the level below, and copy it into a file. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
@@ -23,8 +22,8 @@ struct record {
     enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence;
 };
 
-/* Returns true if the character is not part of a control sequence for terminals. *sequence keeps the state
- * between calls. */
+/* Returns true unless the character belongs to a control sequence. *sequence keeps the state between
+ * calls. */
 static bool is_text(enum sequence *sequence, char c)
 {
     const enum sequence before = *sequence;
@@ -44,8 +43,7 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes text on to the level below, and writes it into the file without colours and cursor movements. In a
- * log, answers become comments. */
+/* Passes text on, and copies it without control sequences. In a log, answers become comments. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;

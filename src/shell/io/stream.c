@@ -27,9 +27,8 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that was flushed but has not been written yet, and errno of the first write that failed. They may be
- * accessed only under `held_lock`. Threads that write wait for this lock; the handler of the timer never
- * waits. */
+/* Text that was flushed but not written yet, and errno of the first failed write. Both are protected by
+ * `held_lock`. Threads wait for this lock, but the timer's handler never does. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;
@@ -120,9 +119,8 @@ struct channel {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Reads the bytes that are available. If there are none, first writes the collected answers, because the
- * program at the other end may wait for them before it sends its next command. So answers need not be written
- * after each command. */
+/* Reads the available bytes. If there are none, first writes the buffered answers, because a program may wait
+ * for them before it sends its next command. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -158,8 +156,8 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may have to wait. Regular files never wait. Writing to a terminal is not
- * counted as waiting, because ^C discards output that is stuck in the terminal. */
+/* Returns true if reading or writing may wait. Regular files never wait. Output that is stuck in a terminal
+ * does not count, because ^C discards it. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

@@ -88,8 +88,8 @@ int system_reserve(int file, off_t from, off_t to)
     int reason = to > from ? posix_fallocate(file, from, to - from) : 0;
     return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot reserve space */
 #else
-    /* Write a byte into each block beyond the end of the file. The blocks before the end are assumed to have
-     * space on the disk already. */
+    /* Only blocks beyond the end of the file need a byte. The others are assumed to have space on the
+     * disk. */
     struct stat status;
     if (fstat(file, &status) != 0)
         return errno;

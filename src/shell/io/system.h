@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Functions that differ between operating systems. Each of them uses a function that the build has found on
- * this system (see the script `features`), or otherwise functions of POSIX. 'make portable' tests the
- * versions that use only POSIX.
- */
+/* Functions that differ between operating systems. They use what the build has found (see `features`), or
+ * else only POSIX. 'make portable' tests the versions for POSIX. */
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H
 
@@ -11,8 +8,8 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* The functions of a stream. A function that is NULL does nothing. `write` must write all bytes; if it
- * returns less, the stream has an error. */
+/* The functions of a stream. A NULL function does nothing. `write` must write all bytes, or the stream has an
+ * error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);
     ssize_t (*write)(void *cookie, const char *bytes, size_t size);
@@ -22,12 +19,11 @@ struct system_stream {
 /* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Reserves disk space for the bytes `from` to `to` of a file, which is then at least `to` bytes long. Returns
- * 0, or an error number. After a failure the file may be longer than before. */
+/* Reserves disk space for the bytes `from` to `to` of a file, which may grow even on failure. On success, it
+ * has at least `to` bytes. Returns 0 or an error number. */
 int system_reserve(int file, off_t from, off_t to);
 
-/* Opens a new file without a name in a folder. Returns -1 if the system or the file system does not support
- * such files. */
+/* Opens a new file without a name in a folder. Returns -1 if this is not supported. */
 int system_unnamed(const char *folder);
 
 /* Makes this process end when its parent ends, if the system allows it. */

@@ -11,8 +11,7 @@
 
 static struct target *targets;
 
-/* Returns the absolute path of a file, without symbolic links. Unlike realpath, also works for a file that
- * does not exist yet. Returns NULL and sets errno on failure. */
+/* Like realpath, but also accepts a file that does not exist yet. Returns NULL and sets errno on failure. */
 static char *real_path(const char *path)
 {
     char target[PATH_MAX], *next, *real = realpath(path, NULL);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that the session is writing. Two output levels must not write the same file at the same time. */
+/* The files that the session is writing. Two levels must not write the same file. */
 #ifndef SHELL_TARGET_H
 #define SHELL_TARGET_H
 
@@ -7,8 +7,7 @@
 #include <sys/stat.h>
 
 struct target {
-    /* the absolute path, in which a symbolic link is replaced by its target, even if the target does not
-     * exist */
+    /* The absolute path without symbolic links, even if the file does not exist. */
     char *path;
     bool exists;
     struct stat status; /* the result of stat(2), if the file exists */
@@ -16,10 +15,9 @@ struct target {
 };
 
 /*
- * Registers a file that is going to be written. Returns NULL on success. On failure, registers nothing and
- * returns a message. This happens if the name contains characters that must be escaped (see escape.h), or if
- * the session is already writing the file, perhaps under another name. The target `except`, which may be
- * NULL, is not checked. Standard output is also checked, unless `may_be_standard` is true.
+ * Registers a file that will be written. Returns NULL, or a message on failure. Files that the session writes
+ * already are refused, except the target `except`, which may be NULL. Standard output is refused unless
+ * `may_be_standard` is true.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);
@@ -30,7 +28,7 @@ void target_end(struct target *target);
 /* Returns true if standard output is redirected to the file. */
 bool target_is_standard(const struct target *target);
 
-/* Returns a message for the errno of a failed write. A reason of 0 means that errno was not set. */
+/* Returns a message for the errno of a failed write, which is 0 if it was not set. */
 const char *target_error(int reason);
 
 #endif

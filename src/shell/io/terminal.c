@@ -20,8 +20,8 @@ void terminal_pass(const FILE *from, const FILE *to)
         front = to;
 }
 
-/* Returns the descriptor of the terminal that shows the text written to the stream, or -1. isatty is called
- * only once for each standard stream. */
+/* Returns the descriptor of the terminal that shows the stream, or -1. Calls isatty once for each standard
+ * stream. */
 static int shown_on(FILE *stream)
 {
     static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: not a terminal, 0: not known yet */
@@ -114,8 +114,7 @@ static char *number_write(char *to, long number)
     return to + 1;
 }
 
-/* The handler of SIGALRM, which arrives once a second. Writes the progress line without printf, which a
- * signal handler must not call. */
+/* The handler of SIGALRM, which arrives once a second. It must not call printf. */
 static void on_tick(int number)
 {
     const int all = 1000000;

@@ -12,16 +12,15 @@ bool terminal_shows(FILE *stream);
 /* Returns true if text written to the stream appears on a terminal with colours, and NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
-/* Stores the number of columns and rows of the stream's terminal. Without a terminal, stores 0 and 0, and
- * returns false. */
+/* Stores the columns and rows of the stream's terminal. Without a terminal, stores 0 in both and returns
+ * false. */
 bool terminal_size(FILE *stream, int *width, int *height);
 
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* Passes on the role of standard output. If the stream `from` has stood for standard output, the stream `to`
- * does so from now on: text written to `to` counts as shown on the terminal. 'log', 'tee' and the pager use
- * such streams. */
+/* If `from` has stood for standard output, `to` does so from now on. Text written to `to` then counts as
+ * shown on the terminal. 'log', 'tee' and the pager use such streams. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
@@ -36,23 +35,21 @@ int terminal_columns(const char *text);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, shows there how long the command has been running, as in "3 s; ^C stops
- * it". The line is updated every second. */
+/* If standard error is a terminal, shows the elapsed time there every second, as in "3 s; ^C stops it". */
 void progress_begin(void);
 
 /* Clears the line that progress_begin has shown. */
 void progress_end(void);
 
-/* Sets the fraction of the work that is done. The progress line then shows the fraction and the time left, as
- * in "12 %, 3 s left". With a fraction of 1, it shows only the elapsed time. */
+/* Sets the fraction of the work that is done. The progress line then reads "12 %, 3 s left". With a fraction
+ * of 1, it shows only the elapsed time. */
 void progress_show(double fraction);
 
 /* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise such calls take effect
- * again. A thread that computes only a part of the work is muted, because its calls would show the progress
- * of that part. Returns the previous setting. */
+/* If `mute` is true, this thread ignores progress_show from now on. Threads that compute a part of the work
+ * are muted, or the progress of this part would be shown. Returns the previous setting. */
 bool progress_mute(bool mute);
 
 #endif
