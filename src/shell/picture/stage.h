@@ -101,9 +101,9 @@ static inline bool drawn_marked(const struct drawn *domino)
 /* Returns the k-th domino, counted from 0, from the end towards which the dominoes fall. */
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
-/* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c. `behind` is the visible length
- * behind the head, in heights of the head; 0 shows all followers that fit. The caller frees the stage, even
- * after an error. */
+/* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c, and room for 30 more dominoes.
+ * `behind` is the visible length behind the head, in heights of the head; 0 shows all followers that fit.
+ * Free the stage even after an error. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct domq_compute *compute, domq_real theta, double behind);
 
