@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'animate', which makes a film of the falling row, with a clock, or of several cycles of the
- * train. Each cycle is r times as large as the one before. */
+/* The command 'animate', which makes a film of the falling row or of the train. */
 #include "commands/drawing/animate_train.h"
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
@@ -14,12 +13,10 @@
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-/* The view follows the falling dominoes if the largest domino is more than this many times as tall as the
- * smallest. */
+/* The view follows the front if the largest domino is this many times as tall as the smallest. */
 #define FOLLOWED 30
 #define HELD     1 /* time for which the last frame is shown, in s */
-/* The longest time, in s, that the motion takes in a film. A longer motion is shown faster, unless the user
- * gives the speed. */
+/* The longest duration of the motion in a film, in s, unless the user gives the speed. */
 #define SHORTEST 9
 
 struct row_film {
@@ -31,9 +28,8 @@ struct row_film {
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
-/* Points the view of a frame at the domino that was hit last, which has the number `head`, counted from 1.
- * Between two hits, the view moves to the next domino, and grows exponentially from the size of one domino to
- * that of the next. */
+/* Points the view of a frame at domino `head`, counted from 1, which was hit last. Until the next hit, the
+ * view moves to the next domino and grows exponentially to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];
@@ -76,8 +72,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Returns the speed of the film. Unless the user gives the speed, a long fall is shown faster than in real
- * time, which keeps the file small. */
+/* Returns the speed of the film. A long fall is shown faster, which keeps the file small. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_what *what = f->film.what;
@@ -86,8 +81,7 @@ static domq_real film_speed(const struct row_film *f, double seconds)
     return round_digits((domq_real)(seconds / SHORTEST), 2, true);
 }
 
-/* Fills f->time with the times of the frames. The last frames have an infinite time, which stands for the end
- * of the motion. */
+/* Fills f->time with the times of the frames. Infinity stands for the end of the motion. */
 static bool row_times(struct row_film *f)
 {
     struct film *film = &f->film;
@@ -134,8 +128,7 @@ static bool animate_row(const struct film *film, double tower)
     }
     falling_row_reach(&f.row, true);
     stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
-    /* Makes room for the largest caption of a frame. A caption has two lines, and the second line is longest
-     * in the last frame, where it gives the verdict. */
+    /* Makes room for the largest caption, in which the second line is the verdict. */
     falling_row_verdict(&f.row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
     bool done = !f.towers || tower_film(&f.row, tower) ||
@@ -172,8 +165,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)
-        /* Remove the note that the answer is about the train. For a row the note would be wrong, and a user
-         * who typed 'train' does not need it. */
+        /* The note that the answer is about the train would be wrong or superfluous. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (what->tower) {

@@ -16,8 +16,7 @@ bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct f
 }
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-/* The largest domino of a film is at most this many times as tall as the first head. Otherwise the first
- * head would look like a dot. */
+/* The largest domino is at most this many times as tall as the first head, which must stay visible. */
 #define GROWN_MOST 40
 /* The tolerance of the tilts in a film. A viewer cannot see such small errors. */
 #define FILM_TOL ((domq_real)1 / 1000000000)
@@ -36,12 +35,13 @@ struct train_film {
     char ruler[96];
 };
 
-/* A cycle of the film: its number, counted from 0, and the time when it begins. The cycle lasts `slower`
- * times as long as the first cycle. Its head is `scale` times as large as the first head and stands at x =
- * `shift`. */
+/* A cycle of the film, compared with the first cycle. */
 struct place {
-    int cycle;
-    double begun, slower, scale, shift;
+    int cycle;     /* counted from 0 */
+    double begun;  /* the time when the cycle begins */
+    double slower; /* the duration, divided by that of the first cycle */
+    double scale;  /* the height of the head, divided by that of the first head */
+    double shift;  /* x of the head */
 };
 
 static struct place place_at(const struct train_film *f, double time)
@@ -57,8 +57,8 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns the largest number n of cycles with r^n <= grown_most, but at least 1 and at most `most`. At the
- * end of n cycles the head hits a domino that is r^n times as large as the first head. */
+/* Returns the largest n in 1 .. most with r^n <= grown_most, or 1. After n cycles, the head hits a domino r^n
+ * times as tall as the first head. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;
@@ -117,8 +117,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Adds the heads of later cycles, which still stand, to the stage of one cycle. Then scales and shifts all
- * dominoes to the size and position that this cycle has in the film. */
+/* Adds the standing heads of later cycles to the stage of one cycle. Then moves and scales all dominoes to
+ * their place in the film. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];

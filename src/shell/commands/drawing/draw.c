@@ -35,8 +35,7 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Returns a cell with a coordinate of a domino. A value that differs from 0 only by rounding errors becomes
- * 0. */
+/* Returns a cell with a coordinate of a domino. Rounding errors become 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
@@ -66,8 +65,7 @@ static bool stage_rows(const struct stage *stage, enum dom_status forces, struct
 
 /* ---- The row ---- */
 
-/* Finds the time when the domino with this number is hit. If there is no such domino, or it is never hit,
- * sets *problem and returns false. */
+/* Finds the time when the domino with this number is hit. Fails if it is never hit. */
 static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
                         domq_real *time)
 {
@@ -84,8 +82,7 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
                              number, end);
 }
 
-/* Finds the time of the moment that the arguments request. If the row has no such moment, sets *problem and
- * returns false. */
+/* Finds the time of the requested moment. Fails if the row has no such moment. */
 static bool moment_time(struct problem *problem, const struct draw_what *what, const struct falling_row *row,
                         domq_real *time)
 {
@@ -96,15 +93,13 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* The user may have copied the end of the motion from an answer that was rounded up, so a slightly later
-     * time is accepted, too. */
+    /* An end of the motion that an answer has rounded up is accepted, too. */
     return what->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
                              measured((domq_real)row->end, "s", 4).text);
 }
 
-/* Sets up the stage and its caption for a moment of the fall or, if `moment` is NULL, for the row before it
- * falls. */
+/* Draws a moment of the fall or, if `moment` is NULL, the row before it falls. */
 static bool moment_show(const struct domq_moment *moment, void *context)
 {
     struct falling_row *row = context;
@@ -164,8 +159,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 /* The maximum number of forces in a caption. Dominoes farther back can hardly be seen. */
 enum { FORCES_MOST = 6 };
 
-/* Writes the caption of a train: its parameters, the meaning of the marks, and the forces if no arrows show
- * them. */
+/* Writes the caption of a train. It lists the forces if no arrows show them. */
 static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
 {
     const struct domq_train *t = &query->scene->train;
@@ -196,8 +190,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_what *what)
 {
     struct stage stage;
-    /* If no tilt is given, the train is drawn where 'step' and 'goto' have led, with the finer tolerance of
-     * struct walk. */
+    /* Without a tilt, the train is drawn where 'step' and 'goto' have led, with the tolerance of struct
+     * walk. */
     const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
@@ -255,16 +249,17 @@ const struct command draw_commands[] = {
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
      .summary = "a picture of the row or the train, to scale, at a moment",
-     .help = "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the "
-             "row. 'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row "
-             "as it falls; a domino that has detached is shown at the tilt at which it detached. Without a "
-             "row, or with 'draw train', the endless train is drawn: at the tilt that you give, as in 'draw "
-             "0.3', or where 'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw "
-             "forces' add the contact forces. 'draw tower' after 'count 112 m' shows the row of that answer "
-             "with a tower of 112 m at its end. The smallest dominoes are drawn once more, enlarged. In the "
-             "terminal the picture is made of characters. 'draw > row.svg' makes a file, whose name can also "
-             "end in .png or .pdf (with gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json "
-             "have the corners of all dominoes (in m for a row), and for a train the contacts and forces.",
+     .help =
+         "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
+         "'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row as it "
+         "falls. A domino that has detached keeps the tilt at which it detached. Without a row, or with "
+         "'draw train', the endless train is drawn. 'draw 0.3' shows it at this tilt. Without a tilt, it is "
+         "shown where 'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw forces' add "
+         "the contact forces. 'draw tower' after 'count 112 m' shows the row of that answer with a tower of "
+         "112 m at its end. The smallest dominoes are drawn once more, enlarged. In the terminal the picture "
+         "is made of characters. 'draw > row.svg' makes a file. Its name can also end in .png or .pdf (with "
+         "gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json have the corners of all dominoes "
+         "(in m for a row). For a train they also have the contacts and forces.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",
@@ -282,14 +277,14 @@ const struct command draw_commands[] = {
      .help =
          "'animate row.gif' shows the row, with a clock, from the push until the last domino lies or the row "
          "stops. The film runs in real time, or faster if it would take more than 9 s. 'speed 0.5' shows the "
-         "row half as fast as in real time, and 'rate 20' makes a film of 20 frames per second. Where the "
-         "largest domino is more than 30 times as tall as the smallest, the view follows the front and grows "
-         "with it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a "
-         "tower of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the "
-         "endless train, and 'animate train.gif train 4' shows four of them. Each cycle is r times as large "
-         "as the one before and lasts sqrt(r) times as long, so at r = 1.5 one film can show at most 9. The "
-         "name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the "
-         "frames. csv and json have the times and tilts of the frames instead.",
+         "row half as fast as in real time. 'rate 20' makes a film of 20 frames per second. If the largest "
+         "domino is more than 30 times as tall as the smallest, the view follows the front and grows with "
+         "it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a tower "
+         "of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the endless "
+         "train. 'animate train.gif train 4' shows four cycles. Each cycle is r times as large as the one "
+         "before and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. The name of "
+         "the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv "
+         "and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .unswept = "it draws",

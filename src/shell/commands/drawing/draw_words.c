@@ -129,8 +129,7 @@ bool film_parse(struct reader *r, struct question *q)
 
 /* ---- Binding ---- */
 
-/* Checks the unit and the range of a value. The moment must be a time. The speed and the rate must be numbers
- * in their ranges. A rate may be typed as 20 or as 20/s. */
+/* Checks the unit and the range of a value. A rate may be typed as 20 or as 20/s. */
 static bool value_check(enum draw_value value, struct quantity quantity, struct problem *problem)
 {
     domq_real number = quantity.value;

@@ -13,8 +13,8 @@ static bool end_seen(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Returns how to draw domino k, counted from 0. `head` is the number, from 1, of the last domino that was
- * hit, or 0 before the fall. `has_moved` is true if domino k has begun to fall. */
+/* Returns how to draw domino k, counted from 0. `head` is the number of the last domino that was hit, counted
+ * from 1, or 0 before the fall. */
 static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool has_moved)
 {
     const struct domq_verdict *v = &row->run.verdict;

@@ -6,8 +6,8 @@
 #include "commands/rows/falling.h"
 #include "picture/stage.h"
 
-/* A row whose fall has been simulated, and the stage on which it is drawn. Lengths are in m. Times are in s,
- * counted as in struct domq_fall. */
+/* A row that has been run, and the stage on which it is drawn. Lengths are in m. Times are in s, as in struct
+ * domq_fall. */
 struct falling_row {
     struct row_run run;
     struct stage stage;
@@ -16,29 +16,27 @@ struct falling_row {
     struct marks marks; /* words for captions, which explain the marks in the drawing */
 };
 
-/* Runs the row, and places its dominoes on the stage as they stand before the fall. On failure, sets *problem
- * and returns false, and nothing needs to be freed. */
+/* Runs the row, and draws it as it stands before the fall. After a failure nothing needs to be freed. */
 bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
 /*
- * Returns the time when domino k, counted from 0, is hit. The first domino of a row without a push is not
- * hit; for this domino, returns the negative time at which it visibly begins to move. Returns NaN if domino k
- * is never hit, or if its time cannot be computed.
+ * Returns the time when domino k, counted from 0, is hit, or NaN if this never happens or cannot be computed.
+ *
+ * Without a push, domino 0 is not hit. For it, returns the negative time at which it visibly begins to move.
  */
 double falling_row_hit(const struct falling_row *row, size_t k);
 
-/* Runs the row again and calls `visit` at each of the times, which must not decrease. A time beyond the end
- * of the motion, such as infinity, stands for the end. */
+/* Runs the row again and calls `visit` at each of the times, which must not decrease. Infinity stands for the
+ * end of the motion. */
 enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
                                   domq_moment_visit *visit, void *context);
 
-/* Places the dominoes on the stage as they are at a moment or, if `moment` is NULL, before the fall. */
+/* Draws the dominoes at a moment or, if `moment` is NULL, before the fall. */
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
-/* Extends the stage to the right as far as the last dominoes stand or, if `lying` is true, as far as they
- * reach after they have fallen. */
+/* Extends the stage to the right end of the standing row or, if `lying` is true, of the fallen row. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */
@@ -54,8 +52,7 @@ void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 /* Writes how the row ends. */
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes which domino is the weakest and how much energy it has. Writes "" if no domino is drawn as the
- * weakest. */
+/* Writes which domino is the weakest, and how much energy it has. Writes "" if no domino is drawn so. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
 /* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls, 7 still stand." */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'plan', which writes a guide for building the row: sizes and boards for the workshop, and
- * places for the hall. */
+/* The command 'plan', which writes a guide for building the row. */
 #include "commands/drawing/plan.h"
 #include "commands/drawing/plan_tables.h"
 #include "language/quad.h"
@@ -47,8 +46,7 @@ bool plan_parse(struct reader *r, struct question *q)
 
 /* ---- The numbers ---- */
 
-/* The number of random rows. The engine runs fewer, because it takes hundreds of times as long for a row as
- * the model. */
+/* The number of random rows. A row takes hundreds of times as long in the engine as in the model. */
 enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)
@@ -60,8 +58,7 @@ static void plan_free(struct plan *p)
     falling_row_free(&p->row);
 }
 
-/* Computes everything that the guide shows. On failure, sets *problem and returns false, and nothing needs to
- * be freed. */
+/* Computes everything that the guide shows. After a failure nothing needs to be freed. */
 static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
                       struct plan *p)
 {

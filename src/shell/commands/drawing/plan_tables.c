@@ -11,8 +11,8 @@ const struct domq_window *plan_window(const struct plan *p, enum dom_window_of k
 
 /* ---- Texts ---- */
 
-/* Writes a length in mm with one decimal. The length is rounded down if `round` is -1, up if it is 1, and to
- * the nearest 0.1 mm if it is 0. */
+/* Writes a length in mm with one decimal: rounded down if `round` is -1, up if it is 1, and else to
+ * nearest. */
 static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 {
     double tenths = 10000 * (double)metres;
@@ -21,8 +21,8 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
         snprintf(cell, GUIDE_CELL, "%.1f", tenths / 10);
 }
 
-/* Writes a value and the two ends of its window into three cells. The cells are bold if domino k has the
- * tightest window of this kind. */
+/* Writes a value and its window into three cells. They are bold if this is the tightest window of its
+ * kind. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {
@@ -84,11 +84,10 @@ bool plan_size_table(struct plan *p, bool has_masses)
     const struct scene_row *scene = &p->row.run.scene;
     struct guide_table *table = table_add(
         p, "For the workshop: the sizes of the dominoes",
-        has_masses
-            ? "In mm and kg. All dominoes fall if the height or the thickness of a single "
-              "domino is between 'least' and 'most', and nothing else changes."
-            : "In mm; masses are divided by the mass of domino 1. All dominoes fall if the height or the "
-              "thickness of a single domino is between 'least' and 'most', and nothing else changes.",
+        has_masses ? "In mm and kg. All dominoes fall if one height or one thickness is between 'least' and "
+                     "'most', and nothing else changes."
+                   : "In mm; masses are divided by the mass of domino 1. All dominoes fall if one height or "
+                     "one thickness is between 'least' and 'most', and nothing else changes.",
         scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",
@@ -127,8 +126,7 @@ static int piece_order(const void *one, const void *other)
                                             : (a->length > b->length ? -1 : 1);
 }
 
-/* Writes the pieces of one domino: a solid block, or the six sides of a box with walls. Returns how many
- * kinds of pieces there are. */
+/* Writes the pieces of one domino, a solid block or a box. Returns how many kinds of pieces it has. */
 static size_t pieces_of(const struct plan *p, size_t k, struct piece piece[3])
 {
     const struct scene_row *scene = &p->row.run.scene;
@@ -161,9 +159,8 @@ bool plan_board_table(struct plan *p)
         p->is_thin
             ? "In mm. The dominoes are hollow, and their walls are as thin as paper; 'effect walls 12 mm' "
               "makes boxes of boards."
-        : p->row.run.scene.row.boxes_above > 0
-            ? "In mm. A solid block is one piece; each box has a front and a back, two sides between them, "
-              "and a bottom and a top."
+        : p->row.run.scene.row.boxes_above > 0 ? "In mm. A solid block is one piece. Each box has a front "
+                                                 "and a back, two sides between them, and a bottom and a top."
         : p->row.run.scene.row.walls > 0
             ? "In mm. Each box has a front and a back, two sides between them, and a bottom and a top."
             : "In mm. A solid block is one piece.",

@@ -13,8 +13,7 @@
 #define TOO_SMALL 0.012
 /* The largest width of the enlarged copy, as a fraction of the width of the picture. */
 #define ZOOM_WIDE 0.36
-/* The largest height of the enlarged copy, and its height above the floor, as fractions of the tower's
- * height. */
+/* The largest height of the enlarged copy, and its height above the floor, divided by the tower's height. */
 #define ZOOM_HIGH  0.4
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
@@ -43,7 +42,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     return query_with(query, assigned, 2, state, changed, problem);
 }
 
-/* Adds an enlarged copy of the dominoes that are too small to be seen, and mentions it in the caption. */
+/* Adds an enlarged copy of the dominoes that are too small to see, and mentions it in the caption. */
 static void zoom_add(struct stage *stage, size_t count, double height)
 {
     const double left = stage->domino[0].foot - stage->domino[0].thickness;
@@ -54,8 +53,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         return;
     const struct drawn *last = &stage->domino[small - 1];
     double room = ZOOM_WIDE * (stage->right - stage->left);
-    /* The copy is drawn above the row, so it must end to the left of all dominoes that are tall enough to
-     * touch it. */
+    /* The copy stands above the row, and must not touch the tall dominoes at its right. */
     for (size_t k = count; k-- > 0;)
         if (stage->domino[k].height > (ZOOM_ABOVE - 0.02) * height)
             room = fmin(room, stage->domino[k].foot - 1.5 * stage->domino[k].thickness - left);
@@ -79,9 +77,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, at a distance of `distance` times the height of this domino.
- * Allocates room for `copies` more dominoes. Does not include the tower in stage->count. Returns false if
- * memory runs out. */
+/* Puts the tower behind the last domino, at `distance` times the height of this domino. Allocates room for
+ * `copies` more dominoes. The tower does not count in stage->count. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
     const size_t count = stage->count;

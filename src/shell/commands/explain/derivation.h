@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Derivations show where a number comes from. Each quantity has two texts for the expression parser: its
- * equation, and an expression that computes the same number with the library. The program shows the number of
- * the library, and a test compares it with the number that the equation gives. */
+/*
+ * Derivations show where a number comes from.
+ *
+ * Each quantity has an equation, and an expression that computes the same number with the library. The
+ * program shows the number of the library. A test compares it with the number of the equation.
+ */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -20,8 +23,8 @@ enum {
     HAS_LEFT = 128,    /* at the tilt that the user asked about, the head's follower has detached */
 };
 
-/* Some quantities are sums over all dominoes i. The equation of such a quantity gives the term of one domino,
- * and enum sum tells at which tilt of the head the sum is evaluated. */
+/* The tilt of the head at which a sum over all dominoes i is evaluated. The equation of a sum gives the term
+ * of domino i. */
 enum sum {
     SUM_NONE,
     SUM_LAUNCH, /* the tilt 0 */
@@ -34,19 +37,21 @@ struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
 
-/* A quantity, and how it follows from other quantities. If several entries of the list have the same name,
- * the first one whose conditions the train fulfils is used. */
+/* A quantity, and how it follows from others. Of entries with one name, the first whose conditions hold is
+ * used. */
 struct derived {
     struct symbol_names names;
     unsigned with; /* the conditions under which this entry is used, as bits */
-    unsigned ends; /* if the train fulfils one of these conditions, the equation does not hold, and the
-                      derivation ends */
+    unsigned ends; /* under these conditions the equation does not hold, and the derivation ends */
     enum sum sum;
     const char *equation; /* NULL if there is no equation in closed form; the derivation then ends here */
-    /* How to find the number: '$' and the name of a parameter or effect, '#' and a name for fall_value, or an
-     * expression that computes the number with the library. In the expression, '@' stands for the value that
-     * the user typed after the question. This member is NULL for a quantity that differs from term to term of
-     * a sum. */
+    /*
+     * How to find the number:
+     * - '$' and the name of a parameter or effect,
+     * - '#' and a name for fall_value, or
+     * - an expression for the library, where '@' is the value that the user typed.
+     * NULL for a quantity that differs from term to term of a sum.
+     */
     const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
@@ -58,8 +63,8 @@ extern const struct derived derived_list[];
 /* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
     const char *name;
-    const char *value; /* name of the value after the question: "theta", "s" or "H", or NULL for none */
-    const char *roots; /* the names of the quantities that answer the question, with blanks between them */
+    const char *value; /* "theta", "s" or "H" if the user types such a value, or NULL */
+    const char *roots; /* the quantities that answer the question, with blanks between them */
 };
 extern const struct explained explained_list[];
 
@@ -87,19 +92,18 @@ struct step {
 
 struct derivation {
     struct query query; /* a query about the member `state` */
-    /* A changed copy of the session's state, which borrows the memory of the original. */
+    /* A changed copy of the session's state, which borrows its memory. */
     struct state *state;
     struct problem *problem;
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    /* for a question about a row: the hit of the domino that is explained; otherwise NULL */
+    /* the hit of the explained domino of a row; NULL for the train */
     const struct domq_fall *fall;
     const char *energy_unit; /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
-    /* The tilts and slopes of all dominoes: at launch, and at the tilt of the head for which the current sum
-     * is computed. */
+    /* The tilts and slopes of all dominoes, at launch and at the tilt of the current sum. */
     struct chain {
         struct domq_link *link;
         size_t count, room;
@@ -108,15 +112,15 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes the steps of a question. If `fall` is not NULL, the question is about a domino of a row. On
- * failure, sets *problem and returns false. The caller must call derivation_end in both cases. */
+/* Makes the steps of a question. `fall` is the hit of a domino in a row, or NULL. The caller must call
+ * derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Writes the equation of a step with numbers in place of the names. For a sum, writes the first terms, and
- * the total of the other terms as one number. */
+/* Writes the equation of a step with numbers instead of names. Of a sum, writes the first terms, and adds up
+ * the others. */
 void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
                   int digits);
 
@@ -126,9 +130,8 @@ struct explain_bound {
     bool deep;
 };
 
-/* Writes a derivation as text or, if the answer goes to a .md, .tex or .pdf file, as a lesson. The text
- * begins with the sentence `verdict` unless `verdict` is "". Sets *problem and returns false if pdflatex is
- * needed and fails. */
+/* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is its first sentence,
+ * or "". Fails if pdflatex is needed and fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound, const char *verdict,
                    struct problem *problem);

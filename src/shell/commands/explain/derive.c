@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes derivations: finds the quantities that an answer needs, their numbers, and the values of their
- * equations. */
+/* Makes derivations: finds the quantities that an answer needs, and their numbers. */
 #include "commands/explain/derivation.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -32,8 +31,7 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Finds the number that the member `library` of struct derived describes. The result is NaN if the number
- * does not exist. On failure, sets *problem and returns false. */
+/* Finds the number that the member `library` of struct derived describes: NaN if there is none. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -100,8 +98,8 @@ static bool chain_add(const struct domq_link *link, void *context)
     return true;
 }
 
-/* Fills d->at with the tilts and slopes of the dominoes when the head has this tilt, and d->launch with those
- * at launch. Adds dominoes at theta_f, whose terms are 0, until both chains have the same length. */
+/* Fills d->at at this tilt of the head, and d->launch at the launch. Pads the shorter chain with dominoes at
+ * theta_f, whose terms are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -150,7 +148,7 @@ static bool sum_value(struct derivation *d, struct step *s)
 
 static struct step *step_add(struct derivation *d, const char *name, int depth);
 
-/* Adds a step for every name in the syntax tree of an equation, and makes the names refer to these steps. */
+/* Adds a step for every name in an equation, and makes the names refer to these steps. */
 static bool names_add(struct derivation *d, struct step *s, struct tree *t)
 {
     if (t->kind == TREE_NAME) {
@@ -170,8 +168,7 @@ static bool names_add(struct derivation *d, struct step *s, struct tree *t)
     return true;
 }
 
-/* Returns a description of the quantity. If the equation of the quantity does not hold for this train, the
- * description also says why. */
+/* Returns a description of the quantity. It also says if the equation does not hold, and why. */
 static const char *words_of(struct derivation *d, const struct derived *q)
 {
     const unsigned ends = q->ends & d->has;
@@ -184,8 +181,7 @@ static const char *words_of(struct derivation *d, const struct derived *q)
     return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
 }
 
-/* Adds a step for the quantity with this name, without its value. On failure, sets d->problem and returns
- * NULL. */
+/* Adds a step for this quantity, without its value. Returns NULL on failure. */
 static struct step *step_begin(struct derivation *d, const char *name, int depth)
 {
     const struct derived *q = derived_list;
@@ -211,7 +207,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     return NULL;
 }
 
-/* Returns the step for a quantity, with its value. On failure, sets d->problem and returns NULL. */
+/* Returns the step for a quantity, with its value, or NULL on failure. */
 static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
     for (int k = 0; k < d->count; k++)
@@ -243,9 +239,8 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
-/* For a question about the largest growth at a separation, sets s of the train to this separation, and r to
- * the largest growth. Sets *reach to true if the growth is limited by the reach. On failure, sets *problem
- * and returns false. */
+/* For a question about the largest growth, sets s and r of the train. *reach is set to true if the reach
+ * limits the growth. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

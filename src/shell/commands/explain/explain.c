@@ -86,8 +86,7 @@ static bool explain_bind(const struct question *q, const struct query *query, st
 
 /* ---- Rows ---- */
 
-/* Returns the equation of a step as text, which the caller frees. If `numbers` is true, the text has numbers
- * in place of the names. Returns NULL if memory runs out. */
+/* Returns the equation of a step, in names or in numbers, or NULL. The caller frees the text. */
 static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
 {
     char *text = NULL;
@@ -127,9 +126,8 @@ enum { VERDICT_TEXT = 160 };
 
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
-/* Runs the row, and finds the domino that decides the verdict: the domino at which the row stops, or the
- * weakest domino. Writes a sentence about this domino. Sets *problem and returns false if the verdict does
- * not depend on an energy. */
+/* Runs the row, and finds the domino that decides the verdict: the last one, or the weakest one. Writes a
+ * sentence about it. Fails if no energy decides. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
                           char verdict[VERDICT_TEXT], struct problem *problem)
 {
@@ -153,8 +151,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
                                      ? "all dominoes fall, and none of them has a barrier to climb"
                                      : "this row ends at domino %zu for a reason other than its energy: %s",
                                  v.domino, dom_row_end_text(v.end));
-    a->note =
-        NULL; /* the note would say that the answer is about the train, but the answer is about the row */
+    a->note = NULL; /* the note about the train does not apply to a row */
     snprintf(verdict, VERDICT_TEXT,
              v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
                                     : "The row has %zu dominoes and stops at domino k = %zu.",
@@ -217,15 +214,14 @@ const struct command explain_commands[] = {
      .summary = "where a number comes from: its equations, with numbers filled in",
      .help =
          "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
-         "in symbols and with numbers, the value, and the quantities from which the value comes. With "
+         "in symbols and with numbers, and the value. It also lists the quantities in the equation. With "
          "'deep', these quantities are explained as well, down to the parameters. The values are those that "
-         "the other "
-         "commands compute. After theta1, energy and omega, MORE begins with a tilt; after rmax, with a "
-         "separation; after count, with a height. With a row, 'explain verdict' is about the domino that "
-         "decides the verdict. Where no equation in closed form exists, as with friction or rounded edges, "
-         "or where a search finds a maximum, the derivation says so and ends. 'explain ... > lesson.pdf' "
-         "writes the derivation for a lesson, typeset by pdflatex; '> lesson.tex' and '> lesson.md' write it "
-         "with formulas. json gives the tree: 'needs' names the quantities from which each quantity comes.",
+         "the other commands compute. After theta1, energy and omega, MORE begins with a tilt; after rmax, "
+         "with a separation; after count, with a height. With a row, 'explain verdict' is about the domino "
+         "that decides the verdict. With friction or rounded edges, or where a search finds a maximum, there "
+         "may be no equation in closed form. The derivation then says so and ends. 'explain ... > "
+         "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it with "
+         "formulas. json gives the tree: 'needs' names the quantities from which each quantity comes.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",
@@ -237,8 +233,8 @@ const struct command explain_commands[] = {
      .train = true,
      .summary = "the paper's recipe for the largest growth, compared with this program",
      .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
-             "shows the number that each step gives at the session's s and r, computed as in the paper and "
-             "by this program, and says where the two differ and why. With friction, a slope, walls or "
+             "shows the number that each step gives at the session's s and r. It compares the paper's number "
+             "with the number of this program, and says why they differ. With friction, a slope, walls or "
              "rounded edges there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
@@ -249,9 +245,9 @@ const struct command explain_commands[] = {
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
      .summary = "the numbers and figures of the paper, recomputed with both fuels",
      .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
-             "and the quiz. Each number is computed with the paper's closed form of the fuel and with the "
-             "fuel from the balance of energy, and the table says why the two results differ. The table is "
-             "about the paper's own dominoes and does not depend on the scene.",
+             "and the quiz. Each number is computed with the paper's closed form of the fuel, and with the "
+             "fuel from the balance of energy. The table says why the two results differ. The table is about "
+             "the paper's own dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
      .unswept = "it does not depend on the scene",

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'paper', which recomputes numbers and figures of the paper, and compares them with the printed
- * values. */
+/* The command 'paper', which recomputes numbers and figures of the paper. */
 #include "commands/explain/paper.h"
 #include "language/quad.h"
 
@@ -16,8 +15,7 @@ const struct column paper_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data that all rows of the table share: the paper's train, whose d is 7/48, and the options of the
- * computation. */
+/* The data that all rows of the table share. `train` is the paper's train, with d = 7/48. */
 struct table {
     struct answer *answer;
     struct domq_train train;
@@ -63,8 +61,7 @@ static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
     return high;
 }
 
-/* Writes rows for the figure of the growth as a function of the separation: points of the curve, its maximum,
- * and the separation at which the curve begins to drop off as 1/s. */
+/* Writes rows for the figure of the growth: its points, its maximum, and where the drop-off as 1/s begins. */
 static void growth_rows(struct table *t)
 {
     struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
@@ -118,8 +115,7 @@ static void cycle_rows(struct table *t)
               "the factor J(theta_c) was lost in print");
 }
 
-/* Writes rows for the quiz: how many dominoes it takes to topple the Domtoren, a tower of 112 m, at the
- * growth that the paper quotes, and at the largest growth. */
+/* Writes rows for the quiz: how many dominoes topple a tower of 112 m, the Domtoren. */
 static void quiz_rows(struct table *t)
 {
     const struct domq_scale scale = domq_scale_default();
@@ -156,11 +152,12 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
     }
     if (t.status != DOM_OK)
         return problem_status(problem, query->scene, t.status);
-    answer_say(a, "The numbers differ for two reasons. The closed form of the fuel, the second equality of "
-                  "(25; c7), leaves out the weights r^(-q i) of the dominoes, which are 1 only for r = 1. "
-                  "And (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with the "
-                  "exact values. Where the reach limits the growth, both fuels give the same growth.");
-    answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
+    answer_say(a,
+               "The numbers differ for two reasons. First, the closed form of the fuel, the second equality "
+               "of (25; c7), leaves out the weights r^(-q i) of the dominoes. These weights are 1 only for r "
+               "= 1. Second, (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with "
+               "the exact values. Where the reach limits the growth, both fuels give the same growth.");
+    answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares the "
                   "steps for the dominoes of the session.");
     return true;
 }

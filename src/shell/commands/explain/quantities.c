@@ -3,8 +3,7 @@
 #include "commands/explain/derivation.h"
 #include <stddef.h>
 
-/* Q makes a list entry from values for all members of struct derived. GIVEN makes a list entry for a number
- * that is given rather than derived. */
+/* Q makes a list entry from all its members. GIVEN makes one for a number that is not derived. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, number_, words_)              \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, number_, words_, false      \

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'recipe', which carries out the paper's steps to find the largest growth and compares the
- * results with those of the program. */
+/* The command 'recipe', which compares the steps of the paper's recipe with the results of the program. */
 #include "commands/explain/paper.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -28,8 +27,8 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds three numbers: theta_m, which is the tilt at which the train is highest; the barrier; and tau^2
- * omega^2 at theta_m, which is (K - B) / J(theta_m). */
+/* Finds theta_m, the tilt at which the train is highest, the barrier B, and (K - B) / J(theta_m), which is
+ * tau^2 omega^2 there. */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {
@@ -69,7 +68,7 @@ static enum dom_status results_find(struct domq_train train, const struct domq_c
     status = domq_limit_rmax(&train, compute, &limit);
     if (status == DOM_OK && limit.ends != DOM_END_NONE)
         f->r_max = limit.r_max;
-    /* The recipe does not say how to choose s, so both results use the program's search. */
+    /* The recipe does not say how to choose s, so the program's search is used. */
     if (status == DOM_OK || status == DOM_NOT_CONVERGED)
         status = domq_limit_best(&train, ours, &best);
     if (status == DOM_OK) {
@@ -84,8 +83,7 @@ static bool differs(domq_real paper, domq_real program)
     return !(quad(fabs)(paper - program) <= RECIPE_SAME * quad(fabs)(program));
 }
 
-/* Writes a row with the values of the paper and of the program. If the values differ, or if `always` is true,
- * also writes `why`; in a table, `why` is a sentence below the row. */
+/* Writes a row. If the values differ, or if `always` is true, also says `why`. */
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why, bool always)
 {
@@ -103,14 +101,13 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
 {
     const char *weights =
         "the paper's closed form of the fuel leaves out the weights r^(-q i) of the dominoes (25; c7)";
-    recipe_row(
-        a, 1, angles->detaches ? "theta_f (42; A18)" : "theta_inf (40; A16)", angles->theta_f,
-        angles->theta_f,
-        angles->detaches
-            ? "the paper ends the chain where x_i exceeds x_f, but this never happens, because theta_f is "
-              "the largest tilt; the program ends the chain where the leader reaches theta_leave"
-            : NULL,
-        true);
+    recipe_row(a, 1, angles->detaches ? "theta_f (42; A18)" : "theta_inf (40; A16)", angles->theta_f,
+               angles->theta_f,
+               angles->detaches
+                   ? "the paper ends the chain where x_i exceeds x_f, which never happens: theta_f is the "
+                     "largest tilt. The program ends it where the leader reaches theta_leave"
+                   : NULL,
+               true);
     recipe_row(a, 2, "J(0) (20; c2)", paper->J0, ours->J0, NULL, false);
     recipe_row(a, 2, "J(0) as printed in (50; d8)", 1 + quad(pow)(t->r, -(t->q + 1)), ours->J0,
                "the printed relation lacks its last factor, J(theta_c)", false);

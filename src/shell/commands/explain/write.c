@@ -122,12 +122,11 @@ static void words_write(const struct writer *w, const struct step *s)
             putc(*c, w->formula.out);
 }
 
-/* A value counts as rounding error if it is at most this many times the machine epsilon, relative to the
- * largest number from which it is computed. Each of these numbers is the result of a few dozen operations. */
+/* A value of at most this many machine epsilons, relative to the largest number in its equation, counts as
+ * rounding error. Each number is the result of a few dozen operations. */
 #define ROUNDINGS 64
 
-/* Returns true if a value is nothing but rounding error, and would be 0 in exact arithmetic. An example is
- * the margin at the largest growth. */
+/* Returns true if a value would be 0 in exact arithmetic, such as the margin at the largest growth. */
 static bool is_rounding(const struct writer *w, const struct step *s)
 {
     domq_real largest = 0;
@@ -155,8 +154,7 @@ static void value_write(const struct writer *w, const struct step *s)
         fprintf(out, w->dialect ? "\\,\\mathrm{%s}" : " %s", s->unit);
 }
 
-/* Writes one quantity: what it is, its equation, the equation with numbers, and the value, one below the
- * other. */
+/* Writes one quantity: its description, its equation, the equation with numbers, and its value. */
 static void step_write(const struct writer *w, const struct step *s)
 {
     FILE *out = w->formula.out;
@@ -188,8 +186,7 @@ static void list_write(const struct writer *w, const struct step *const *list, i
     for (int k = 0; k < count; k++) {
         put(w, ITEM);
         step_name(list[k], &w->formula);
-        if (isfinite(list[k]->value)) { /* a quantity that differs from term to term of a sum has no single
-                                           value */
+        if (isfinite(list[k]->value)) { /* a quantity that differs between terms has no single value */
             fputs(" = ", out);
             value_write(w, list[k]);
         }
@@ -262,8 +259,7 @@ static bool typeset_write(struct writer *w, const struct explained *e, bool deep
     return done;
 }
 
-/* Writes lines of text so that they fit the terminal. If a line is broken, its continuation has the same
- * indentation. */
+/* Writes lines of text so that they fit the terminal. Broken lines keep their indentation. */
 static void lines_write(FILE *out, char *text, int width)
 {
     for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {

@@ -67,8 +67,7 @@ static const struct argument answer_argument = {.name = "NAME",
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
                              fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
-/* The plots, in the order in which completion offers them. Members that an entry leaves out are 0 on purpose,
- * so the warning about them is turned off. */
+/* The plots, in the order of completion. Entries may leave out members, so the warning is off. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {
@@ -139,8 +138,7 @@ struct plot_parsed {
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* A struct plot_parsed after its expressions have been evaluated. Only the expressions in the arguments of a
- * fit are evaluated later, when the fit is drawn. */
+/* A bound struct plot_parsed. Only the expressions of a fit are evaluated later. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;
@@ -164,9 +162,8 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     }
 }
 
-/* Parses the text after the name of a plot: keywords for the look of the chart, the argument of the plot, and
- * more keywords. No keyword can follow a grid or the arguments of a fit, which extend to the end of the
- * command. */
+/* Parses the text after the name of a plot. Keywords may surround the argument of the plot, but not follow a
+ * grid or a fit, which extend to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -202,8 +199,8 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return look_bind(&p->look, q->text, query, &g->look, problem);
 }
 
-/* Chooses the columns of a plot, in the order of its keys. If several columns have the same key, chooses the
- * one whose description mentions the plot. */
+/* Chooses the columns of a plot. Of several columns with one key, chooses the one whose description mentions
+ * the plot. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;
@@ -223,7 +220,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     const struct plot *plot = &plots[(int)query->given->number[0]];
     const struct plot_given *more = query->given->count > 1 ? query->given->bound : NULL;
     const struct chart_look usual = {.title = NULL};
-    /* A plot sees only its own argument, without the look of the chart. */
+    /* The plot sees only its own argument. */
     struct arguments given = *query->given;
     struct query plot_query = *query;
     given.count = more && more->has_argument ? 2 : 1;
@@ -249,23 +246,24 @@ const struct command plot_commands[] = {
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =
-         "For a row, 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
-         "fall runs along the row, and 'plot gaps' how far each gap may be off. 'plot placement 400' shows "
-         "how likely the whole row is to fall, from 400 random rows for each size of the errors. For trains, "
-         "'plot growth' shows the largest growth, 'plot growth paper' compares it with the growth that the "
-         "paper's fuel gives, and 'plot marginal' with the growth of two dominoes. 'plot energy', 'plot "
-         "omega', 'plot inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows what accuracy "
-         "costs. 'plot sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters, and 'plot "
-         "sweep s 0.1 0.9 33 : rmax, pair' the curves of several answers. 'plot fit friction FILE' shows "
-         "measurements against the values that the model gives with the fitted friction. The picture appears "
-         "in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, .pdf, or .tex for "
-         "\\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json give the "
-         "data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth title "
-         "\"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look: 'title', 'xlabel' and 'ylabel' with a text; "
-         "'xrange' and 'yrange' with the two ends of an axis, in the unit that its label names; 'xscale' and "
-         "'yscale' with 'log' or 'linear'; 'legend' with 'below', 'right' or 'off'; and for a file, 'width' "
-         "and 'height' from 6 to 30 cm, 'font' in points, and 'family' with the name of a font. These words "
-         "can come in any order, but must come before the grid of a sweep or the parameters of a fit.",
+         "For a row, 'plot fall' shows how much energy each domino has to spare. 'plot speed' shows how fast "
+         "the fall runs along the row, and 'plot gaps' how far each gap may be off. 'plot placement 400' "
+         "shows how likely the whole row is to fall. It uses 400 random rows for each size of the errors. "
+         "For trains, 'plot growth' shows the largest growth. 'plot growth paper' compares it with the "
+         "growth that the paper's fuel gives, and 'plot marginal' with the growth of two dominoes. 'plot "
+         "energy', 'plot omega', 'plot inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows "
+         "what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters. "
+         "'plot sweep s 0.1 0.9 33 : rmax, pair' shows the curves of several answers. 'plot fit friction "
+         "FILE' shows measurements against the values that the model gives with the fitted friction. The "
+         "picture appears in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, "
+         ".pdf, or .tex for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and "
+         ".json give the data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth "
+         "title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' and 'ylabel' take a "
+         "text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its label names. "
+         "'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or 'off'. For a "
+         "file, 'width' and 'height' take 6 to 30 cm, 'font' takes points, and 'family' takes the name of a "
+         "font. These words can come in any order. They must come before the grid of a sweep or the "
+         "parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",

@@ -9,8 +9,8 @@
 
 /* ---- The rows as numbers ---- */
 
-/* The functions of a binary output format. The output begins with a struct plot_rows, which has the keys and
- * units of the columns. A struct plot_row for each row follows. */
+/* The functions of a binary output format: a struct plot_rows with keys and units, then a struct plot_row for
+ * each row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct plot_rows rows = {.count = 0};
@@ -73,8 +73,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis, with a unit that suits the largest number on the axis. Returns the size of
- * this unit, relative to the unit of the column. */
+/* Writes the label of an axis, with a unit that suits its largest number. Returns the size of this unit in
+ * units of the column. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'cost': the error of an answer against the time that it takes, with a curve for each method and
- * precision. */
+/* The plot 'cost': the error of an answer against its time, for each method and precision. */
 #include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
-/* Adds a curve for the method and precision of a row. The same method and precision have the same colour and
- * style in every chart. */
+/* Adds a curve. Every chart gives a method and precision the same colour and style. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)
 {
     static const enum ink inks[] = {INK_SKY, INK_BLUE, INK_PURPLE};
@@ -32,8 +30,7 @@ static void cost_chart(const struct query *query, const char *name, const struct
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
-        /* The axis is logarithmic, and an error far below the unit roundoff of the precision means nothing.
-         * The chart shows all errors below `least` as `least`. */
+        /* An error far below the unit roundoff means nothing, and could be 0 on a logarithmic axis. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));

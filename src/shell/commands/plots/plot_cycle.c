@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of the train, plotted against the tilt of its
- * head. */
+/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of the train over the tilt of its head. */
 #include "commands/plots/plots.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
@@ -10,8 +9,7 @@
 
 enum { STEPS = 160 };
 
-/* If the train stops, the chart extends to this multiple of the tilt at which it stops, to show the barrier.
- */
+/* If the train stops, the chart extends to this multiple of its last tilt, to show the barrier. */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
@@ -59,8 +57,7 @@ static bool tilts_link(const struct domq_link *link, void *context)
     return t->count < LINES;
 }
 
-/* Finds the tilts of the first dominoes. A domino that is too light to matter, or that has detached, gets the
- * tilt theta_f. */
+/* Finds the tilts of the first dominoes: theta_f for a detached or negligibly light domino. */
 static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct tilts *t)
 {
     const struct scene *scene = c->query->scene;
@@ -71,8 +68,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the dominoes whose tilts 'plot chain' draws as separate lines. Dominoes farther back are so close to
- * theta_f that their lines could not be told apart. */
+/* Counts the lines of 'plot chain'. Lines of later dominoes would be too close to theta_f to tell apart. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;
@@ -100,8 +96,7 @@ static void keyed_write(struct answer *a, const struct keyed *cells, int count)
     answer_row(a, row, NULL);
 }
 
-/* Writes the rows at one tilt of the head, one for each line of the chart. `event` is the event at this tilt,
- * or NULL if there is none. */
+/* Writes a row for each line of the chart at one tilt of the head. `event` is NULL or the event there. */
 static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
                                     int lines, struct answer *a)
 {
@@ -149,8 +144,7 @@ static enum dom_status samples_write(const struct cycle *c, int lines, struct an
     return status;
 }
 
-/* Writes the rows of a plot. If there is a chart, adds the parameters of the train to the title of the chart,
- * and a labelled line for each event. */
+/* Writes the rows of a plot, and adds the parameters and the events to the chart, if there is one. */
 static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {

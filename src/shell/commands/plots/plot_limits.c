@@ -21,8 +21,8 @@ static const struct limit growth_limits[LIMITS] = {
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth at separation s. Sets *r to NaN if no growth is possible, or if the paper's
- * formula for the fuel is requested but does not hold. */
+/* Finds the largest growth at separation s: NaN if no growth is possible, or if the paper's fuel does not
+ * hold. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {
@@ -50,8 +50,8 @@ static domq_real reach_at(struct domq_train train, domq_real s)
     return domq_train_reach(&train);
 }
 
-/* Sets the labels and the ends of the axes, and marks the growth of the session. The vertical axis includes
- * this growth, unless it is far above all curves. */
+/* Sets the axes, and marks the growth of the session. The y axis includes this growth, unless it is far above
+ * all curves. */
 static void limits_chart(const struct domq_train *t, double top, struct chart *chart)
 {
     double r = (double)t->r;

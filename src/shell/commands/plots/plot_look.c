@@ -29,8 +29,7 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                                                 .of = "place of the legend",
                                                 .choices = legend_names};
 
-/* A keyword, how to parse each of its values, and how many values it has. `argument` is NULL for keywords
- * with a text. */
+/* A keyword, how to parse each of its values (NULL for a text), and how many values it has. */
 static const struct {
     const char *name;
     const struct argument *argument;
@@ -56,8 +55,7 @@ static const char *look_names(const void *context, int k)
     return k < LOOK_WORDS ? words[k].name : NULL;
 }
 
-/* The limits for a picture in a file. Width and height are from SIZE_LEAST to MOST, in cm, and the font size
- * is from FONT_LEAST to MOST, in points. */
+/* The limits for a picture in a file: width and height in cm, font size in points. */
 #define SIZE_LEAST 6
 #define MOST       30
 #define FONT_LEAST 5
@@ -102,8 +100,7 @@ bool look_parse(struct reader *r, struct look_parsed *p)
         for (int i = 0; i < words[k].values; i++)
             if (!value_parse(r, k, &p->item[k][i], &p->text[k]))
                 return false;
-        /* The name of a font is written into a gnuplot command, where a quote or a comma would end the name.
-         */
+        /* In a gnuplot command, a quote or a comma would end the name of the font. */
         const char *family = k == LOOK_FAMILY ? p->text[k] : "a";
         const size_t fine =
             strspn(family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
@@ -172,7 +169,7 @@ bool look_bind(const struct look_parsed *p, const struct text *text, const struc
         return false;
     return look->legend != CHART_LEGEND_RIGHT || !(look->width > 0 && look->width < LEGEND_LEAST) ||
            problem_error(problem,
-                         "a picture of %.6g cm has no room for a legend at the right, which needs a width "
-                         "of %g cm; use 'legend below'",
+                         "a picture of %.6g cm has no room for a legend at the right, which needs %g cm; use "
+                         "'legend below'",
                          look->width, LEGEND_LEAST);
 }

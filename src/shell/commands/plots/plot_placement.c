@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'placement': the probability that the whole row falls, plotted against the random errors of its
- * gaps. */
+/* The plot 'placement': the probability that the whole row falls over the random errors of its gaps. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -11,17 +10,14 @@
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-/*
- * Chooses the largest standard deviation in the chart. It is well above the deviation at which half of the
- * rows fall and, unless `now` is NaN, above `now`, which is the deviation that 'effect placement' sets. A
- * rough result is enough, so only a few random rows are run.
- */
+/* Chooses the largest standard deviation in the chart. It is well above the one at which half of the rows
+ * fall, and above `now`, the one of 'effect placement' (NaN if that effect is off). */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
 {
     struct domq_budget half;
     struct domq_placement rough = *placement;
-    rough.rows = ROWS_ROUGH;
+    rough.rows = ROWS_ROUGH; /* a rough result is enough */
     enum dom_status status =
         domq_placement_budget(&scene->row, &scene->compute, &rough, DOM_ERROR_gap, 0.5, &half);
     *most = 0;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots 'fall', 'speed' and 'gaps': the energies and speeds along the row, and the ranges of gaps at
- * which all dominoes fall. */
+/* The plots 'fall', 'speed' and 'gaps': energies, speeds and windows of gaps along the row. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
@@ -27,17 +26,14 @@ static void end_note(const struct row_run *run, struct chart *chart)
 
 /* ---- Energy to spare ---- */
 
-/* Returns the spare energy of the domino in run->fall[i], divided by its barrier. Returns NaN for a domino
- * that needs no energy. Also returns NaN for a first domino that was tipped over its edge, because this
- * domino has exactly the energy that it needs. */
+/* Returns margin / barrier of run->fall[i], or NaN if the domino needs no energy or was tipped. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];
     return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
 }
 
-/* Sets the limits of both axes. The energy axis is logarithmic, and begins at a power of ten below the
- * smallest spare energy. */
+/* Sets the limits of both axes. The logarithmic energy axis begins below the smallest spare energy. */
 static void fall_axes(const struct row_run *run, struct chart *chart)
 {
     double least = HUGE_VAL, most = 0;
@@ -121,7 +117,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    /* The number of a domino, counted from 1, is the index of the next domino, counted from 0. */
+    /* A domino's number, counted from 1, is the index of the next domino. */
     size_t next = run->fall[i].domino;
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;
@@ -176,16 +172,14 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns the distance from a gap to the nearer end of its window, which is the range of gaps at which all
- * dominoes fall. Returns infinity if the gap has no window. */
+/* Returns the distance from a gap to the nearer end of its window, or infinity if it has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Writes into the note of the chart which gap must be set most precisely or, if the row does not fall, which
- * change of a gap would save it. */
+/* Notes which gap has the tightest limits or, if the row does not fall, which gap could save it. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

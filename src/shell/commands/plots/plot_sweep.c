@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'sweep': one number of any answer, plotted against one or two parameters. One parameter gives a
- * curve. Two parameters give a map or, if one of them has only a few values, a curve for each of these
- * values. */
+/* The plot 'sweep': a number of any answer over one or two parameters, as curves or as a map. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A chart shows at most FAMILY curves, and a sweep over at most AXES parameters. A curve of at most MARKED
- * points shows each of them. */
+/* The maximum numbers of curves in a chart, of points that a curve marks, and of parameters. */
 enum { FAMILY = 6, MARKED = 24, AXES = 2 };
 
 static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
@@ -16,7 +13,7 @@ static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, 
 struct points {
     const struct plot_rows *rows;
     struct sweep_shape shape;
-    int column; /* index of the plotted column, or of the first plotted column if there are several answers */
+    int column;  /* index of the first plotted column */
     size_t none; /* the number of points where a value is missing */
 };
 
@@ -34,8 +31,7 @@ static size_t missing_at(const struct points *p, size_t k)
     return missing;
 }
 
-/* Returns the index of the column to plot: the principal column of the command or, if it has none, the first
- * column of its answer. */
+/* Returns the index of the principal column or, without one, of the first column of the answer. */
 static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;
@@ -51,16 +47,14 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The label omits the unit h. The meaning of a parameter in this unit already says that it is divided by
-     * the height. */
+    /* The label omits the unit h, because the meaning says that the parameter is divided by the height. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");
     to->logarithmic = a->logarithmic;
 }
 
-/* Returns true if the values of an axis are evenly spaced, as a map needs them. On a logarithmic axis,
- * compares their logarithms. */
+/* Returns true if the values of an axis (their logarithms, if it is logarithmic) are evenly spaced. */
 static bool is_even(const struct points *p, int axis)
 {
     const struct axis *a = &p->shape.grid->axis[axis];
@@ -89,8 +83,7 @@ static void label(char *to, size_t size, const char *name, const char *unit)
     snprintf(to, size, "%s%s%s%s", name, *name && *unit ? " " : "", *unit ? "in " : "", unit);
 }
 
-/* Draws curves along the axis with index `over`: one for each answer of a list, or one for each value of the
- * other axis. If several answers have different units, the legend names the units. */
+/* Draws curves along the axis with index `over`, one for each answer or each value of the other axis. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
     const struct plot_rows *rows = p->rows;
@@ -171,8 +164,8 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
         return problem_error(problem,
-                             "a map needs evenly spaced numbers on both axes; if one axis has at most %d "
-                             "values, each value gets a curve instead",
+                             "a map needs evenly spaced numbers on both axes; instead, an axis of at most %d "
+                             "values gives a curve for each value",
                              FAMILY);
     if (missing == rows->count * p.shape.answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",

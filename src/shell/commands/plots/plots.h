@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The plots of the command 'plot'. A plot has a function that writes rows of data, and a table of labels and
- * curves. Programs get the rows as csv or json. For people, plot_draw draws a chart of the same rows. To add
- * a plot, write its function, declare it below, and add an entry to the table of plots in plot.c.
+ * The plots of the command 'plot'. Programs get their rows as csv or json; people get a chart of these rows.
+ *
+ * To add a plot, write its plot_run, declare it below, and add an entry to the table in plot.c.
  */
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
@@ -10,11 +10,8 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/*
- * Writes the rows of a plot. For people, `chart` is the chart to which plot_draw will add the rows; the
- * function itself adds everything that is not in the rows, such as a note or additional points. For programs,
- * `chart` is NULL. If the function fails, it sets *problem and returns false.
- */
+/* Writes the rows of a plot. plot_draw adds them to `chart`, which is NULL for programs. The function itself
+ * adds what is not in the rows, such as a note. On failure, sets *problem and returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain;
@@ -30,7 +27,7 @@ struct plot_rows {
     char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
     char unit[ANSWER_COLUMNS][24];
     struct plot_row {
-        /* Angles are in the session's unit. A word, or a number that is missing, is NaN. */
+        /* Angles are in the session's unit. Words and missing numbers are NaN. */
         double number[ANSWER_COLUMNS];
         char word[32]; /* the first cell as text, in the form that csv uses */
     } * row;
@@ -41,21 +38,19 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    /* Key of the column that gives the unit of the axis and, for the x axis, also the values. On the y axis,
-     * NULL means that the numbers have no unit. */
+    /* Key of the column with the unit and, for the x axis, the values. NULL for a y axis without a unit. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
     bool percent;      /* show the numbers as percentages */
 };
 
-/* A curve that shows the column `key`. For a curve of ranges, each range extends from the column "low" to the
- * column "high". */
+/* A curve that shows the column `key`. Ranges extend from the column "low" to the column "high". */
 struct plot_curve {
     const char *key, *title;
     enum chart_kind kind;
     enum ink ink;
     int dash;
-    int series; /* if `series` is not 0, the curve shows only rows whose first number is series - 1 */
+    int series; /* if not 0, only rows whose first number is series - 1 are shown */
 };
 
 enum { PLOT_CURVES = 5 };
@@ -67,19 +62,17 @@ struct plot {
     const char *title;
     struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
     struct plot_curve curve[PLOT_CURVES]; /* if there are fewer curves, a NULL title ends the list */
-    /* If not NULL, this function draws the rows, and the axes and curves above are not used. */
+    /* If not NULL, draws the rows instead of the axes and curves above. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
-/* Writes the rows of a plot for programs, or draws a chart of them for people. `look` contains the user's
- * choices for the look of the chart. */
+/* Writes the rows of a plot for programs, or draws them for people with the look that the user chose. */
 bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
                struct answer *a, struct problem *problem);
 
-/* The keywords for the look of a chart. In a pair of keywords for the two axes, the keyword for the x axis
- * comes first. */
+/* The keywords for the look of a chart. The keyword for x is followed by the keyword for y. */
 enum look_word {
     LOOK_WIDTH,
     LOOK_HEIGHT,
@@ -96,8 +89,7 @@ enum look_word {
     LOOK_WORDS
 };
 
-/* The values after each keyword. If a keyword was not typed, its item.argument, item.word and text are NULL.
- */
+/* The values after each keyword. They are NULL if the keyword was not typed. */
 struct look_parsed {
     struct item item[LOOK_WORDS][2];
     const char *text[LOOK_WORDS];

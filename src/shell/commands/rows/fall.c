@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'fall' and 'verdict'. Both run the row of the scene once. 'fall' lists the dominoes, and
- * 'verdict' prints only the result. */
+/* The commands 'fall', which lists the dominoes, and 'verdict', which prints only the result. */
 #include "commands/rows/rows.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -47,8 +46,7 @@ static bool is_slippery(const struct scene_row *scene)
     return scene->row.engine && isfinite(scene->engine.effects.feet);
 }
 
-/* Returns how far the foot of domino k, counted from 0, has slid. Returns NaN if the engine did not run the
- * row. */
+/* Returns how far the foot of domino k, counted from 0, has slid. Only the engine computes this. */
 static domq_real foot_slid(const struct scene_row *scene, size_t k)
 {
     return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
@@ -132,12 +130,12 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves out the columns that are not needed. A table shows energies as percentages, and also in J if the
- * masses are known. */
-static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
+/* Leaves out the columns that are not needed. */
+static void columns_choose(struct answer *a, const struct scene_row *scene, bool has_masses)
 {
     if (answer_for_people(a)) {
-        answer_leave_out(a, weighed ? "margin" : "kinetic barrier margin");
+        /* A table shows energies as percentages and, if the masses are known, also in J. */
+        answer_leave_out(a, has_masses ? "margin" : "kinetic barrier margin");
         answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine does not compute barriers */
     }
     if (!scene->row.floor)

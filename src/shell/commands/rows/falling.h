@@ -7,8 +7,7 @@
 
 /* ---- A run of the row ---- */
 
-/* The row of the scene and the result of running it. Do not copy this struct: the engine has a pointer to the
- * report inside it. */
+/* The row of the scene and the result of its run. Do not copy this struct: the engine points into it. */
 struct row_run {
     struct scene_row scene;
     struct domq_verdict verdict;
@@ -17,31 +16,28 @@ struct row_run {
     bool timeless; /* a domino almost stops, so later times cannot be computed */
 };
 
-/* Makes the row of the scene without running it. On failure, sets *problem and returns false, and nothing
- * needs to be freed. */
+/* Makes the row of the scene without running it. After a failure nothing needs to be freed. */
 bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
 void row_run_free(struct row_run *run);
 
 /* Makes the row of the scene for a picture, runs it, and stores every hit. The hits have times only if
- * `timed` is true. On failure, sets *problem and returns false, and nothing needs to be freed. */
+ * `timed` is true. After a failure nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
-/* Returns true if domino k, counted from 0, is the first domino and is not pushed, but tipped until it falls
- * by itself. */
+/* Returns true if domino k, counted from 0, is tipped until it falls by itself. Only the first domino can
+ * be. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
-/* A callback for domq_row_rmax; the context is a scene. Fills in the row of this scene, but with the growth
- * r. Keeps the changes that the user has made to single dominoes. */
+/* A callback for domq_row_rmax. Fills in the row of `scene` with the growth r. Changes to single dominoes
+ * stay. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */
 
-/* Returns a cell for a narrow column. A table shows the value with this many digits, and without an error
- * bound. */
+/* Returns a cell that a table shows with this many digits and without an error bound. */
 struct cell cell_narrow(domq_real value, int digits);
 
-/* Rounds a positive number up or down to this many significant digits. Other numbers are returned unchanged.
- */
+/* Rounds a positive number to this many significant digits. Returns any other number unchanged. */
 domq_real round_digits(domq_real value, int digits, bool up);
 
 struct words {
@@ -54,15 +50,13 @@ struct words energy_words(domq_real share);
 /* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
 struct words all_fall_words(size_t count);
 
-/* Returns the energy of a domino just after it is hit, divided by the energy that it needs. Returns NaN if
- * the domino needs no energy, or if no amount of energy is enough. */
+/* Returns kinetic / barrier, or NaN if the barrier is not a positive finite number. */
 domq_real fall_share(const struct domq_fall *fall);
 
 /* Prints which domino has the least energy to spare, if this is known. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict);
 
-/* Returns true if the status is DOM_OK. Otherwise reports why a computation about the row of the scene
- * failed, and returns false. */
+/* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds how much friction the floor must have so that no foot slips: in a train for 'slip', and in a row for
- * 'fall' and 'verdict'. */
+/* The friction of the floor at which no foot slips: for 'slip', 'fall' and 'verdict'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
@@ -58,8 +57,7 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
             (double)floor, first->domino, slip_words(first, hit).text, measured(first->needs, "", 4).text);
 }
 
-/* Prints how slipping feet affect the answer. `in_motion` is true if feet slip while dominoes fall, and false
- * if they slip only in a collision. */
+/* Prints how slipping feet affect the answer. If `in_motion` is false, feet slip only in a collision. */
 static void slip_matters_say(struct answer *a, bool in_motion)
 {
     answer_say(
@@ -67,23 +65,23 @@ static void slip_matters_say(struct answer *a, bool in_motion)
         in_motion
             ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a row can stop "
               "sooner than this answer says."
-            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little: in a "
+            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In a "
               "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by at most 3 %% "
-              "if the dominoes have a friction of 0.2, and by a tenth if they have none.");
+              "if the dominoes have a friction of 0.2. If they have none, it changes by a tenth.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)
 {
     needs_say(a, &feet->motion, false, feet->floor);
     needs_say(a, &feet->hit, true, feet->floor);
-    /* A slip while the last domino falls does not matter, because no domino is left to be hit. */
+    /* While the last domino falls, a slip does not matter. */
     bool in_motion = feet->motion.first.head > 0 && feet->motion.first.head < count;
     if (!in_motion && feet->hit.first.head == 0)
         return;
     slip_matters_say(a, in_motion);
     answer_say(a,
                "Enter 'effect floor off; effect feet %.4g' to run the row on this floor in a rigid-body "
-               "engine, in which feet can slip.",
+               "engine, where feet can slip.",
                (double)feet->floor);
 }
 

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Computes a study of random rows in parts. A study counts how many of its rows fall, so the counts of its
- * parts can be added. Each part writes counts for blocks of 100 rows. The command 'pool' reads the blocks of
- * all parts, adds their counts, and prints the answer that 'placement' would have printed.
- */
+/* Computes a study of random rows in parts. Each part writes counts for blocks of 100 rows. The command
+ * 'pool' adds them, and prints the answer that 'placement' would have printed. */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
 #include "session/random_errors.h"
@@ -74,7 +71,7 @@ static uint32_t scene_checksum(const struct scene_row *scene)
     return sum;
 }
 
-/* The data of a worker thread. Only the status differs between workers. */
+/* The data of a worker thread. Workers differ only in `status`. */
 struct blocks {
     const struct scene_row *scene;
     const struct domq_placement *placement; /* the parameters of the whole study */
@@ -83,8 +80,8 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5, and 3 rows at
- * domino 6. Each entry begins with the prefix. Returns the length of the text. */
+/* Writes "5:12 6:3" if 12 rows stop at domino 5, and 3 rows at domino 6. Each entry begins with the prefix.
+ * Returns the length of the text. */
 static int stops_text(const size_t *stops, size_t count, const char *prefix, char *text, int size)
 {
     int n = 0;
@@ -95,9 +92,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* For each kind of error, writes how many rows fall without errors of this kind, and where these rows stop
- * with such errors. For example, "gap:98 gap@5:1" means that 98 rows fall if the gaps have no errors, and
- * that one of these 98 stops at domino 5 if the gaps have errors. */
+/* Writes "gap:98 gap@5:1" if 98 rows fall without errors in the gaps, and if one of these 98 stops at domino
+ * 5 with such errors. Writes such a text for each kind of error. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -237,8 +233,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Parses an entry such as "5:12" at *text: adds 12 to the count of domino 5 in `stops`, and moves *text past
- * the entry. Returns the number that was added, or 0 if the entry is wrong. */
+/* Adds 12 to the count of domino 5 if *text is "5:12", and moves *text past this entry. Returns the number
+ * that was added, or 0 if the entry is wrong. */
 static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
 {
     unsigned long domino, count;
@@ -251,8 +247,7 @@ static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
     return count;
 }
 
-/* Parses a text such as "5:12 6:3", adds its counts to p->study.stops, and sets *sum to their sum. Returns
- * false if the text is wrong. */
+/* Parses a text of stops_text, and adds its counts to p->study.stops. *sum receives their sum. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -264,8 +259,7 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
     return true;
 }
 
-/* Parses a text that without_text has written, and adds its counts to p->study. Returns false if the text is
- * wrong. */
+/* Parses a text of without_text, and adds its counts to p->study. */
 static bool without_add(struct pool *p, const char *text)
 {
     struct study *study = &p->study;
@@ -329,8 +323,7 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes to `missing` how many rows of the study are missing, or "" if none are. Sets *problem and returns
- * false if the file has the same row of the study twice. */
+/* Writes to `missing` how many rows of the study are missing, or "". Fails if a row occurs twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

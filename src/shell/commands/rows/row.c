@@ -110,16 +110,15 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
 
 /* ---- change and place: parsing ---- */
 
-/* An element of the linked list of dominoes that are to be changed: a range such as 3-7, or a single domino
- * whose number is an expression. */
+/* An element of the linked list of selected dominoes. */
 struct selected {
     struct row_range range;
-    struct item item; /* the number as an expression; item.argument is NULL for a range */
+    struct item item; /* a single number, as an expression; item.argument is NULL for a range such as 3-7 */
     struct selected *next;
 };
 
 struct change_parsed {
-    struct selected *first; /* the list of dominoes; NULL stands for all dominoes */
+    struct selected *first; /* NULL selects all dominoes */
     int count;
     struct item value;
     bool is_set;   /* a '=' precedes the value */
@@ -202,8 +201,7 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit of the value, and decides whether the value replaces the old one, is added to it, or
- * multiplies it. On failure, sets *problem and returns false. */
+/* Checks the unit of the value. Decides whether the value is set, added or multiplied. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {
@@ -295,8 +293,7 @@ static void changes_say(const struct query *query, struct answer *a, const struc
     a->wrote_text = true;
 }
 
-/* Returns an array that holds one measurement of each domino, such as its height. The caller frees the array.
- * On failure, sets *problem and returns NULL. */
+/* Returns one measurement of each domino, such as its height. The caller frees the array. */
 static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
                                 struct problem *problem)
 {
@@ -342,8 +339,8 @@ const struct command row_commands[] = {
     {.name = "fall",
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
-     .help = "Shows for each domino when it is hit, when it hits the next one, how fast it starts, and how "
-             "its energy compares with the energy that it needs. 'effect row' enters a row.",
+     .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
+             "compares its energy with the energy that it needs. 'effect row' enters a row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,
@@ -365,23 +362,23 @@ const struct command row_commands[] = {
          "Tries the gap after the domino at which the row ends, and the 30 gaps before it. For each gap, "
          "'mend' finds the nearest value at which all dominoes fall, and lists the smallest change first. If "
          "the row needs a push, the answer says so. The search tries 40 smaller and 40 larger values of each "
-         "gap and then bisects; it can miss a range of gaps that is narrower than one step.",
+         "gap, and then bisects. It can miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how far each domino may be off while all still fall",
-     .help = "A window is a range of values: all dominoes fall with every value in it, if the rest of the "
-             "row stays as it is. This command finds windows for the place of each domino, for the gap "
-             "before it, for its height, thickness and lean, and for the friction between dominoes. A place "
-             "is measured along a tape from the back of domino 1; when a place changes, only that domino "
-             "moves. When a gap changes, all dominoes after it move with it. A domino whose height changes "
-             "keeps its density and the angle of its lean. A domino that is not set up plumb leans about its "
-             "front edge; the window for its lean says how far its top may be off plumb, backwards or "
-             "forwards. With rounded edges, and in the engine, the program does not compute how far a domino "
-             "may lean. The dominoes with the tightest limits are marked. If the row does not fall, the "
-             "windows show which single changes save it. The search takes the same steps as 'mend'.",
+     .help = "A window is a range of values. All dominoes fall with every value in it, if the rest of the "
+             "row stays as it is. Each domino has windows for its place, the gap before it, its height, its "
+             "thickness and its lean. The friction between dominoes has one window. A place is measured "
+             "along a tape from the back of domino 1. When a place changes, only that domino moves. When a "
+             "gap changes, all dominoes after it move with it. A domino whose height changes keeps its "
+             "density and the angle of its lean. A domino that is not set up plumb leans about its front "
+             "edge. The window for its lean says how far its top may be off plumb, backwards or forwards. "
+             "With rounded edges, and in the engine, the program does not compute how far a domino may lean. "
+             "The dominoes with the tightest limits are marked. If the row does not fall, the windows show "
+             "which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",
      .rows = true,
@@ -393,13 +390,13 @@ const struct command row_commands[] = {
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another property of dominoes",
      .help = "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
-             "thickness, width, gap (the gap before the domino), mass, radius (of the edges) or lean (how "
-             "far the top is off plumb, or an angle; a negative lean is backwards). X is the new value. An X "
-             "with a sign is added to the old value, as in 'change 4 gap +1 cm', or changes it by a "
-             "percentage, as in 'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. "
-             "A domino that becomes taller, thicker or wider keeps the gaps beside it and its density, so it "
-             "becomes heavier; its other sizes stay the same. The change lasts until another row is entered; "
-             "'save FILE' and 'row > FILE.csv' keep it.",
+             "thickness, width, gap (before the domino), mass, radius (of the edges) or lean. A lean says "
+             "how far the top is off plumb, or is an angle. A negative lean is backwards. X is the new "
+             "value. An X with a sign is added to the old value, as in 'change 4 gap +1 cm'. A percentage "
+             "with a sign changes the old value by this much, as in 'change 4,5 thickness +10 %'. 'change 4 "
+             "lean = -2 mm' sets a negative value. A domino that becomes taller, thicker or wider becomes "
+             "heavier, because it keeps its density. The gaps beside it and its other sizes stay the same. "
+             "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,

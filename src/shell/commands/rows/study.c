@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A row that is set up many times with random errors. Do not copy this struct: it contains a pointer to the
- * pool inside it. */
+/* The row and the random errors of a study. Do not copy this struct: `placement` points to `pool`. */
 struct trials {
     struct scene_row scene;
     struct domq_placement placement;
@@ -16,8 +15,7 @@ struct trials {
     struct task_pool pool;
 };
 
-/* Makes the row and the parameters of its random errors. On failure, sets *problem and returns false, and
- * nothing needs to be freed. */
+/* Makes the row and its random errors. After a failure nothing needs to be freed. */
 static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
                         struct trials *t)
 {
@@ -97,8 +95,7 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 if the share is a whole number of hundredths, 1000 if it is only a whole number of thousandths,
- * and 0 otherwise. */
+/* Returns 100 if the share has at most two decimals, 1000 if it has three, and 0 otherwise. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -107,8 +104,7 @@ static int rows_of(domq_real share)
     return 0;
 }
 
-/* Returns a phrase such as "95 of 100" or "999 of 1000". For a share that needs more digits, returns a phrase
- * such as "99.95 % of the". */
+/* Returns a phrase such as "95 of 100", "999 of 1000" or "99.95 % of the". */
 static struct words share_words(domq_real share)
 {
     struct words words;
@@ -120,7 +116,7 @@ static struct words share_words(domq_real share)
     return words;
 }
 
-/* Rounds sigma down to two digits. Rounding down is safe, because more rows fall with a smaller sigma. */
+/* Rounds sigma down, which is safe: more rows fall with a smaller sigma. */
 static domq_real two_digits(domq_real sigma)
 {
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
@@ -133,8 +129,7 @@ struct budget_call {
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns the size of an error with its unit. For a budget of all errors, returns the factor that multiplies
- * them. */
+/* Returns an error with its unit or, for a budget of all errors, the factor that multiplies them. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
@@ -161,8 +156,7 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Rounds the error size of the budget to two digits, and runs a study with this size. Prints how precise the
- * row must be, and how many rows then fall. */
+/* Prints how precise the row must be, rounded to two digits, and how many rows then fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
@@ -296,14 +290,15 @@ const struct command study_commands[] = {
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
-     .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene: "
-             "first enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
-             "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also "
-             "run without each of them, with the same random numbers for the others, and the answer says "
-             "which error makes the most rows fail, and where they stop because of it. With the same 'seed', "
-             "row number i is always the same, with any number of 'threads'. ^C ends the study, and the "
-             "answer is then about the rows that have been run. With 'domino --shard 2/7' the answer is the "
-             "second of seven parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
+     .help =
+         "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. First "
+         "enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
+         "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also run "
+         "without each of them, with the same random numbers for the others. The answer then says which "
+         "error makes the most rows fail, and where they stop because of it. With the same 'seed', row "
+         "number i is always the same, with any number of 'threads'. ^C ends the study, and the answer is "
+         "then about the rows that have been run. With 'domino --shard 2/7' the answer is the second of "
+         "seven parts of the study. It has counts for blocks of 100 rows, and 'pool' adds them up.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -312,11 +307,10 @@ const struct command study_commands[] = {
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "the answer of 'placement', from the parts of a study",
-     .help =
-         "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N, and collect "
-         "the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The answer is the "
-         "same as that of the undivided study, digit for digit. If rows are missing, the answer says so. It "
-         "is an error if a row occurs twice, or if blocks come from different studies.",
+     .help = "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N. Collect "
+             "the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The answer is "
+             "the same as that of the undivided study, digit for digit. If rows are missing, the answer says "
+             "so. It is an error if a row occurs twice, or if blocks come from different studies.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
@@ -330,12 +324,12 @@ const struct command study_commands[] = {
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps, or E, must be for rows to fall with probability P",
-     .help = "Sets up ROWS random rows (1000 if ROWS is left out), and finds the standard deviation of the "
-             "gaps, sigma, at which the share P of these rows falls. The answer includes the 95 % interval "
-             "of sigma. The random numbers are the same at every sigma. All other errors of the scene stay "
-             "as they are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and "
-             "'budget 0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends "
-             "the search, and the answer is then the best estimate so far.",
+     .help = "Sets up ROWS random rows (1000 if ROWS is left out). Finds sigma, the standard deviation of "
+             "the gaps at which the share P of these rows falls. The answer includes the 95 % interval of "
+             "sigma. The random numbers are the same at every sigma. All other errors of the scene stay as "
+             "they are. 'budget 0.95 1000 thickness' finds the size of another error in the same way. "
+             "'budget 0.95 1000 all' finds the factor by which all errors of the scene may be multiplied. ^C "
+             "ends the search, and the answer is then the best estimate so far.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",
@@ -344,8 +338,8 @@ const struct command study_commands[] = {
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the friction of the floor at which no foot slips",
-     .help = "Finds the largest friction that the foot of any moving domino needs during the cycle: while "
-             "dominoes fall, and separately at the moment of a hit.",
+     .help = "Finds the largest friction that the foot of a moving domino needs while dominoes fall, and at "
+             "the moment of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a study of random rows, and prints its answer: how many rows fall, where the other rows stop, and how
- * many would fall without each kind of error. */
+/* Runs a study of random rows, and prints its answer. */
 #include "commands/rows/rows.h"
 #include "language/text.h"
 #include "session/random_errors.h"
@@ -49,9 +48,8 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
                : domq_placement_study(row, compute, p, &study->counts, study->stops);
 }
 
-/* Steps through an array of counts from the largest to the smallest, and skips counts of 0. Returns the index
- * that follows `last` in this order. To begin, pass `count` as `last`. After the last index, returns
- * `count`. */
+/* Returns the index after `last` in the order from the largest count to the smallest, without counts of 0.
+ * `count` stands for the start and the end of this order. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -63,9 +61,8 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Steps through the kinds of errors, beginning with the kind that costs the most rows. Returns the kind that
- * follows `last` in this order. To begin, pass DOM_ERROR_COUNT as `last`. After the last kind, returns
- * DOM_ERROR_COUNT. */
+/* Returns the kind of error after `last`, beginning with the kind that costs the most rows. DOM_ERROR_COUNT
+ * stands for the start and the end. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */
@@ -74,8 +71,7 @@ static int cause_next(const struct study *s, int last)
     return (int)most_next(cost, DOM_ERROR_COUNT, (size_t)last);
 }
 
-/* Returns the number of the domino where a kind of error stops the most rows, or 0 if this kind of error
- * stops none. */
+/* Returns the domino at which this kind of error stops the most rows, or 0. */
 static size_t cause_stops(const struct study *s, int kind)
 {
     const size_t most = most_next(study_stops(s, kind), s->count, s->count);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'tolerance'. For each domino of a row, finds how far its position, its size and its lean may
- * deviate so that all dominoes still fall. */
+/* The command 'tolerance': how far the places, sizes and leans of single dominoes may deviate. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -39,22 +38,21 @@ const struct column tolerance_columns[] = {
 
 enum { KINDS = WINDOW_KINDS };
 
-/* Returns the distance of the current value from the nearer end of its window. The distance is negative if
- * the value is outside the window, and NaN if there is no window. */
+/* Returns the distance to the nearer end of the window: negative outside it, NaN if there is none. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Returns the number of the domino whose current value is closest to an end of its window, or 0 if there are
- * no windows. This domino has the tightest limits if the row falls, and needs the smallest change if it does
- * not. For heights and thicknesses, the distance is divided by the current value. */
+/* Returns the number of the domino that is closest to an end of its window, or 0 if there are no windows.
+ * This domino has the tightest limits or, in a row that does not fall, needs the smallest change. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
     size_t first = 0;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
+        /* Heights and thicknesses are compared by their relative distances. */
         domq_real free =
             quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
@@ -65,7 +63,7 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     return first;
 }
 
-/* Converts the window of a lean from angles to distances: how far the top of the domino is off plumb. */
+/* Converts a window of leans from angles to distances of the top from plumb. */
 static void lean_to_top(struct domq_window *lean, domq_real height)
 {
     lean->now = height * quad(sin)(lean->now);
@@ -146,8 +144,7 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
 
 /* ---- Sentences, with windows rounded inwards ---- */
 
-/* Rounds both ends of a window inwards so that they have few digits. An end moves by at most a hundredth of
- * the width of the window. */
+/* Rounds both ends of a window inwards, each by at most a hundredth of the width of the window. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
@@ -219,8 +216,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Prints how many windows of heights end only because the search stops there, or because the model does not
- * cover taller dominoes. Such windows may be wider in reality. */
+/* Prints how many windows of heights may be wider in reality. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -237,14 +233,13 @@ static void heights_say(struct answer *a, const struct windows *w)
     if (passing > 0)
         answer_say(a,
                    "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
-                   "domino, so that its face would strike that domino. The model does not include this "
-                   "contact, so the row may also fall with taller dominoes. The rigid-body engine includes "
-                   "it: 'set method engine'.",
+                   "domino. The face of the domino would then strike the next one. The model does not "
+                   "include this contact, so the row may also fall with taller dominoes. The rigid-body "
+                   "engine includes it: 'set method engine'.",
                    passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
-/* For a row that falls, prints the command that moves domino k to the middle of its window. No other domino
- * moves, so the gaps on both sides of domino k change. */
+/* Prints the command that moves domino k, and no other domino, to the middle of its window. */
 static void place_change_say(struct answer *a, const struct windows *w, size_t k)
 {
     const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
@@ -260,12 +255,11 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
 static const char *const size_names[] = {
     [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
 
-/* Prints a 'change' command that sets the gap, height or thickness of domino k to the middle of its window.
- * If the row does not fall, the command goes only a third of the way into the window, as 'mend' does, to keep
- * the change small. */
+/* Prints a 'change' command that sets the gap, height or thickness of domino k. */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
     const struct domq_window *of = &w->kind[kind][k - 1];
+    /* If the row does not fall, the change is kept small, as in 'mend'. */
     const domq_real near = of->now < of->low ? of->low : of->high,
                     far = of->now < of->low ? of->high : of->low,
                     value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
@@ -273,7 +267,7 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
                w->falls ? "sets the middle of this range" : "saves the row");
 }
 
-/* Prints the window of the domino whose height or thickness has the tightest limits, if there is one. */
+/* Prints the window of the domino whose height or thickness has the tightest limits. */
 static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind, const char *how)
 {
     const size_t k = w->first[kind];
@@ -293,7 +287,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
                   "is for one change, with the rest of the row as it is.");
     if (w->scene->row.engine)
-        answer_say(a, "A rigid-body engine runs this row: the ends of windows are accurate to about 1 %%, "
+        answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine finds no verdict.");
     if (!w->falls)
         answer_say(a, "The row does not fall now; a change to any value in one of these windows saves it.");
