@@ -140,7 +140,7 @@ END
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
     wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
-    grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
+    grep -q 'rows with safety 2 are possible, but none with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
     grep -q 'other boards, or a finer grid, may help' <<<"$output"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The command 'cost', which measures computing time. It uses one thread only, because other threads would
- * compete for the caches and the memory, and would lower the clock rate of the processor.
- */
+/* The command 'cost', which measures computing time. It uses a single thread: others would compete for caches
+ * and memory, and lower the clock rate. */
 #include "commands/cost.h"
 #include "commands/tables.h"
 #include "domino_proof.h"
@@ -67,9 +65,8 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 double seconds_of(bool (*answer)(void *context), void *context)
 {
-    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. A batch longer
-     * than `slow` seconds is the last one. */
-    const double shortest = 2e-4, slow = 0.1;
+    const double shortest = 2e-4; /* in s; the clock cannot measure a shorter batch */
+    const double slow = 0.1;      /* in s; no batch follows one that takes longer */
     const int batches = 7;
     double least = HUGE_VAL;
     long repeats = 1;
@@ -124,8 +121,7 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* roughly the fraction of the command's time that this contender takes, for the progress
-                     display */
+    double share; /* roughly the fraction of the time that this contender takes, for the progress display */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
@@ -139,8 +135,7 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures one method in one precision with smaller and smaller tolerances. Ends when the precision allows no
- * smaller tolerance, or when the next measurement would take too long. */
+/* Measures one method in one precision, with smaller and smaller tolerances until that takes too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
@@ -152,8 +147,7 @@ static enum dom_status contender_measure(int which, const struct query *query,
         *row = (struct cost_row){.method = contenders[contender].method,
                                  .precision = contenders[contender].precision,
                                  .tol = tolerances[t]};
-        /* The paper's method takes up to ten times as many steps for each further digit. This gives an
-         * estimate of the time that the next measurement takes. */
+        /* The paper's method takes up to ten times as many steps for each further digit. */
         if (t > 0 && row->method == DOM_METHOD_PAPER &&
             row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
@@ -221,12 +215,8 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
     answer_row(a, cells, NULL);
 }
 
-/*
- * Adds rows for proofs to the table, if the measured quantity is that of rmax or pair. There is a row for
- * each tolerance to which the value can be proved. The error in a row is (high - low) / (2 low), where low
- * and high are the proved bounds. Each proof is timed only once, because it takes a long time. Returns how
- * many seconds the proof with a tolerance of 1e-12 takes, or NaN if there is no such proof.
- */
+/* Adds a row for each tolerance to which the limit of 'rmax' or 'pair' can be proved. Each proof is timed
+ * only once, because it takes long. Returns the seconds of the proof with a tolerance of 1e-12, or NaN. */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
     static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
@@ -250,8 +240,7 @@ static double cost_proved(const struct query *query, struct answer *a, const str
     return twelve;
 }
 
-/* Returns the shortest time, in seconds, in which this method reached a relative error of at most `error` in
- * this precision. Returns NaN if no measurement did. */
+/* Returns the shortest time in s in which a method reached this relative error, or NaN if it never did. */
 static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
                           double error)
 {
@@ -263,15 +252,15 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
     return least;
 }
 
-/* Prints a sentence such as "A takes 12 times B.", unless one of the two times is missing. */
+/* Prints a sentence such as "A takes 12 times B.", unless a time is missing. */
 static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
     if (isfinite(seconds / others))
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints sentences that compare the times for 3, 6 and 12 correct digits. How many digits are correct follows
- * from the true error of a measurement, not from the requested tolerance. */
+/* Compares the times for 3, 6 and 12 correct digits. The true error decides how many digits are correct, not
+ * the tolerance. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

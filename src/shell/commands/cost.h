@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Measures how much computing time accuracy costs. One quantity is computed by every method, in every
- * precision and with smaller and smaller tolerances. A measurement records the time and the true error, which
- * is the difference from a more accurate reference value.
- */
+/* Measures the computing time that accuracy costs. Several methods compute the same quantity in several
+ * precisions, with smaller and smaller tolerances. The error of a result is its difference from a more
+ * accurate reference. */
 #ifndef SHELL_COST_H
 #define SHELL_COST_H
 
@@ -17,7 +15,7 @@ struct cost_row {
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
-    domq_real error; /* relative error, or the error bound of the reference value if this bound is larger */
+    domq_real error;        /* relative error, but at least the error bound of the reference */
     struct dom_work work;
     double seconds; /* the shortest time of several runs, in s */
 };
@@ -30,12 +28,11 @@ struct cost {
     double cheapest; /* time of the quickest measurement, in seconds */
 };
 
-/* For the train of the scene, measures the quantity with index `which` in cost_names. On failure, sets
- * *problem and returns false. */
+/* Measures the quantity with index `which` in cost_names, for the train of the scene. */
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
 
-/* Measures how long a call of `answer` takes. The calls are made in batches, each long enough to be measured
- * by the clock. Returns the seconds per call in the fastest batch, or NaN if a call returns false. */
+/* Returns how many seconds a call of `answer` takes, in the fastest of several batches of calls. Returns NaN
+ * if a call returns false. */
 double seconds_of(bool (*answer)(void *context), void *context);
 
 #endif

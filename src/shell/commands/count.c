@@ -29,8 +29,7 @@ static struct words mass_name(domq_real q)
     return name;
 }
 
-/* Finds whether a train keeps falling. Sets *why to the reason why the train stops, or else to NULL. Returns
- * DOM_OK unless the computation fails. */
+/* Sets *why to why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both cases. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
                                       const char **why)
 {
@@ -54,9 +53,7 @@ struct tower {
     bool falls;
 };
 
-/* Runs a row of `dominoes` dominoes, followed by the domino that they should topple, and finds whether all of
- * them fall. Also finds the largest growth of the endless train, and the largest growth at which a row
- * starts. On failure, sets *problem and returns false. */
+/* Runs a row of `dominoes` dominoes and the domino to topple. Also finds the largest growths. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -75,7 +72,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Returns how many dominoes it takes at growth r to topple one of this height, for example "16 dominoes". */
+/* Returns how many dominoes topple one of this height at growth r, for example "16 dominoes". */
 static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
@@ -87,8 +84,7 @@ static struct words enough_words(const struct query *query, domq_real height, do
     return words;
 }
 
-/* Prints whether a row of dominoes with mass exponent q falls. Also prints how many dominoes it would take at
- * the largest growth of a moving train, and at the largest growth at which a row starts. */
+/* Prints whether a row with mass exponent q falls, and how many dominoes the largest growths need. */
 static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
                      const struct tower *t)
 {
@@ -108,8 +104,7 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Prints the result for each kind of domino that has a name, and for the session's kind, even if that kind
- * has no name. `session_tower` is the result for the session's kind. */
+/* Prints a line for each named kind of domino, and for the session's, whose result is `session_tower`. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)
@@ -182,8 +177,7 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Returns the reason why the row does not topple the domino. Returns NULL if the row topples it, or if
- * start_say has printed the reason. */
+/* Returns why the row does not topple the domino, or NULL if it does or start_say has printed why. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

@@ -155,19 +155,16 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
              place);
 }
 
-/*
- * Checks whether a command can answer although its computation ended with `status`. If so, returns true and
- * sets *why to the reason why numbers are missing from the answer, or to NULL if none are missing. If not,
- * sets *problem and returns false. `reason` is a buffer for the text of *why.
- */
+/* Returns true if there is an answer in spite of `status`, perhaps with missing numbers. Sets *why to the
+ * reason why numbers are missing, or to NULL. `reason` is a buffer for *why. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
 {
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision, because the force on the struck domino "
-                 "passes its hinge on the wrong side and cannot turn it; use a smaller r s or less friction"
+               ? "no domino effect: friction locks the collision: the force on the struck domino passes its "
+                 "hinge on the wrong side; use a smaller r s or less friction"
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);

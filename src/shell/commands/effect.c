@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'effect', 'effects' and 'scene'. They turn effects on and off, measure how much time effects
- * take, and show how the scene is computed. */
+/* The commands 'effect', 'effects' and 'scene'. */
 #include "commands/cost.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
@@ -11,8 +10,7 @@
 
 /* ---- effects ---- */
 
-/* Computes the main result of a scene: whether the train keeps falling, or whether the whole row falls. If
- * the scene needs the rigid-body engine, runs the row in the engine once, with coarse steps. */
+/* Computes the main answer of a scene: whether the train, or the whole row, falls. */
 static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
@@ -23,7 +21,7 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     struct domq_compute compute = scene->compute;
     compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
-        return scene_engine_rough(&row->row, &compute);
+        return scene_engine_rough(&row->row, &compute); /* a single run, with coarse steps */
     if (scene->effect[DOM_EFFECT_row].on) {
         struct domq_placement p = {.seed = 1, .rows = 1};
         if (!scene_errors(scene, p.error))
@@ -36,8 +34,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work that the main result of the scene takes without random errors. If `random` is true, adds
- * the work that one random row takes. On failure, sets *problem and returns false. */
+/* Counts the work of the main answer without random errors. If `random` is true, adds the work of one random
+ * row. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -82,16 +80,14 @@ static double scene_price(const struct scene *scene)
     return seconds;
 }
 
-/*
- * Returns how many seconds an answer takes with one effect on or off. If `on` is true, the effects that it
- * needs are also on; otherwise the effects that need it are also off. Returns NaN if there is no such answer.
- * Other random errors are off, because random rows stop early. Neither random rows nor the rigid-body engine
- * can include 'floor', so that effect is off while they are timed.
- */
+/* Returns how many seconds an answer takes with one effect on or off, or NaN if there is no answer. The
+ * effects that it needs are on in both cases. */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* this copy of the scene shares the row of the original */
+    struct scene scene = *query->scene; /* this copy shares the row of the original */
+    /* Random rows stop early. */
     errors_off(&scene);
+    /* Neither random rows nor the rigid-body engine can include 'floor'. */
     if (name == DOM_EFFECT_placement || name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
@@ -99,6 +95,7 @@ static double price_with(const struct query *query, int name, bool on)
         bool wanted = k == name ? on
                                 : (effect_at(name)->needs >> k & 1) != 0 ||
                                       (k == DOM_EFFECT_row && name == DOM_EFFECT_placement);
+        /* An effect that needs `name` is off if `name` is. */
         bool without = !on && (k == name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
             effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
@@ -191,8 +188,7 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Adds a row to the table for each part of the computation. `n` is the number of dominoes in the longest sum.
- */
+/* Adds a row for each part of the computation. The longest sum has `n` dominoes. */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;
@@ -294,8 +290,9 @@ const struct command effect_commands[] = {
      .synonyms = "list switch",
      .summary = "all effects: whether they are on, what they add, and the time they take",
      .help =
-         "For each effect, measures how long an answer of this scene takes without the effect, and how long "
-         "with the effect and all others that it needs. An effect that is off is timed with its usual value. "
+         "For each effect, measures how long an answer of this scene takes without the effect and with it. "
+         "The effects that it needs are on in both cases. An effect that is off is timed with its usual "
+         "value. "
          "Effects decide which of three methods finds the motion: the energy balance; the equation of "
          "motion, if there is friction; or a rigid-body engine, if there are feet or bounce. 'scene' shows "
          "which method this scene needs, and why.",

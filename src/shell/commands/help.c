@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands help, apropos, complete and version. The texts of help come from the tables of commands and
- * parameters. */
+/* The commands help, apropos, complete and version. */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
@@ -14,7 +13,7 @@
 #include <string.h>
 #include <sys/utsname.h>
 
-/* The introduction that 'help' prints first: lines to type, in this order, and what each of them does. */
+/* The introduction of 'help': lines to type, in this order, and what they do. */
 static const struct first_line {
     const char *line, *does;
 } first_lines[] = {
@@ -106,8 +105,7 @@ static void help_parameter(struct session *session, const struct topic *t)
 
 /* ---- A command ---- */
 
-/* Runs an example in a separate session with default parameters, so that the example's output does not depend
- * on what the user has changed. */
+/* Runs an example in a new session, so that its output does not depend on the user's changes. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
@@ -140,12 +138,10 @@ static void help_show(struct session *session)
     run_show(&query, &answer, &ignored);
 }
 
-/* Explains the columns of a command's answer. If an earlier command has the same columns, refers to that
- * command instead. */
+/* Explains the columns of a command's answer, or names an earlier command with the same columns. */
 static void help_columns(FILE *out, const struct command *c)
 {
-    int key = 12,
-        unit = 6; /* minimum widths for the keys and the units, so that most help pages look alike */
+    int key = 12, unit = 6; /* minimum widths, so that most help pages look alike */
     struct topic first;
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;
@@ -193,8 +189,8 @@ static void help_command(struct session *session, const struct topic *t)
 
 /* ---- help ---- */
 
-/* Explains all topics with this name: a command first, then a parameter. If `name` is NULL, which happens
- * only in csv and json, writes a row for every topic. */
+/* Explains all topics with this name, a command before a parameter. A NULL name stands for all topics (only
+ * in csv and json). */
 static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The command 'lesson', which runs a script and shows its lines: comments as text, and commands as at the
- * prompt. At a terminal it waits before each command until the reader has typed the command. If 'lesson'
- * stands in a file, the script is the remainder of that file. Otherwise it is the tutorial: the build copies
- * examples/tutorial.dom into tutorial.h.
- */
+/* The command 'lesson', which runs a script and shows its lines. At a terminal it waits until the reader has
+ * typed each command. In a file, 'lesson' runs the rest of that file. Otherwise it runs the tutorial: the
+ * build copies examples/tutorial.dom into tutorial.h. */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
@@ -22,8 +19,7 @@ static char tutorial[] = {
 
 static const char prompt[] = "domino> ";
 
-/* Opens the tutorial as a stream and skips the lines up to and including 'lesson'. Returns NULL if memory
- * runs out. */
+/* Opens the tutorial as a stream that begins after the line 'lesson'. */
 static FILE *tutorial_open(void)
 {
     FILE *in = fmemopen(tutorial, sizeof tutorial, "r");
@@ -33,8 +29,7 @@ static FILE *tutorial_open(void)
     return in;
 }
 
-/* Shows a line of the script, with its control characters escaped, because the file may come from a stranger.
- */
+/* Shows a line of the script. Escapes control characters, because the file may come from a stranger. */
 static void line_show(const struct session *reader, const char *before, const char *line)
 {
     char *shown = escape_copy(line);
@@ -43,10 +38,8 @@ static void line_show(const struct session *reader, const char *before, const ch
     free(shown);
 }
 
-/*
- * Waits until the reader types the command, or only presses Enter. If the reader types another line, runs
- * that line and waits again. Returns false if the reader ends the lesson with 'q', 'quit', ^C or ^D.
- */
+/* Waits until the reader types the command, or only presses Enter. Runs any other line, and waits again.
+ * Returns false if the reader ends the lesson. */
 static bool reader_types(struct session *reader, const char *command)
 {
     FILE *keys = io_stdin(reader->state.scene.compute.interrupt);

@@ -27,8 +27,7 @@ static const char *no_growth(struct domq_limit limit)
                  "1) have too little energy to keep falling";
 }
 
-/* Finds the largest growth with each of the two formulas for the fuel. The paper's formula does not cover
- * friction, slopes or rounded edges. If one of these effects is on, sets paper->r_max to NaN. */
+/* Finds the largest growth with each of the two formulas for the fuel. */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -36,6 +35,7 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
     enum dom_status status = domq_limit_rmax(&train, compute, exact);
     if (status != DOM_OK)
         return status;
+    /* The paper's formula does not cover friction, slopes or rounded edges. */
     *paper = (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why};
     train.fuel = DOM_FUEL_PAPER;
     return domq_dynamics(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
@@ -66,8 +66,7 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                        : "With a larger growth there is too little energy to keep falling.");
 }
 
-/* Explains why the two formulas for the fuel give different limits, why they agree, or why the paper's
- * formula gives no limit. */
+/* Explains why the limits by the two formulas for the fuel differ or agree. */
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {
@@ -83,9 +82,8 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* Prints the largest growth at which a row starts from rest, if this is smaller than the largest growth of a
- * moving train. If the session's growth lies between these limits, also prints the push that the row needs.
- */
+/* Prints the largest growth at which a row starts from rest, if a moving train can grow more. Also prints the
+ * push for the session's growth, if it lies between these limits. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
@@ -215,7 +213,7 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data of one worker thread: the task, which is the same for all workers, and the worker's results. */
+/* The data of one worker thread: the task, which all workers share, and the worker's results. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;
@@ -336,9 +334,9 @@ const struct command limit_commands[] = {
          "is h tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
          "next one. The first domino of the row just tips over, or has the push of 'effect push'. 'feasible' "
          "tells whether the row falls. If it does not, 'stops_at' is the domino at which it ends, and 'push' "
-         "is the weakest push with which it would fall. 'goes_on' tells whether an "
-         "endless train that is already moving keeps falling, and 'r_start' is the largest growth at which "
-         "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
+         "is the weakest push with which it would fall. 'goes_on' tells whether an endless train that "
+         "already moves keeps falling. 'r_start' is the largest growth at which a row starts and keeps "
+         "falling. The row has gaps of s heights, even if the session has another "
          "row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",

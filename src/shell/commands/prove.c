@@ -46,8 +46,7 @@ static struct dom_compute proof_compute(const struct query *query)
         .tol = (double)compute->tol, .precision = DOM_DOUBLE, .interrupt = compute->interrupt};
 }
 
-/* Enough digits for an exact round trip. A proved bound must not be rounded, because the rounded bound might
- * be false. */
+/* Enough digits for an exact round trip, because a rounded bound might be false. */
 enum { ALL_DIGITS = 17 };
 
 /* Returns a cell that shows `decimals` digits after the decimal point, or all digits if `decimals` is 0. */
@@ -69,8 +68,7 @@ static void prove_row(struct answer *a, double s, enum what what, struct cell lo
                reason);
 }
 
-/* Writes why a proof is incomplete into `reason`, and returns `reason`. Returns NULL if the proof is
- * complete. */
+/* Returns why a proof is incomplete, written into `reason`, or NULL for a complete proof. */
 static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
 {
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
@@ -82,8 +80,7 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
         pair ? "a first domino that just tips over topples the next one" : "the train keeps falling";
-    /* The bound is printed with 12 digits. It is made slightly smaller first, because rounding it up would
-     * claim more than is proved. */
+    /* The 12 printed digits may be rounded up, which would claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
         answer_say(a, "Proved: for every growth from %.12g to %.*f %s; at %.*f it %s.", p->from, p->decimals,

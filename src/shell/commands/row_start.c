@@ -3,25 +3,22 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-/*
- * A row forgets its start: the energy of each cycle is a linear function of the energy of the previous cycle,
- * with a slope below 1. The energies therefore approach the energy of the endless train from one side. If
- * START_DOMINOES dominoes fall, and the endless train keeps falling, then any longer row also falls. The
- * search for the largest growth runs only START_SEARCHED dominoes.
- */
-enum { START_DOMINOES = 64, START_SEARCHED = 24 };
+/* If this many dominoes fall, and the endless train keeps falling, then any longer row also falls. A row
+ * forgets its start: the energy of a cycle is a linear function of the previous one, with a slope below 1. */
+enum { START_DOMINOES = 64 };
 
-/* The search for a growth has this relative tolerance, and its result is rounded down to START_DIGITS digits.
- */
+/* The search for the largest growth runs this many dominoes. */
+enum { START_SEARCHED = 24 };
+
+/* The search for a growth has this relative tolerance. Its result is rounded down to START_DIGITS digits. */
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* Two growths are treated as equal if their relative difference is below this tolerance. At the largest
- * growth of a train the margin is 0, and rounding errors would decide whether a row falls. */
+/* Growths with a smaller relative difference count as equal. At the largest growth the margin is 0, and
+ * rounding errors would decide whether a row falls. */
 #define START_SAME ((domq_real)1e-8)
 
-/* Returns a copy of the session's scene with a row of `count` dominoes of the train. The copy shares the
- * memory of the original. */
+/* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
 static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
 {
     struct scene scene = *query->scene;
@@ -30,8 +27,8 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
     return scene;
 }
 
-/* If the size or the mass of a domino exceeds the range of the precision, halves the row and returns true.
- * The dominoes that are dropped are too far from the first one to affect the start of the row. */
+/* Halves the row if a size or a mass exceeds the range of the precision. The lost dominoes are too far away
+ * to affect the start. */
 static bool row_shorten(struct domq_row *row, enum dom_status status)
 {
     const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;
@@ -60,8 +57,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
         start->stops_at = verdict.domino;
-        /* A push omega with omega^2 h/2 = g lifts the first domino off the floor: its weight can no longer
-         * keep its centre, h/2 above the hinge, on a circle. */
+        /* If omega^2 h/2 > g, the weight cannot keep the centre on its circle, and the domino lifts off. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
             status = domq_row_push(&made.row, &made.compute, lifting, &start->push);

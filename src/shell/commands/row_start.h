@@ -1,34 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds whether a row starts to fall from its first domino, which stands at rest. A train that is already
- * moving can have a larger growth than a row that has to be started. */
+/* Finds whether a row starts to fall from rest. A train that already moves can grow more than a row that has
+ * to start. */
 #ifndef SHELL_ROW_START_H
 #define SHELL_ROW_START_H
 
 #include "commands/rows/falling.h"
 
-/* The result of running a row whose first domino just tips over, or gets the session's push. */
+/* The result of a row whose first domino falls by itself, or gets the push of the scene. */
 struct start {
     size_t count; /* number of dominoes in the row that was run */
     bool falls;   /* true if all dominoes of the row fall */
     enum dom_row_end end;
-    size_t stops_at; /* number of the domino at which the row ends, counted from 1 */
-    domq_real push;  /* the weakest push, in rad/s, with which the row would fall, or NaN if none was found */
+    size_t stops_at;    /* number of the domino at which the row ends, counted from 1 */
+    domq_real push;     /* the weakest push in rad/s that is enough, or NaN */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
-/* Runs a row of `dominoes` dominoes of the train. Of a very long row, runs only the first dominoes, which
- * decide whether the row starts. If the row does not fall, also finds the weakest push with which it would
- * fall. On failure, sets *problem and returns false. */
+/* Runs a row of `dominoes` dominoes of the train, or the first part of a very long row. If the row does not
+ * fall, also finds start->push. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
 struct start_growths {
     domq_real r_max; /* the largest growth at which a row starts, or NaN if no growth is small enough */
-    bool has_engine; /* true if r_max is NaN because the rigid-body engine would take too long to find it */
+    bool has_engine; /* true if r_max is NaN because the engine would take too long */
 };
 
-/* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. On failure, sets
- * *problem and returns false. */
+/* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. */
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 
@@ -36,7 +34,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 struct words start_words(const struct query *query);
 
 /* Writes why a row does not fall, for example "with a push of 3 rad/s, the row ends at domino 2: it has too
- * little energy to tip over; a push of 6.8 rad/s is enough". */
+ * little energy to tip over". */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 

@@ -36,8 +36,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
 
 /* ---- Text ---- */
 
-/* Parses the remainder of the command as a single text. Inside double quotes the text may contain ';', '>'
- * and '#'. */
+/* Parses the rest of the command as one text. Inside double quotes it may contain ';', '>' and '#'. */
 static bool echo_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
@@ -75,8 +74,7 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Records ---- */
 
-/* Runs 'log' or 'tee': starts a record of the session in a file, or ends the record if the argument is 'off'.
- */
+/* Runs 'log' and 'tee', which begin a record of the session, or end it with 'off'. */
 static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
                        struct problem *problem)
 {

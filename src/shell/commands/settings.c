@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Prints a sentence about a change. If the output is csv or json, the sentence goes to standard error. */
+/* Prints a sentence about a change. For csv and json, it goes to standard error. */
 static void __attribute__((format(printf, 3, 4)))
 change_say(const struct query *query, struct answer *a, const char *format, ...)
 {
@@ -27,7 +27,7 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
         means_note(query->means, "%s", text);
 }
 
-/* Prints the value that the word 'on' gave to an effect, because the user may not know this value. */
+/* Prints the value that 'on' gave to an effect, because the user may not know it. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     bool listed = effect_file(query->scene, p->which);
@@ -38,12 +38,11 @@ static void effect_say(const struct query *query, struct answer *a, const struct
                effect_usage(p->which));
 }
 
-/* A height without a unit is probably a mistake if it differs from the session's height by more than this
- * factor. */
+/* A height without a unit is probably a mistake if it differs from the current height by this factor. */
 #define SLIP_OF_UNIT 50
 
-/* If a height without a unit is far from the session's height, sets *problem and returns false: 'set h 5'
- * would mean 5 m, and the user probably means 5 cm. */
+/* Refuses a height without a unit that is far from the current height. 'set h 5' means 5 m, but probably 5 cm
+ * is meant. */
 static bool height_likely(const struct query *query, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -59,7 +58,7 @@ static bool height_likely(const struct query *query, struct problem *problem)
         quad_text(given->number[1], 10));
 }
 
-/* Returns the number of gaps that have been changed one by one and no longer follow from s. */
+/* Returns the number of gaps that were changed one by one, and no longer follow from s. */
 static size_t gaps_changed(const struct listed_row *row)
 {
     size_t count = 0;
@@ -79,8 +78,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* A script gets no message about a second parameter that has changed: its next line may set that
-     * parameter. */
+    /* In a script, the next line may set the second parameter, so there is no message. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
@@ -148,8 +146,8 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     return done;
 }
 
-/* Returns the absolute path of the directory that contains a file; the caller frees the path. Returns NULL
- * for a device or a FIFO, or if the path cannot be found. */
+/* Returns the absolute path of a file's directory, which the caller frees. Returns NULL for a device or a
+ * FIFO, or if there is no such path. */
 static char *folder_of(const char *path)
 {
     struct stat status;
@@ -273,11 +271,11 @@ const struct command session_commands[] = {
      .summary = "the value of an expression, optionally in another unit",
      .help =
          "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
-         "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
-         "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "
-         "acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; parameters; what "
-         "'let' has defined; 'ans', the last value, and 'ans.KEY', a number of the last answer; and "
-         "commands, with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after "
+         "expression has numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd for "
+         "lengths, kg g t lb oz for masses, s ms for times, and rad deg for angles. The functions are sin "
+         "cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. Names are "
+         "parameters, or what 'let' has defined. 'ans' is the last value, and 'ans.KEY' a number of the last "
+         "answer. Commands can have a key: rmax, rmax(0.3).r_max_paper. g and t are units directly after "
          "a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are "
          "true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, because '>' alone begins the "
          "name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' chooses one of two "
@@ -323,8 +321,8 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave the program; the end of the input (^D) has the same effect",
-     .help = "If 'change' has changed the row and the changes are not saved, the first 'quit' at the prompt "
-             "only warns, and the second one leaves.",
+     .help = "At the prompt, the first 'quit' only warns if changes of the row by 'change' are not saved. "
+             "The second one leaves.",
      .act = run_quit},
     {.name = NULL},
 };

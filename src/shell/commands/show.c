@@ -71,8 +71,8 @@ static void variable_row(struct answer *a, const struct variable *v)
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 
-/* Leaves out columns that do not fit on a narrow terminal. The last column is always shown, because its text
- * can be wrapped. */
+/* Leaves out columns that do not fit on a narrow terminal. The last column stays, because its text is
+ * wrapped. */
 static void columns_fit(struct answer *a)
 {
     static const char *const first[] = {"default", "range", "unit", NULL};
@@ -95,8 +95,8 @@ static bool is_changed(const struct query *query, const struct parameter *p)
     return parameter_get(query->state, p) != parameter_fallback(query->state, p);
 }
 
-/* Prints a table of the parameter or variable that the arguments name. If they name none, prints the
- * parameters that `listed` selects, and all variables. */
+/* Prints the parameter or variable that the arguments name. Without a name, prints what `listed` selects, and
+ * all variables. */
 static bool list(const struct query *query, struct answer *a, enum listed listed)
 {
     const struct arguments *given = query->given;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'cycle', which prints one cycle of the train as a table, and the commands that walk through
- * cycles from event to event: 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
+/* The commands 'cycle', 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -49,8 +48,7 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* domq_chain_walk stops at the first domino that has detached. This domino and all dominoes behind it
-     * rest at theta_f. */
+    /* domq_chain_walk stops at the first detached domino, which rests at theta_f with all behind it. */
     domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
     table->status =
         domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
@@ -121,9 +119,7 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins a new walk if the session has none, or if the parameters have changed since its walk began. Sets
- * *begun to true if a new walk was begun, and to false otherwise. On failure, sets *problem and returns
- * false. */
+/* Begins a new walk, and sets *begun, unless the session has a walk with its present parameters. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {
@@ -136,7 +132,7 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
                        .compute = query->scene->compute,
                        .tol = query->scene->compute.tol,
                        .cycle = 1};
-    /* The sentences print six digits, which have to be right even if the session's tolerance is large. */
+    /* The sentences print six digits, which have to be right whatever the session's tolerance. */
     w->compute.tol = quad_smaller(
         w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
     w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
@@ -180,8 +176,8 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 
 /* ---- Moving ---- */
 
-/* Moves to the next event or, if `forward` is false, to the last event before the current position. The event
- * may be in another cycle. Returns false if there is no such event. */
+/* Moves to the next event or, if `forward` is false, to the last event before the current position. Returns
+ * false if there is none. */
 static bool walk_step(struct walk *w, bool forward)
 {
     const bool is_between = w->theta > w->events[w->event].theta;
@@ -210,9 +206,8 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
                              CYCLES_MAX);
 }
 
-/* Moves by the number of steps in the arguments, which is 1 by default. If the walk ends before the last
- * step, prints an answer for the steps that were made, if there are any, and then reports why the walk ended.
- */
+/* Moves by the number of steps in the arguments. If the walk ends earlier, prints an answer for the steps
+ * made, and then reports why it ended. */
 static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
                     bool begun, bool forward)
 {
@@ -227,8 +222,7 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
            (goes_on || walk_ended(w, problem, forward));
 }
 
-/* Moves to the tilt in the first argument. A negative argument stands for an event instead: -1 - k for the
- * event of kind k. */
+/* Moves to the tilt in the first argument. A negative argument -1 - k stands for the event of kind k. */
 static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     domq_real place = query->given->number[0];

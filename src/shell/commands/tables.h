@@ -2,9 +2,9 @@
 /*
  * The tables of commands, and commands that are not defined in the file of their table.
  *
- * To add a command, add an entry (struct command, see command.h) to the table whose group it belongs to, and
- * write its columns and its function run_NAME in the same file. The comments at the tables name the files. A
- * command in a file of its own is declared here, or in the header of its folder.
+ * To add a command, add a struct command (see command.h) to one of these tables. Write its columns and its
+ * function run_NAME in the file of the table. A command in another file is declared here, or in the header of
+ * its folder.
  */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
@@ -31,8 +31,7 @@ extern const struct command session_commands[]; /* settings.c */
 extern const struct command script_commands[];  /* script.c */
 extern const struct command help_commands[];    /* help.c */
 
-/* Initialises the columns and the function of a command that prints an answer. Both are named after the
- * command. */
+/* The columns and the function of a command that prints an answer, both named after the command. */
 #define ANSWER(name_) .columns = name_##_columns, .run = run_##name_
 
 /* Runs 'set' and 'effect', which change the parameter or effect that the arguments name. */
@@ -46,7 +45,7 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
 /* Returns a word for the verdict about a train: "goes on", "stops", "locks" or "no fuel". */
 struct cell verdict_cell(enum dom_status verdict);
 
-/* Prints whether the train keeps falling, and how much energy it has relative to the energy that it needs. */
+/* Prints whether the train keeps falling, and its energy divided by the energy that it needs. */
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
@@ -71,8 +70,7 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Rounds the parameters of a train to double precision. A proof for the rounded train also holds for the
- * train itself. */
+/* Rounds a train to double precision. A proof about the result holds for all trains that round to it. */
 struct dom_train proof_train(const struct domq_train *train);
 
 #endif

@@ -105,7 +105,7 @@ void topic_row(struct answer *answer, const struct topic *t)
 
 /* ---- For people ---- */
 
-/* Returns the width of the terminal, but no more than 100 columns, because longer lines are hard to read. */
+/* Returns the width of the terminal, but at most 100, because longer lines are hard to read. */
 static int help_width(FILE *out)
 {
     int width = terminal_width(out);
@@ -140,11 +140,12 @@ static int summary_column(void)
 
 void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary)
 {
-    /* ROOM is the minimum width of a summary beside the usage. INDENT is the indentation of a summary below
-     * the usage. */
-    enum { ROOM = 30, INDENT = 6 };
+    enum {
+        SUMMARY_LEAST = 30, /* the minimum width of a summary beside the usage */
+        INDENT = 6          /* the indentation of a summary below the usage */
+    };
     int column = summary_column() + (int)strlen(prefix);
-    bool below = help_width(out) < column + ROOM;
+    bool below = help_width(out) < column + SUMMARY_LEAST;
     if (below)
         fprintf(out, "%s%s\n%*s", prefix, usage, INDENT, "");
     else

@@ -5,8 +5,7 @@
 
 #include "interpreter/command.h"
 
-/* A topic of help, with its texts from the tables of commands and parameters. Texts that a topic does not
- * have are NULL. */
+/* A topic of help. Texts that a topic does not have are NULL. */
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
@@ -14,32 +13,33 @@ struct topic {
     char usage[96], keys[ANSWER_HEAD], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
 };
 
-/* Fills in topic number k. The commands come first, in the order of 'help', and then the parameters and
- * effects. Returns false if there is no topic with this number. */
+/* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',
+ * then parameters and effects. */
 bool topic_at(int k, struct topic *topic);
 
 /* Fills in the topic for a variable or function that was defined with 'let'. */
 void topic_of_variable(const struct variable *variable, struct topic *topic);
 
-/* Returns 1 if the word occurs in the name, the summary or the synonyms of a topic, or in the words for a
- * parameter's values. Returns 2 if it occurs only in the help text, the equations or the columns, and 0 if it
- * occurs nowhere. Ignores case. */
+/* Returns where a word occurs in a topic, ignoring case:
+ * - 1: in the name, the summary, the synonyms, or the words for a parameter's values
+ * - 2: only in the help text, the equations or the columns
+ * - 0: nowhere */
 int topic_mentions(const struct topic *topic, const char *word);
 
 /* Adds a row for a topic to an answer in csv or json. */
 void topic_row(struct answer *answer, const struct topic *topic);
 
-/* Prints a prefix and an entry such as "rmax [S]   the largest growth". The summary stands beside the usage,
- * or below it on a narrow terminal. */
+/* Prints a prefix and an entry such as "rmax [S]   the largest growth". On a narrow terminal, the summary is
+ * below the usage. */
 void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary);
 
 /* ---- Paragraphs ---- */
 
-/* Prints a text and a newline. The text is wrapped to the width of help pages, and its lines begin at the
- * column `left`. */
+/* Prints a text and a newline, wrapped to the width of help pages. The lines after the first begin at column
+ * `left`. */
 void help_wrapped(FILE *out, const char *text, int left);
 
-/* Formats a text, wraps it to the width of help pages, and prints it with a newline at the end. */
+/* Formats a text, and prints it like help_wrapped with `left` = 0. */
 void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

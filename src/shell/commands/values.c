@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'print', which shows the value of an expression in any unit, and 'let', which gives a name to
- * a value. */
+/* The commands 'print' and 'let'. */
 #include "commands/tables.h"
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
@@ -130,8 +129,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* A names_list (see names.h) of the words that cannot be names, because they have a meaning in expressions.
- */
+/* A names_list (see names.h) of words with a meaning in expressions, which cannot be names. */
 static const char *language_words(const void *context, int k)
 {
     static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};
@@ -157,8 +155,7 @@ struct definition {
     struct item value;
 };
 
-/* Parses the body of a function, up to the end of the command. Names in the body are resolved only when the
- * function is called. */
+/* Parses the body of a function. Its names are resolved only when the function is called. */
 static bool body_parse(struct reader *r, struct variable *v)
 {
     char word[NAMES_SHOWN];
@@ -178,8 +175,7 @@ static bool body_parse(struct reader *r, struct variable *v)
     return v->body != NULL;
 }
 
-/* If the definition is only the name of a variable, as in 'let x', returns this variable. Otherwise returns
- * NULL. */
+/* Returns the variable that 'let x' shows, or NULL if the definition is not only a name. */
 static const struct variable *defined_parse(struct reader *r)
 {
     char name[VARIABLE_NAME];

@@ -144,13 +144,12 @@ static void say_launch(const struct place *p)
         p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
         answer_say(p->answer,
-                   "A(0) = sum r^-(q+1)i S_i %stheta_i' takes the place of J(0) if there is friction; S_i is "
-                   "the fraction of the "
-                   "torque that the contacts pass on to domino i.",
+                   "A(0) = sum r^-(q+1)i S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
+                   "the fraction of the torque that reaches domino i.",
                    p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
-        answer_say(p->answer, "i(theta) is the inertia of a domino with rounded edges, about its line of "
-                              "contact with the floor, divided by its inertia with sharp edges.");
+        answer_say(p->answer, "i(theta) is the inertia of a domino about its line of contact with the floor, "
+                              "divided by its inertia with sharp edges.");
     if (impulses.bounded)
         answer_say(
             p->answer,
@@ -197,8 +196,7 @@ static void say_top(const struct place *p)
             angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
-/* Returns h(theta) in units of m g h / 2: the potential energy of a domino relative to the floor at its foot.
- */
+/* Returns the potential energy h(theta) of a domino above the floor, in units of m g h / 2. */
 static domq_real height_of(const struct domq_train *train, domq_real theta)
 {
     const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
@@ -300,8 +298,8 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
         return query_status(query, problem, status);
-    /* The user may have copied the tilt from a table in which it was rounded up to 6 digits, so a tilt that
-     * is slightly too large is accepted. A picture does not show the difference. */
+    /* A tilt copied from a table may have been rounded up to 6 digits. A picture does not show the
+     * difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))
         return problem_error(problem,
                              "the train does not reach T = %s: it stops at %s, before the top of the barrier",

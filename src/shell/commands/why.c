@@ -39,8 +39,7 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
                    domq_law(&query->scene->train)->dissipates ? ", friction included" : "");
 }
 
-/* Prints advice without symbols: how much the dominoes may grow or, if the train stops, what to change.
- */
+/* Prints advice without symbols: how much the dominoes may grow, or what to change if the train stops. */
 static void advice_say(const struct query *query, struct answer *a, bool falls,
                        const struct domq_limit *limit)
 {
@@ -79,10 +78,9 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(
-            a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either dominoes that lean on each "
-               "other have at least as much potential energy as upright ones, or the larger domino in "
-               "front takes up more energy than the smaller ones release.");
+        answer_say(a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
+                      "at least as much potential energy as upright ones. Or the larger domino in front "
+                      "takes up more energy than the smaller ones release.");
     else if (b->barrier > 0)
         answer_say(
             a,

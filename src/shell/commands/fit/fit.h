@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command 'fit', which finds the parameter values with which the model explains measurements best. The
- * measurements come from a csv file (see language/csv_table.h) of one of three kinds:
+ * The command 'fit', which finds the parameter values that explain measurements best. The measurements come
+ * from a csv file (see language/csv_table.h) of one of three kinds:
  *
  *     gap (mm), speed (m/s)          speeds of the front of rows of equal dominoes
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *     time (s), angle (deg)          the tilt of a domino over time
  *
- * fit_read.c reads the file, fit_model.c computes what should have been measured, fit_solve.c finds the least
- * sum of squares, fit_answer.c writes the answer, and fit_chart.c draws it.
+ * fit_read.c reads the file, and fit_model.c computes the model's results. fit_solve.c finds the smallest sum
+ * of squares. fit_answer.c writes the answer, and fit_chart.c draws it.
  */
 #ifndef SHELL_FIT_H
 #define SHELL_FIT_H
@@ -29,8 +29,8 @@ struct fit_point {
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
-/* The measurements of one run of a row. Each run has its own clock, which starts at an unknown time. All
- * speeds belong to a single run. */
+/* The measurements of one run. Each run has its own clock, with an unknown start. All speeds belong to a
+ * single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
     double gap;    /* the gap of the row in this run, or NaN if the row is that of the scene */
@@ -44,13 +44,12 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* true if the errors of all measurements are known */
-    /* For hits: true if the fit compares the intervals between successive hits, and not the times of the
-     * hits. */
+    /* for hits: true if the intervals between successive hits are compared, not their times */
     bool intervals;
 };
 
-/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. On failure,
- * sets *problem and returns false; the caller calls fit_data_free even then. */
+/* Reads the measurements. `rate` is in frames per second, or NaN if it is not known. Call fit_data_free
+ * afterwards, even after a failure. */
 bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
               struct problem *problem);
 void fit_data_free(struct fit_data *data);
@@ -60,8 +59,7 @@ struct fit_unknown {
     const struct parameter *parameter;
     double lowest, highest;  /* the range of the starting values */
     double value, deviation; /* the best value, and its standard deviation */
-    bool is_at_limit; /* true if the best value is a limit of the parameter's range; `deviation` is then not
-                         known */
+    bool is_at_limit;        /* true if `value` is a limit of its range; `deviation` is then NaN */
 };
 
 struct fit {
@@ -71,22 +69,18 @@ struct fit {
     int unknowns;
     int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
     size_t free_count;
-    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlations of two unknowns, or NaN if one of them
-                                                       is at a limit */
-    double spread;    /* the sum of (residual / error)^2, divided by the degrees of freedom */
-    size_t freedom;   /* the degrees of freedom: the number of residuals minus the number of fitted values */
-    double *computed; /* the model's result for each measurement, at the best values of the unknowns */
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlations of two unknowns, or NaN at a limit */
+    double spread;          /* the sum of (residual / error)^2, divided by the degrees of freedom */
+    size_t freedom;         /* the number of residuals minus the number of fitted values */
+    double *computed;       /* the model's result for each measurement, at the best values of the unknowns */
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes what the model gives for each measurement if the unknowns have the values in `value`. For hits,
- * each run gets the start time that makes the sum of its squared residuals smallest. For angles, clock[k] is
- * the time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer, or
- * if the row of the model ends before the last domino that was measured. */
+/* Computes the model's result for each measurement, with `value` for the unknowns. For angles, clock[k] is
+ * the time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
-/* For angles, estimates when the motion of each run begins. On failure, sets fit->problem and returns false.
- */
+/* For angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
 /* Returns true if measurement k is the first one of its run. */
@@ -95,17 +89,14 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the error by which the residual of measurement k is divided. If the errors are not known, returns 1
- * for a time or an angle. For a speed, returns the speed itself, so that all speeds have the same relative
- * error. */
+/* Returns the error of measurement k. If no errors are known, returns 1 or, for a speed, the speed itself:
+ * all speeds then have the same relative error. */
 double fit_error(const struct fit *fit, size_t k);
 
-/* Finds the values of the unknowns with the smallest sum of squared residuals, and their standard deviations
- * and correlations. On failure, sets *problem and returns false. */
+/* Finds the unknowns with the smallest sum of squares, their standard deviations and correlations. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
-/* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false; the
- * caller calls fit_free even then. */
+/* Fits the parameters that the query names. Call fit_free afterwards, even after a failure. */
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 
@@ -115,8 +106,7 @@ const char *fit_names(const void *context, int k); /* a names_list of the parame
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Draws a chart with a point for each measurement: x is the value that the model gives, and y the value that
- * was measured. */
+/* Draws a chart of the measured values (y) against those of the model (x). */
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

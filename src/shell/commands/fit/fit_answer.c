@@ -50,8 +50,7 @@ bool fit_parse(struct reader *r, struct question *q)
         r->at = skip_blanks(r->at + length);
         more = *r->at == ',';
         r->at = skip_blanks(r->at + more);
-        /* Without this check, a name after a blank would be taken for a file name, and the message would say
-         * that this file does not exist. */
+        /* Without this check, a name after a blank would be taken for a missing file. */
         const size_t next = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)next, r->at);
         if (!more && names_exact(fit_names, NULL, name) >= 0)
@@ -84,8 +83,8 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement. In csv and json, columns also show the fitted values; below
- * a table, sentences do. */
+/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. Below
+ * a table, sentences show these. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
@@ -109,9 +108,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
     answer_leave_out(a, speeds ? "run domino time" : f->data.kind == FIT_HITS ? "gap time" : "gap");
 }
 
-/* Finds the measured number, the fitted number and the residual of point k. If times are compared as
- * intervals, these numbers are differences between successive times; then returns false for the first hit of
- * a run, which has no hit before it. */
+/* Finds the measured number, the fitted number and the residual of point k. If intervals are compared,
+ * returns false for the first hit of a run. */
 static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {
     *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);

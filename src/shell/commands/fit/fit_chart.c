@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws the picture of a fit, for 'plot fit' and for 'fit ... > FILE'. It shows the measured values against
- * those of the model with the fitted parameters. */
+/* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against those of the model. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
 #include "language/text.h"
@@ -8,7 +7,7 @@
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
 
-/* Adds the points of runs i to after - 1 as one curve, with times counted from the first hit of each run. */
+/* Adds runs i to after - 1 as one curve. The times of hits are counted from the first hit of each run. */
 static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t after, double unit,
                        double *most)
 {

@@ -4,14 +4,14 @@
 #include "commands/rows/falling.h"
 #include <stdlib.h>
 
-/* A copy of the state of the session in which the unknowns have trial values, and a query about this copy. */
+/* A copy of the session's state with trial values of the unknowns, and a query about it. */
 struct trial {
     struct state state;
     struct query query;
 };
 
-/* Makes a scene in which the unknowns have the values in `value`. For hits and angles, the scene has a row;
- * if the gap of the run is known, the row has this gap. On failure, sets f->problem and returns false. */
+/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row, with the gap of
+ * the run if it is known. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -50,8 +50,7 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Returns true if the first `dominoes` dominoes, which fall in the model, include all dominoes that were
- * measured. Otherwise sets the problem that the row is too short, and returns false. */
+/* Checks that the first `dominoes` dominoes, which fall in the model, include all measured ones. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||
@@ -83,8 +82,7 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 
 /* ---- Angles ---- */
 
-/* A list of tilts to find: tilt[k] is the tilt of domino point[k].domino at the time point[k].time. The times
- * must not decrease. */
+/* Tilts to find. tilt[k] belongs to domino point[k].domino at point[k].time. The times must not decrease. */
 struct watch {
     const struct fit_point *point;
     double clock; /* when the motion begins, on the clock of the points */
@@ -137,8 +135,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds by linear interpolation when a domino first reaches an angle. `point` lists measured angles, and the
- * domino is that of the first point. Returns NaN if the domino never reaches the angle. */
+/* Finds by interpolation when the domino of the first point first reaches an angle. Returns NaN if it never
+ * does. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;
@@ -153,8 +151,8 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when the motion of a run began. The estimate makes the first measured domino reach half of its
- * largest measured angle at the same time as in the model. */
+/* Estimates when a run began. The first measured domino then reaches half of its largest angle when it does
+ * so in the model. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };
@@ -198,7 +196,7 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Shifts all computed times of a run by the amount that makes the sum of its squared residuals smallest. */
+/* Shifts the computed times of a run so that the sum of its squared residuals is smallest. */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {
     double sum = 0, weights = 0;

@@ -21,8 +21,7 @@
             "more than 0, up to " range                                                                      \
     }
 
-/* The columns of hits and of angles. TIMED_COLUMNS defines those that are the same for both. Only angles
- * have the column ANGLE_AT. */
+/* The columns of hits and of angles. TIMED_COLUMNS has those of both; ANGLE_AT is only for angles. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
     [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \
@@ -102,8 +101,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-/* Counts the current row of the file to the last run, or begins a new run if the row has another run number
- * than the row above it. */
+/* Adds the current row of the file to the last run, or begins a run with a new number. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,
@@ -129,8 +127,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of the current row of the file. If the row has only a frame, divides its number by the frame
- * rate. The time is NaN if the row has neither a time nor a frame. */
+/* Finds the time of the current row of the file, if necessary from its frame. The time is NaN if both are
+ * missing. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;
@@ -148,7 +146,7 @@ static bool time_find(struct csv_table *csv, double rate, double *time)
     return true;
 }
 
-/* Adds the measurement in the current row of the file, unless the measured value or its time is missing. */
+/* Adds the measurement in the current row of the file, unless its value or its time is missing. */
 static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
 {
     const domq_real *value = csv->value;
@@ -201,8 +199,7 @@ bool fit_read(const struct query *query, const char *name, double rate, struct f
         data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->kind == &angles ? FIT_ANGLES : FIT_HITS;
     while (csv && csv_next(csv) && row_add(data, csv, rate))
         ;
-    /* The file may list the angles of one domino after those of another, so the times in the file need not be
-     * in increasing order. */
+    /* The file may list the angles of one domino after those of another. */
     for (size_t k = 0; k < data->runs && data->kind == FIT_ANGLES; k++)
         qsort(&data->point[data->run[k].first], data->run[k].count, sizeof *data->point, earlier);
     return csv_end(csv, problem);

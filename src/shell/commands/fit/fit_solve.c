@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid of starting values is
- * tried first. From the best of them, the search continues with the Levenberg-Marquardt method of GSL. */
+/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid gives the start for
+ * the Levenberg-Marquardt method of GSL. */
 #include "commands/fit/fit.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -36,9 +36,8 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Reflects a value outside the range of its parameter back into the range, so that the sum of squares is
- * defined for all values. A sum that decreases towards a limit of the range then has its minimum at this
- * limit. */
+/* Reflects a value back into the range of its parameter. A sum that decreases towards a limit then has its
+ * minimum there. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -65,8 +64,7 @@ static double residuals_fill(const struct fit *f, gsl_vector *residual)
     return squares;
 }
 
-/* Fills in the values of all unknowns from *x. Returns the start times of the runs, which follow the free
- * unknowns in *x. */
+/* Fills in all unknowns from *x. Returns the start times of the runs, which follow the free unknowns. */
 static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
 {
     for (int i = 0; i < f->unknowns; i++)
@@ -76,8 +74,7 @@ static const double *values_of(const struct fit *f, const gsl_vector *x, double 
     return x->data + f->free_count;
 }
 
-/* Fills in the residuals. If the model has no answer, makes the residuals so large that the search turns
- * back, and returns false. */
+/* Fills in the residuals. Returns false if the model has no answer. */
 static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
 {
     double value[FIT_UNKNOWNS];
@@ -86,7 +83,7 @@ static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residua
     if (done)
         residuals_fill(f, residual);
     else
-        gsl_vector_set_all(residual, 1e12);
+        gsl_vector_set_all(residual, 1e12); /* so large that the search turns back */
     return done;
 }
 
@@ -96,10 +93,10 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
     return GSL_SUCCESS;
 }
 
-/* Returns the step h of the difference quotients, whose error is of the order h^2 + tol / h. The step is much
- * larger for the engine, whose answers have about three digits. */
+/* Returns the step h of the difference quotients, whose error is of the order h^2 + tol / h. */
 static double step_of(const struct fit *f, size_t i, double x)
 {
+    /* The engine's answers have about three digits. */
     const bool engine = scene_has_engine(f->query->scene);
     const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
     if (i >= f->free_count) {
@@ -110,8 +107,7 @@ static double step_of(const struct fit *f, size_t i, double x)
     return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
 }
 
-/* Fills in the derivatives of the residuals, by central differences, or by one-sided differences if the model
- * has an answer on only one side. */
+/* Fills in the derivatives of the residuals, by central differences if possible. */
 static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     struct fit *f = context;
@@ -124,6 +120,7 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
         double width = residuals_at(f, at, left) ? step : 0;
         gsl_vector_set(at, i, here + step);
         const bool above = residuals_at(f, at, right);
+        /* If the model has an answer on only one side, the difference is one-sided. */
         if (!above || width == 0)
             residuals_at(f, x, above ? left : right);
         width += above ? step : 0;
@@ -140,8 +137,7 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 
 /* ---- Where the search begins ---- */
 
-/* Returns starting value number k of an unknown, or NaN after the last one. The first starting value is the
- * current value of the parameter. */
+/* Returns starting value k of an unknown, or NaN after the last one. The first one is the current value. */
 static double start_of(const struct fit *f, int i, int k)
 {
     static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
@@ -154,8 +150,7 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Tries all combinations of starting values, and stores the best combination in the unknowns and in *clock.
- * If the model has an answer for none of the combinations, sets f->problem and returns false. */
+/* Stores the best combination of starting values in the unknowns and in *clock. Fails if there is none. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -187,9 +182,8 @@ static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 
 /* ---- The search ---- */
 
-/* Finds standard deviations and correlations from the derivatives at the minimum. If the residuals are larger
- * than the errors, or if no errors are known, the residuals are used in place of the errors. A deviation is
- * infinite if the measurements do not determine the unknown. */
+/* Finds standard deviations and correlations from the derivatives at the minimum. A deviation is infinite if
+ * the measurements do not determine the unknown. */
 static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
 {
     const size_t n = derivatives->size2;
@@ -208,6 +202,7 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
+    /* If the residuals are larger than the errors, or no errors are known, the residuals take their place. */
     const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
     for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
@@ -223,8 +218,7 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     return done;
 }
 
-/* Runs the Levenberg-Marquardt method from the values in the unknowns and in *clock, and replaces them with
- * the values at the minimum. Returns a GSL status. */
+/* Moves the values in the unknowns and in *clock to the nearby minimum. Returns a GSL status. */
 static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
 {
     enum { STEPS_MOST = 50 };
@@ -264,8 +258,8 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* If the distance of an unknown from a limit of its range is less than `near` times the searched range, sets
- * the unknown to this limit and returns true. */
+/* Sets an unknown that is near a limit of its range to the limit, and returns true. `near` is a fraction of
+ * the searched range. */
 static bool limit_take(struct fit *f, double near)
 {
     for (int i = 0; i < f->unknowns; i++) {
@@ -284,9 +278,8 @@ static bool limit_take(struct fit *f, double near)
     return false;
 }
 
-/* Finds the minimum. If the sum of squares decreases towards a limit of the range of an unknown, the search
- * would jump back and forth across the limit. Such an unknown is therefore set to the limit, and the search
- * is repeated for the others. */
+/* Finds the minimum. Near a limit of a range, the search would jump back and forth across it. Such an unknown
+ * is set to the limit, and the others are searched again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;
@@ -305,8 +298,8 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
     return GSL_SUCCESS;
 }
 
-/* Returns sum (e_k - e_(k-1))^2 / sum e_k^2, where e_k are the residuals. This is near 2 if the residuals are
- * independent, and near 0 if they drift (Durbin and Watson). */
+/* Returns sum (e_k - e_(k-1))^2 / sum e_k^2 (Durbin and Watson). It is near 2 if the residuals e_k are
+ * independent, and near 0 if they drift. */
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;
@@ -363,8 +356,8 @@ bool fit_solve(struct fit *f, struct problem *problem)
     if (status == GSL_EDOM)
         *problem = f->problem;
     else if (status != GSL_SUCCESS)
-        problem_no_answer(
-            problem, "the search does not converge, because many values explain the measurements equally "
-                     "well; fit fewer parameters, or set the other parameters closer to their true values");
+        problem_no_answer(problem,
+                          "the search does not converge: many values explain the measurements equally well; "
+                          "fit fewer parameters, or set the others closer to their true values");
     return status == GSL_SUCCESS;
 }

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'assert', which reports an error unless a condition, or the verdict of another command, is
- * true.
- */
+/* The command 'assert', which reports an error unless a condition or a verdict is true. */
 #include "commands/planning/planning.h"
 #include "interpreter/command_read.h"
 
@@ -15,7 +13,7 @@ const char *assert_names(const void *context, int k)
     return NULL;
 }
 
-/* If a '>' follows, which would write the answer into a file, sets the problem and returns false. */
+/* Fails if a '>' follows, which would write the answer into a file. */
 static bool comparison_ends(struct reader *r)
 {
     return *skip_blanks(r->at) != '>' ||

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'design', which finds a row with a given safety whose last domino has a given height. The
- * length of the row may be limited. */
+/* The command 'design', which finds a row with a given safety and a last domino of a given height. */
 #include "answer/format.h"
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
@@ -10,8 +9,7 @@
 
 /* ---- What would make a wish possible ---- */
 
-/* Tries the separations 0.01, 0.02 ... 1 for equal dominoes with friction mu, and returns the largest ratio
- * of kinetic energy to barrier. */
+/* Returns the largest ratio of kinetic energy to barrier that equal dominoes have with friction mu. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;
@@ -28,8 +26,7 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction with which equal dominoes have this safety, to three digits. Searches only
- * below the friction of the scene. Returns 0 if there is no such friction. */
+/* Returns the largest friction, below that of the scene, with which equal dominoes have this safety, or 0. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -48,22 +45,20 @@ static domq_real push_most(const struct domq_wish *wish)
     return quad(sqrt)(2 * wish->g / wish->first);
 }
 
-/* Returns a push that is stronger than the one in the wish, but does not lift the first domino. Returns NaN
- * if the push in the wish is already too close to this limit. */
+/* Returns a stronger push that does not lift the first domino, or NaN if there is hardly any. */
 static domq_real push_stronger(const struct domq_wish *wish)
 {
     const domq_real most = push_most(wish) * 9 / 10;
     return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
 }
 
-/* Converts a push to the speed of the upper edge of the first domino, which is easier to imagine than an
- * angular velocity. */
+/* Converts a push to the speed of the first domino's upper edge, which is easier to imagine. */
 static struct measured push_speed(const struct domq_wish *wish, domq_real push)
 {
     return measured(push * wish->first, "m/s", 2);
 }
 
-/* Sets *problem: the search failed, and turning off the effect that makes it hard may help. Returns false. */
+/* Reports that the search failed, and that turning off an effect may help. Returns false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
     const struct domq_train *t = &scene->train;
@@ -91,13 +86,11 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             safety.text, measured(d->needs, "", 4).text,
             measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
-        snprintf(
-            text, size,
-            "infeasible: the start is too weak for safety %s at the second domino; it would need a push of "
-            "%s "
-            "at the top of domino 1, but a push of more than %s throws this domino off the floor; enter a "
-            "smaller safety",
-            safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
+        snprintf(text, size,
+                 "infeasible: the start is too weak for safety %s at the second domino: it needs a push of "
+                 "%s at the top of domino 1, but more than %s throws this domino off the floor; enter a "
+                 "smaller safety",
+                 safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(
@@ -136,25 +129,23 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* Tries the wish without its boards and its grid. If this gives a design, writes that the boards and the grid
- * rule it out, and returns true. */
+/* If there is a design without the boards and the grid, writes that they rule it out, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
     const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
                        d.limit == DOM_DESIGN_FITS;
     if (found)
-        snprintf(
-            reason, REASON,
-            "infeasible: rows with safety %s are possible, but no row with these boards and this grid was "
-            "found; enter other boards or a finer grid, or leave them out",
-            measured(wish->safety, "", 6).text);
+        snprintf(reason, REASON,
+                 "infeasible: rows with safety %s are possible, but none with these boards and this grid was "
+                 "found; enter other boards or a finer grid, or leave them out",
+                 measured(wish->safety, "", 6).text);
     return found;
 }
 
 /* ---- The answer ---- */
 
-/* Checks that the wish does not contradict itself. If it does, sets *problem and returns false. */
+/* Checks that the wish does not contradict itself. */
 static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
 {
     if (!grid_check(grid, w->first, problem))
@@ -176,8 +167,7 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Finds the design. If the scene runs rows in the rigid-body engine, the row of the design must also fall
- * there. */
+/* Finds the design. If the scene runs rows in the rigid-body engine, the row must also fall there. */
 static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
                         struct scene_engine *engine, struct domq_design *d, struct problem *problem)
 {
@@ -222,8 +212,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
     designed_list(&list, plan, false);
 }
 
-/* Stores the design as the row of the session. Does nothing if query->next is NULL: then the command is part
- * of an expression, which changes nothing. */
+/* Stores the design as the row of the session. An expression changes nothing: there query->next is NULL. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
                         const struct designed_row *plan)
 {
@@ -236,7 +225,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
-/* Improves the design, which is already the row of the session, and copies the improved row to the plan. */
+/* Improves the design, which is already the session's row, and copies the improved row to the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
                            struct designed_row *plan, struct domq_design *d, struct domq_study *study,
                            struct problem *problem)
@@ -275,8 +264,7 @@ static struct domq_limits design_limits(const struct query *query, const struct 
                                 .boards = w->boards};
 }
 
-/* Writes why there is no design. Sets *problem and returns false if the answer should have been written to a
- * file. */
+/* Writes why there is no design. If the answer should go to a file, this is an error. */
 static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
                         struct problem *problem)
 {
@@ -288,8 +276,7 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Stores the design that was found in the session, improves it if the wishes ask for a probability, and
- * prints the answer. */
+/* Stores the design in the session, improves it for a wished probability, and prints the answer. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

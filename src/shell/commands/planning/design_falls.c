@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the design that falls with a given probability: tries more and more dominoes, and counts for each
- * number how many random rows fall. */
+/* Finds the design that falls with a given probability, by running random rows of more and more dominoes. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/rows.h"
@@ -9,12 +8,10 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search tries rows of at most DOMINOES_MOST dominoes, and simulates random rows for at most MORE
- * designs. */
+/* The search tries rows of at most DOMINOES_MOST dominoes. It runs random rows for at most MORE designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
-/* The table also shows designs with up to this many dominoes more than needed, so that the user can choose.
- */
+/* The table also shows designs with up to this many dominoes more than needed, as a choice. */
 enum { BEYOND = 2 };
 
 /* The results for one number of dominoes. */
@@ -24,8 +21,7 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run so that about 20 of them fail if each falls with the probability
- * `falls`. For the engine, which takes thousands of times as long for a row, about 10 must be enough. */
+/* Returns how many random rows to run so that at least about 20 fail at the probability `falls`. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
@@ -59,8 +55,7 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall. Begins with few rows, and runs more if the probability may
- * reach `falls`. */
+/* Counts how many random rows of a design fall. Runs more rows if the probability may reach `falls`. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
                          const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
                          struct tried *t, struct problem *problem)

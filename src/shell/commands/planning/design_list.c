@@ -56,7 +56,7 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     return problem_status(problem, query->scene, status);
 }
 
-/* Returns the surface area of a hollow domino whose walls are not known, or else the volume of its wood. */
+/* Returns the volume of a domino's wood. If its walls are not known, returns its surface area. */
 static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
     return p->hollow ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of the command 'design'. They make and list the dominoes, and find how many dominoes a row needs to
- * fall with a given probability. */
+/* Parts of the command 'design': lists of dominoes, and designs that fall with a given probability. */
 #ifndef SHELL_DESIGNS_H
 #define SHELL_DESIGNS_H
 
@@ -9,48 +8,43 @@
 struct designed_row {
     struct domq_domino *domino;
     size_t count;
-    bool has_masses; /* true if masses are in kg, and false if they are relative to the first domino's mass */
+    bool has_masses;           /* true if masses are in kg, false if relative to the first domino */
     const struct scene *scene; /* the scene, for the walls of boxes */
     bool hollow;               /* the dominoes are hollow, and the thickness of their walls is not known */
-    bool is_improved; /* true if 'improve sizes' has changed the dominoes: they no longer grow by a constant
-                         factor */
+    bool is_improved;          /* true if 'improve sizes' has changed the dominoes */
     const struct domq_limits
         *limits; /* the sizes that the dominoes may have, or NULL if any size is allowed */
 };
 
-/* Makes the dominoes of a design. Sets *problem and returns false if memory runs out; otherwise the caller
- * frees plan->domino. */
+/* Makes the dominoes of a design. The caller frees plan->domino. */
 bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
                    const struct domq_limits *limits, const struct domq_design *design,
                    struct designed_row *plan);
 
-/* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
+/* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
 
-/* Lists the dominoes. If `file` is true, the list has the columns that 'effect row FILE' reads. Otherwise it
- * has the sizes to saw and the positions of the dominoes. */
+/* Lists the dominoes. A file gets the columns that 'effect row FILE' reads. Otherwise the list has the sizes
+ * to saw and the positions. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `falls` is true. */
 void design_columns_choose(struct answer *a, bool falls);
 
-/* Writes the row with the numbers of a design. If no design fits the wishes, `plan` is NULL and `reason` says
- * why. `study` counts the random rows that fall, or is NULL. */
+/* Writes the numbers of a design. If there is no design, `plan` is NULL and `reason` says why. `study` counts
+ * random rows, or is NULL. */
 void design_row(struct answer *a, const struct designed_row *plan, const struct domq_design *design,
                 const struct domq_study *study, const char *reason);
 
-/* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, even after a failure.
- */
+/* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, even on failure. */
 bool design_scene(const struct scene *from, const struct domq_design *design, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem);
 
 enum { REASON = 640 };
 
-/* Finds the design with the fewest dominoes that falls with at least the probability `falls` under the random
- * errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. Unless the
- * output is csv or json, prints a table of all numbers of dominoes that were tried. If there is no such
- * design, design->limit is not DOM_DESIGN_FITS, and `reason` says why. Sets *problem and returns false if
- * rows cannot be run. */
+/* Finds the design with the fewest dominoes that falls with the probability `falls`. The lower end of the
+ * interval of 95 % must reach it. Prints a table of what was tried. If there is no design, `reason` says why,
+ * and design->limit is not DOM_DESIGN_FITS. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real falls, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'improve', which changes the row of the session so that it is most likely to fall. */
+/* The command 'improve', which changes the session's row so that it is most likely to fall. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -21,11 +21,10 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The number of random rows from which the probability is estimated. The engine takes thousands of times as
- * long for a row as the model does. */
+/* The number of random rows for a probability. The engine takes thousands of times as long for a row. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
-/* A row and its improvement. Do not copy this struct: it contains a pointer to the pool inside it. */
+/* A row and its improvement. Do not copy the struct: it has a pointer to its own pool. */
 struct improvement {
     struct scene_row scene; /* the row before the changes */
     struct domq_domino *domino;
@@ -33,7 +32,7 @@ struct improvement {
     struct domq_placement placement;
     struct task_pool pool;
     struct domq_study study[2];
-    /* the length of the row in m before and after the changes, including its fallen last domino */
+    /* the length of the row in m, including its fallen last domino */
     domq_real before, after;
     size_t changed;
 };
@@ -51,8 +50,8 @@ static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
     return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
 }
 
-/* Sets up the scene's row, the limits of the changes and the random errors. On failure, sets *problem and
- * returns false; the caller frees the memory even then. */
+/* Sets up the row, the limits of the changes and the random errors. The caller frees the memory, even after a
+ * failure. */
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {
@@ -178,7 +177,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                query->next ? " 'row > hall.csv' writes the row, and 'undo' takes the changes back." : "");
 }
 
-/* Reports that no row within the limits falls, and names the wishes that limit the row. Returns false. */
+/* Reports that no row within the limits falls, and names these limits. Returns false. */
 static bool limits_unmet(const struct wishes *w, struct problem *problem)
 {
     return problem_no_answer(

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Copies the dimensions of other dominoes to the row of the scene, in the same way as 'change'. */
+/* Copies the dimensions of dominoes to the row of the scene, in the same way as 'change'. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* Changes one dimension or the mass of domino k, counted from 0. `value` is a factor if `times` is true, and
- * otherwise the new value. */
+/* Multiplies a measure of domino k, counted from 0, by `value`, or sets it to `value`. */
 static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {
@@ -46,8 +45,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    /* The changes above keep the density of each domino, so the masses may still differ from those of `to`.
-     */
+    /* These changes keep the density of each domino, so masses may still differ. */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {

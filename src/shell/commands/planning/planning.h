@@ -19,8 +19,7 @@ struct probe {
     struct quantity unit; /* the unit of the last answer */
 };
 
-/* Evaluates the question with this value of the parameter, and returns the answer. If there is no answer,
- * sets probe->problem and returns NaN. */
+/* Returns the answer for this value of the parameter, or NaN. If there is none, sets probe->problem. */
 domq_real probe_at(struct probe *probe, domq_real value);
 
 /* Sets *problem to the reason why the last evaluation gave no answer, or to an interrupt. Returns false. */
@@ -31,7 +30,7 @@ struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* true to search for the places where a verdict changes, and not for a value */
+    bool verdict;          /* true to search for changes of a verdict, not for a value */
     struct quantity value; /* the value that the answer should have */
 };
 
@@ -54,8 +53,7 @@ struct scan {
     char no_answer[PROBLEM_TEXT / 2];  /* the reason for the first missing answer */
 };
 
-/* Searches the whole range. Returns false after an error or an interrupt, which the caller has to report with
- * probe_report. */
+/* Searches the whole range. Returns false after an error or an interrupt; then call probe_report. */
 bool scan_run(struct scan *scan);
 
 /* ---- The wishes of 'design' and 'improve' ---- */
@@ -66,22 +64,21 @@ struct wishes {
     domq_real safety; /* the minimum safety that a design must have */
     domq_real hall;   /* the maximum length of the row in m */
     enum dom_least least;
-    bool has_hall;   /* true if the user has typed 'hall' */
-    domq_real falls; /* the minimum probability with which a design must fall, or 0 if there is no minimum */
-    bool sizes;      /* true if 'improve' also changes sizes */
+    bool has_hall;                            /* true if the user has typed 'hall' */
+    domq_real falls;                          /* the smallest allowed probability of falling, or 0 */
+    bool sizes;                               /* true if 'improve' also changes sizes */
     domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
     size_t boards;
 };
 extern const struct wishes usual_wishes;
 
-/* Returns true if a gap that is a multiple of `grid` can be shorter than the height of the first domino.
- * Otherwise sets *problem and returns false. */
+/* Checks that a gap can be a multiple of `grid`, and less than the height `first` of the first domino. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Copies the gaps of the dominoes `to` into the row of the scene. If `sizes` is true, also copies their sizes
- * and mass ratios. Both rows have `count` dominoes. */
+/* Copies gaps, heights, thicknesses and radii from `to` to the scene's row. If `sizes` is true, also copies
+ * mass ratios, and scales widths with heights. Both rows have `count` dominoes. */
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 
@@ -89,12 +86,11 @@ struct improved {
     struct domq_study study[2]; /* the studies before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
     domq_real length;           /* the length of the row in m, including its fallen last domino */
-    bool interrupted;           /* true if ^C ended the search, and the row is the best one so far */
+    bool interrupted;           /* true if ^C ended the search: the row is the best one so far */
 };
 
-/* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if there
- * is one. On failure, sets *problem and returns false. After an interrupt, found->interrupted is true if
- * `found` and the next state have the best row so far. */
+/* Improves the row of the scene, prints the changes, and stores the row in the next state, if there is one.
+ * Returns false after an interrupt. found->interrupted is then true if the best row so far was stored. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
                  struct improved *found, struct problem *problem);
 
@@ -122,12 +118,11 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* Four names_lists (see names.h): the wishes of 'design'; the wishes of 'improve'; the parameters that
- * 'solve' and 'watch' can change; and the commands with a verdict. */
+/* names_lists (see names.h) */
 const char *design_wishes(const void *context, int k);
 const char *improve_wishes(const void *context, int k);
-const char *solve_names(const void *context, int k);
-const char *assert_names(const void *context, int k);
+const char *solve_names(const void *context, int k);  /* the parameters that 'solve' and 'watch' change */
+const char *assert_names(const void *context, int k); /* the commands with a verdict */
 
 /* Finds the default range in which 'solve' varies a parameter. `name` is one of solve_names. */
 void solve_range(const char *name, double *from, double *to);

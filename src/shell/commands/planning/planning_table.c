@@ -17,19 +17,19 @@ const struct command design_commands[] = {
      .summary = "a safe row whose last domino is H tall",
      .help =
          "'design' finds a gap and a growth. With them, every domino after the first has at least 'safety' "
-         "times the energy that it needs, both in the endless train and in the row. The first domino, "
+         "times the energy that it needs. This holds in the endless train and in the row. The first domino, "
          "friction, slope and push are those of the scene. WISHES can come in any order. 'safety 2' is the "
          "default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
          "'minimise dominoes' is the default; the others are 'minimise length' and 'minimise mass'. 'boards "
          "9, 12, 15 mm' are the thicknesses to choose from (with 'effect walls 12 mm 30 cm', those of the "
          "solid dominoes). 'grid 1 mm' makes all dimensions whole mm, and the row still has the required "
          "safety. The row with the fewest dominoes also has the least mass. 'design 8 m falls 99 %' finds "
-         "the smallest number of dominoes with which the row falls with this probability in spite of the "
-         "random errors of the scene, such as 'effect placement 3 mm'. The lower end of the 95 % interval "
+         "the fewest dominoes that fall with this probability. It counts the random errors of the scene, "
+         "such as 'effect placement 3 mm'. The lower end of the 95 % interval "
          "must reach this probability. A table shows the results for fewer and for more dominoes; then the "
          "row is improved, as by 'improve sizes'. If the rigid-body engine runs rows "
-         "('effect feet', 'effect bounce', 'set method engine'), all dominoes of the row also fall in the "
-         "engine; 'safety' is still that of the model, in which feet are hinges. The row becomes that of the "
+         "('effect feet', 'effect bounce', 'set method engine'), the row also falls in the engine. 'safety' "
+         "is still that of the model, in which feet are hinges. The row becomes that of the "
          "session; 'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
@@ -45,9 +45,9 @@ const struct command design_commands[] = {
          "For the hall, the guide lists the places of the dominoes on a tape measure. For the workshop, it "
          "lists their sizes and the boards to cut. Beside each value are the limits between which all "
          "dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement 2 mm', the guide "
-         "shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide "
-         "on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg and .png are one "
-         "long page. csv and json have the numbers, in m.",
+         "shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide on pages "
+         "of A4. It shows the row to scale, beside a person of 1.75 m. .svg and .png are one long page. csv "
+         "and json have the numbers, in m.",
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .unswept = "it is a text",
@@ -125,8 +125,8 @@ const struct command design_commands[] = {
                    .choices = question_names}},
      .summary = "how much each parameter changes the answer of COMMAND",
      .help =
-         "'sensitivity' decreases and increases each parameter of the model by 1 %, friction and edges "
-         "by 0.01 and slope by 1 degree, even if these effects are off. The answer shows by how many percent "
+         "'sensitivity' decreases and increases each parameter of the model by 1 %. It changes friction and "
+         "edges by 0.01 and slope by 1 degree, even if they are off. The answer shows by how many percent "
          "the number of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
          "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
          "'sensitivity h*r^10'.",
@@ -142,13 +142,13 @@ const struct command design_commands[] = {
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
      .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-             "'friction, push'. FILE is a csv file of one of three kinds. A file with the columns 'domino' "
-             "and 'time (s)' (or 'frame') says when each domino of the row is hit, as a camera shows it. A "
-             "file with 'time (s)' (or 'frame') and 'angle (deg)' says how domino 1 turns, or the domino "
-             "whose number is in a column 'domino'. In a file with 'gap (mm)' and 'speed (m/s)', each line "
+             "'friction, push'. FILE is a csv file of one of three kinds. The columns 'domino' and 'time "
+             "(s)' (or 'frame') say when each domino of the row is hit, as a camera shows it. The columns "
+             "'time (s)' (or 'frame') and 'angle (deg)' say how domino 1 turns; a column 'domino' can name "
+             "another one. In a file with 'gap (mm)' and 'speed (m/s)', each line "
              "has the speed of one row of equal dominoes. FPS is the number of frames per second; "
              "a column 'rate' can give it instead. A column 'run' numbers several runs, each with its own "
-             "clock; a column 'gap (mm)' gives the gap of each run; a column 'error' gives standard errors. "
+             "clock. A column 'gap (mm)' gives the gap of each run, and a column 'error' standard errors. "
              "The dominoes are those of 'effect row'; without this effect, their growth is r. Each residual "
              "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
              "finds their standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or "

@@ -9,8 +9,7 @@
 
 /* ---- Probes ---- */
 
-/* Runs the command, and sets *value to 1 if its verdict is true and to -1 if it is not. Sets *problem and
- * returns false if there is no verdict. */
+/* Runs the command, and sets *value to 1 if its verdict is true, or else to -1. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)
 {
@@ -85,8 +84,7 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Uses Brent's method to find the root between two points at which f has opposite signs. If f jumps over 0
- * between them, stores the jump instead. */
+/* Finds the root between two points with opposite signs of f. If f jumps over 0 there, stores the jump. */
 static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -104,8 +102,7 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps past the wanted value, the solver ends at a point where the answer is still
-     * different. */
+    /* If the answer jumps past the value, the solver ends where the answer is still different. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -129,8 +126,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* The predicate is_good is true at `good` and false at `bad`. Finds by bisection where the predicate changes
- * between them, and returns the closest point at which the predicate is still true. */
+/* Bisects between `good`, where is_good is true, and `bad`, where it is false. Returns the good point closest
+ * to a bad one. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
@@ -158,8 +155,7 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    /* Both points are in an interval where the answer is equal to the value. Only the ends of such an
-     * interval are listed as roots. */
+    /* If the answer equals the value in a whole interval, only its ends are roots. */
     if (a.f == 0 && b.f == 0)
         return;
     if (a.f == 0)
@@ -170,9 +166,8 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         root_between(s, a, b);
 }
 
-/* If the middle one of three neighbouring points is an extremum, the answer may cross the value between the
- * points of the grid. Therefore refines the extremum with a golden-section search. If the answer does cross
- * the value, finds the roots on both sides of the extremum. */
+/* Near an extremum, the answer may cross the value between two points of the grid. If m is the extremum of
+ * three points, refines it by a golden-section search, and finds the roots on both sides. */
 static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

@@ -45,8 +45,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the larger of |less| and |more|. Ignores a change that is not known, and returns -1 if neither is
- * known. */
+/* Returns the larger known one of |less| and |more|, or -1 if neither is known. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -62,10 +61,8 @@ static int compare(const void *one, const void *other)
     return sa > sb ? -1 : sa < sb ? 1 : strcmp(a->parameter->name, b->parameter->name);
 }
 
-/*
- * Returns how much the answer differs from `now` at another value of the parameter: the relative change, or
- * the absolute change if `now` is 0. A change of at most 10 times the tolerance is returned as 0.
- */
+/* Returns the change of the answer, divided by `now` unless that is 0. A change within 10 times the tolerance
+ * counts as 0. */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
     domq_real by = probe_at(p, value) - now, size = quad(fabs)(now);
@@ -73,8 +70,7 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Lists the influences of all parameters that can be varied, with the largest influence first. After an
- * interrupt, sets *problem and returns false. */
+/* Lists the influences of all parameters that can be varied, the largest first. */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'solve', which finds the values of a parameter at which an answer is equal to a given value, or
- * at which a verdict changes. The parser for the arguments of 'watch' is also here. */
+/* The command 'solve', which finds where an answer has a given value, or where a verdict changes. The parser
+ * for the arguments of 'watch' is also here. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include "session/parameters.h"
@@ -10,8 +10,7 @@
 
 /* ---- The question ---- */
 
-/* The range of a parameter to search if the user gives none. It covers the values that occur in practice,
- * because the range of allowed values is too wide. */
+/* The usual range of a parameter, which is searched by default. The range of allowed values is too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;
@@ -63,7 +62,7 @@ static const char *form_of(const struct problem *problem)
                : "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 }
 
-/* The arguments of 'solve' and 'watch' as they were parsed. An item that the user did not type is zero. */
+/* The parsed arguments of 'solve' and 'watch'. An item that was not typed is zero. */
 struct solve_parsed {
     const struct parameter *parameter;
     const struct usual_range *usual;
@@ -215,8 +214,7 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
                  range, name, quad_text(s->jump, 10));
 }
 
-/* Sets *problem and returns false if the answer and the value have different units, or if the answer is
- * constant. */
+/* Checks that the answer has the unit of the value, and is not constant. */
 static bool scan_check(const struct scan *s, struct problem *problem)
 {
     const struct solve *v = s->solve;

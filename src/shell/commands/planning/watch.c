@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'watch'. Arrow keys change a parameter, and a point moves along the curve of the answer. The
- * session changes only if Enter is pressed. */
+/* The command 'watch': arrow keys change a parameter, and a point moves along the answer's curve. Enter
+ * stores the value in the session. */
 #include "commands/planning/planning.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -16,7 +16,7 @@
 
 enum {
     STEPS = 200, /* number of small steps in the range */
-    COARSE = 5   /* number of small steps in a large step; the points of the curve are one large step apart */
+    COARSE = 5   /* number of small steps in a large step, which separates points of the curve */
 };
 
 struct watch {
@@ -34,8 +34,7 @@ static double watch_x(const struct watch *w, int step)
     return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve, and puts the point at the current value of the parameter. Sets *problem and returns
- * false if the curve has no points, or after an error or an interrupt. */
+/* Computes the curve, and puts the point at the parameter's value. Fails if the curve has no points. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
@@ -85,7 +84,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-/* Handles typed keys. An arrow key sends ESC, then '[' or 'O', then one of the letters A to D. */
+/* Handles keys. An arrow key sends ESC, then '[' or 'O', then a letter from A to D. */
 static void keys_take(struct watch *w, const char *key, ssize_t count)
 {
     static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
@@ -130,8 +129,7 @@ static void watch_run(struct watch *w, FILE *out)
     }
 }
 
-/* Sets *problem and returns false if the session is not at an interactive prompt, or if the terminal cannot
- * move its cursor. */
+/* Checks that the session is interactive, and that the terminal can move its cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;
@@ -143,8 +141,7 @@ static bool watch_possible(const struct session *session, struct problem *proble
                          "'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
-/* Runs the command on the alternate screen of the terminal, with keys that are read at once and not echoed.
- * Restores the terminal at the end. */
+/* Runs the command on the alternate screen. Keys are read at once, and not echoed. */
 static void watch_show(struct watch *w, FILE *out)
 {
     struct termios before, keys;

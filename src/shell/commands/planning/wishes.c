@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses the wishes of 'design' and 'improve', such as 'safety 2 hall 20 m minimise length', which may be in
- * any order. */
+/* Parses the wishes of 'design' and 'improve', such as 'safety 2 hall 20 m', in any order. */
 #include "commands/planning/planning.h"
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +10,7 @@ static const char *const names[WISHES] = {
     [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
     [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
 
-/* The largest probability that 'falls' accepts; a larger one would need so many random rows that they would
- * take minutes. */
+/* The largest probability that 'falls' accepts. A larger one would take minutes of random rows. */
 #define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {
@@ -157,8 +155,7 @@ static int compare(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Computes the thicknesses of the boards and sorts them in increasing order. A number without a unit is in
- * mm, because boards are sold in mm. */
+/* Computes and sorts the thicknesses of the boards. A number without a unit is in mm, as boards are sold. */
 static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
                         struct problem *problem)
 {

@@ -39,8 +39,7 @@ struct grid_parsed {
 /* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Evaluates a parsed grid in the state of a query. The caller provides `listed`, with room for the values of
- * all lists. */
+/* Evaluates a parsed grid in the state of a query. `listed` has room for the values of all lists. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                domq_real *listed, struct grid *grid, struct problem *problem);
 

@@ -16,8 +16,7 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes a column for each question of a list. The unit of an expression's column is the unit of its value
- * in the current scene. */
+/* Makes a column for each question of a list. An expression has the unit of its current value. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;
@@ -43,8 +42,7 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Some commands repeat a parameter in a column of the answer. Returns true if an argument of the question
- * takes the place of this parameter. */
+/* Returns true if an argument replaces the parameter that the answer repeats in a column. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
@@ -100,7 +98,7 @@ static void row_write(struct sweeper *w, const struct cell *row, const char *rea
     reason_keep(w, reason);
     if (!w->to)
         return;
-    /* A table has no column for reasons. In csv and json every row has a reason, which may be "". */
+    /* In csv and json every row has a reason, which may be "". */
     answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
     if (*w->to->late_reason)
         reason_keep(w, w->to->late_reason);
@@ -116,8 +114,8 @@ static int column_find(const struct column *columns, const char *key)
     return -1;
 }
 
-/* The sink of the answer at a point: receives each row, and writes it as a row of the sweep. The columns and
- * units of an answer may differ from point to point. */
+/* Receives a row of the answer at a point, and writes it as a row of the sweep. Columns and units may differ
+ * from point to point. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
@@ -151,8 +149,8 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Evaluates a list of questions, and writes their answers as one row. A question without an answer gets an
- * empty cell. If a question has an error, sets w->problem and returns false. */
+/* Writes the answers to a list of questions as one row, with an empty cell for a missing answer. Sets
+ * w->problem and returns false if a question has an error. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -172,8 +170,8 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Evaluates the question at point k, and writes the rows to w->to, unless w->to is NULL. If the question has
- * an error, sets w->problem and returns false. */
+/* Evaluates the question at point k, and writes the rows to w->to, if any. Sets w->problem and returns false
+ * if the question has an error. */
 static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;

@@ -5,8 +5,7 @@
 
 #include "commands/sweeps/grid.h"
 
-/* The question that is evaluated at each point. If there is a list of questions, the answer to each of them
- * is one number. */
+/* The question that is evaluated at each point. In a list of questions, each answer is one number. */
 struct point_question {
     struct question question;
     struct point_question *next; /* the next question of the list, or NULL */
@@ -14,19 +13,18 @@ struct point_question {
 
 enum { SWEEP_REASON = 256 };
 
-/* Counts of the points that have no answer, and of the points where a value is missing for a known reason. */
+/* How many points have no answer, and how many lack a value for a known reason. */
 struct tally {
     size_t without_answer, with_reason;
-    size_t first; /* index of the first point where a value is missing for a known reason */
+    size_t first; /* index of the first point that lacks a value for a known reason */
     char reason[SWEEP_REASON];
 };
 
 /* The columns of a sweep: the parameters of the grid, then the columns of the answer. */
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
-    const char *key[ANSWER_COLUMNS]; /* key of the column in the answer; NULL for a parameter of the grid */
-    /* Names such as "rmax.s" for those columns of the answer that would otherwise have the same name as a
-     * parameter of the grid. */
+    const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
+    /* names such as "rmax.s" for columns that have the name of a parameter of the grid */
     char renamed[ASSIGNED_MAX][40];
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
     char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */
@@ -38,7 +36,7 @@ struct sweeper {
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the command that does the sweep, for messages */
-    struct means means;        /* without the shard of the sweep, because a point is not divided into parts */
+    struct means means;        /* without a shard, because a point is not divided */
     bool styled;               /* true if the grid changes the number of digits */
     /* This worker's part of the answer of the sweep, and the template for the answer at each point. */
     struct answer answer;
@@ -54,22 +52,20 @@ struct sweeper {
     struct problem problem;
 };
 
-/* Makes the columns of the sweep: one for each parameter of the grid, and then those of the answer. Leaves
- * out columns that only repeat a parameter of the grid, and columns that take much longer to compute than the
- * others. Sets *problem and returns false if there are too many columns. */
+/* Makes the columns of the sweep: the parameters of the grid, then the answer. Leaves out columns that only
+ * repeat a parameter, or that take much longer than the others. Fails if there are too many. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Computes the values of the parameters at point k. */
 void point_values(struct sweeper *w, size_t k);
 
-/* Looks among the first 256 points for one that has an answer. If there is one, stores its row in w->sample
- * and sets w->answered. If the question has an error, sets w->problem and returns false. */
+/* Looks for a point with an answer among the first 256. Stores its row in w->sample, and sets w->answered. If
+ * the question has an error, sets w->problem and returns false. */
 bool point_probe(struct sweeper *w);
 
-/* Callbacks of struct workers. point_write writes the rows of point k. If the question has an error, it
- * stores the problem in the sweeper and returns false. sweeper_merge adds the tally of a worker to that of
- * another worker. */
+/* Callbacks of struct workers. point_write stores an error in the sweeper, and returns false. */
 bool point_write(void *sweeper, size_t k, FILE *out);
+/* Adds the tally of a worker to that of the sweeper. */
 void sweeper_merge(void *sweeper, const void *worker);
 
 #endif

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'sweep', which prints the answers of a command at all points of a grid of parameters and
- * effects.
- */
+/* The command 'sweep', which prints the answers of a command at all points of a grid. */
 #include "commands/sweeps/sweep.h"
 #include "answer/format.h"
 #include "commands/sweeps/point.h"
@@ -125,7 +123,7 @@ struct sweep_shape sweep_shape(const struct arguments *given)
 
 /* ---- The answer ---- */
 
-/* Passes the values of the grid to the answer, so that it can choose the units of the grid's columns. */
+/* Passes the values of the grid to the answer, which chooses units for the grid's columns. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
@@ -137,7 +135,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
     }
 }
 
-/* Sets *problem to the problem of the point that failed, or to an interrupt. Returns false. */
+/* Sets *problem to an interrupt, or to the problem of the failed point. Returns false. */
 static bool point_failed(const struct sweeper *w, struct problem *problem)
 {
     if (dom_raised(w->query->scene->compute.interrupt))
@@ -146,8 +144,7 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. What is printed before the first row is laid out for a sample row: it must
- * not depend on which worker computes the first row, or on which part --shard selects. */
+/* Writes the rows of all points. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
@@ -155,6 +152,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
         return point_failed(w, problem);
     a->columns = w->columns.column;
     a->csv.has_reasons = true;
+    /* The layout must not depend on which row is the first: workers and --shard decide that. */
     a->layout.sample = w->answered ? w->sample : NULL;
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
@@ -168,7 +166,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     return points_answer(w->query, problem, a, workers, &by_point) || (by_point && point_failed(w, problem));
 }
 
-/* Prints at how many points a value is missing, and why it is missing at the first of these points. */
+/* Prints at how many points a value is missing, and the reason at the first of them. */
 static void tally_say(struct sweeper *w, struct answer *a)
 {
     const struct tally *t = &w->tally;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table with the command 'sweep'. It has a file of its own, because it refers to sweep.c and
- * plot_sweep.c, and plot_sweep.c uses sweep.c. */
+/* The table with the command 'sweep'. It is not in sweep.c, because it also refers to plot_sweep.c, which
+ * uses sweep.c. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
@@ -15,8 +15,8 @@ const struct command sweep_commands[] = {
          {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid},
           {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
      .summary = "the answers of a command over a grid of any parameters",
-     .help = "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME "
-             "FROM TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first "
+     .help = "GRID has a part for each parameter or effect. NAME FROM TO N is N values in equal steps. NAME "
+             "FROM TO N log is N values with equal ratios. NAME VALUE, VALUE, ... is a list. The first "
              "parameter changes slowest. ANSWER is a command or an expression, evaluated at each point, as "
              "in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several answers are separated by commas and have "
              "a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax with q hollow'. Each line has the "
