@@ -15,8 +15,7 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    /* If 2 r L x <= Y, geometry_contact computes the slope as 1 - r L x / Y, and an error of Y has little
-     * effect. */
+    /* geometry_contact then computes the slope as 1 - r L x / Y, and an error of Y matters little. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
@@ -38,8 +37,7 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *b)
 {
-    /* X is a sum of positive and negative terms. Its rounding error is at most 4 units of rounding times the
-     * sum of its positive terms. */
+    /* The rounding error of X is at most 4 units times the sum of its positive terms. */
     real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
     real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
     b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;

@@ -24,22 +24,21 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The fraction of a torque that is passed on from the current domino to the head. Without friction it
-     * equals the slope. */
+    /* The part of a torque that reaches the head. Without friction it is the slope. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* If the domino contributes less than the rounding errors, it does not matter whether it detaches. */
+        /* A domino that contributes less than the rounding errors may detach or not. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* When the head is upright, the follower of domino b->i has already detached. The next to detach is
-     * domino b->i itself, when its leader, domino b->i - 1, reaches theta_leave. */
+    /* Domino b->i has lost its follower even while the head is upright. It is the next to detach, when its
+     * leader reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);
@@ -58,8 +57,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower detaches as soon as the head moves, so H' jumps at 0. Start just after the
-     * jump. */
+    /* At r s = 1 the follower detaches at once, so H' jumps at 0. Start just after the jump. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -73,7 +71,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* Makes the geometry of a train, and converts theta, the angle of its head in [0, theta_c], to a tilt. */
+/* Makes the geometry of a train, and converts the angle theta of its head to a tilt. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {
@@ -123,7 +121,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     const struct link *k = &walk.link;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(geometry.interrupt)) /* checked at each domino, since the callback may be slow */
+        if (dom_raised(geometry.interrupt)) /* at each domino, since the callback may be slow */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)

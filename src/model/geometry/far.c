@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
- * theta is the tilt of its head. The follower of a domino at z is at f(z), which is also a power series.
- * Therefore
+ * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2) of its
+ * head. The follower of a domino at z is at f(z), another power series. So
  *
  *     H(z) = h(z) + r^-q H(f(z)),
  *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
@@ -12,8 +11,8 @@
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* Finds the coefficients of f = (z - p) / (1 + z p), where p = tan((theta_1 - theta) / 2). Returns 1 - f'(0),
- * which is small if s is small. */
+/* Finds the series f = (z - p) / (1 + z p), with p = tan((theta_1 - theta) / 2). Returns 1 - f'(0), which is
+ * small if s is small. */
 static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     real p[FAR_ORDER + 2];
@@ -27,8 +26,7 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Returns a factor for bounds: the omitted terms are at most this factor times (z / radius)^order. The factor
- * is estimated from the last coefficients. */
+/* Estimates from the last coefficients a factor: times (z / radius)^order, it bounds the omitted terms. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -40,10 +38,8 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/*
- * Returns a radius inside which the series converge. The limits are the branch points of f, where X = 1 or X
- * = -1, and the second fixed point of f, where theta = -theta_inf.
- */
+/* Returns a radius inside which the series converge. It ends at the branch points of f (X = 1 or X = -1), and
+ * at its second fixed point (theta = -theta_inf). */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));
@@ -52,13 +48,12 @@ static real far_radius(const struct geometry *geometry)
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
 
-/* The measured cost of making a series is (FAR_COST + order^3 / FAR_CUBE) times the cost of one domino in a
- * pass. */
+/* Making a series costs FAR_COST + order^3 / FAR_CUBE times as much as one domino in a pass (measured). */
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order of the series for which the given number of passes down this train takes the least time,
- * or 0 if no series saves time. */
+/* Returns the order with which `passes` passes down this train take the least time, or 0 if no series saves
+ * time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
@@ -76,8 +71,7 @@ static int far_order(const struct geometry *geometry, real passes)
     return best;
 }
 
-/* Multiplies the series p in place by the series f. p begins with p[first], f begins with f[1], and both end
- * at the index `last`. */
+/* Multiplies the series p by the series f, up to the index `last`. p begins at p[first], and f at f[1]. */
 static void far_multiply(real *p, const real *f, int first, int last)
 {
     for (int k = last; k > first; k--) {
@@ -89,7 +83,7 @@ static void far_multiply(real *p, const real *f, int first, int last)
     p[first] = 0;
 }
 
-/* Finds the contributions of the first domino alone to the coefficients of H and J. */
+/* Finds what the first domino alone contributes to H and J. */
 static void far_own(const struct geometry *geometry, int n, real *H, real *J)
 {
     const struct rounded *of = &geometry->rounded;
@@ -97,8 +91,7 @@ static void far_own(const struct geometry *geometry, int n, real *H, real *J)
     /* i (1 + z^2) is a polynomial. */
     const real i[] = {geometry_inertia(geometry, t), -2 * geometry_inertia_slope(geometry, t),
                       2 * of->i.c - geometry_inertia(geometry, t)};
-    /* Without a foot that rolls, h is a cos u + b sin u with u = 2 atan z. As a series in z, it begins with
-     * a + 2 b z - 2 a z^2. */
+    /* Without rolling, h is a cos u + b sin u with u = 2 atan z, that is a + 2 b z - 2 a z^2 + ... */
     real sign = 1;
     H[0] = 0;
     for (int k = 1; k <= n; k++)
@@ -141,9 +134,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* At step j, `power` holds f^j, and `squares` holds f'^2 f^(j-1). So far, H[j] and J[j - 1] contain all
-     * terms except the one with the unknown coefficient itself. Moving that term to the left side gives the
-     * divisors below. */
+    /* At step j, `power` is f^j, and `squares` is f'^2 f^(j-1). H[j] and J[j - 1] still lack the term with
+     * the unknown coefficient itself, which gives the divisors. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

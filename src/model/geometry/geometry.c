@@ -3,7 +3,7 @@
 
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
-    /* theta_c is larger than its sine, so a tilt below the sine needs no arc tangent */
+    /* theta_c exceeds its sine, so a tilt below the sine needs no arc tangent */
     const real theta_c = theta < geometry->c.x ? geometry->c.x : tilt_angle(geometry->c);
     if (!(theta >= geometry->lean) ||
         theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
@@ -66,8 +66,7 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
 }
 
-/* theta_leave is known through v = 1 - cos theta_leave. So its error is the error of v, divided by dv/dtheta
- * = sin theta_leave. */
+/* theta_leave is known through v = 1 - cos theta_leave, and dv/dtheta is sin theta_leave. */
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0

@@ -9,7 +9,7 @@
 
 struct tilt {
     real x, y; /* sin theta, cos theta (29; A4) */
-    real v;    /* 1 - cos theta, accurate even near 0 */
+    real v;    /* 1 - cos theta, accurate even near theta = 0 */
 };
 
 /* The tilt of an upright domino, before it is hit. */
@@ -162,9 +162,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Tilts below this one do not matter at the beginning of a cycle. It is the smaller of theta_u and the tilt
- * at which a follower that starts near pi/2 has clearly left pi/2. theta_u = 0 (edges of radius d/2) is
- * skipped.
+ * Returns a tilt of the head below which nothing matters at the beginning of a cycle. It is the smaller of
+ * theta_u, unless theta_u is 0 (edges of radius d/2), and the tilt at which a follower that starts near pi/2
+ * has clearly left pi/2.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {

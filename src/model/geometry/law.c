@@ -17,7 +17,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* expm1(q ln r) is accurate if r^q is close to 1, but loses digits if r^q is large. */
+    /* expm1(q ln r) is accurate for r^q near 1, but loses digits for large r^q. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
@@ -59,12 +59,12 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     geometry->rL = r * L;
     /* The fma gives 1 - r s with one rounding. */
     real short_of = fma(-r, s, 1);
-    /* If s and r = 1/s are both rounded, r s can exceed 1 by at most a unit in the last place of 1. */
+    /* If s and r = 1/s are rounded, r s may exceed 1 by a unit in the last place. */
     if (short_of < -REAL_EPSILON)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (24; c6) can be as small as r^-(2q+1), and must not lose digits by underflow. */
+    /* The kinetic energy (24; c6) can be r^-(2q+1), and must not underflow. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;

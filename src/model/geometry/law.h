@@ -37,7 +37,7 @@ struct moving {
     real second_derivative; /* theta_i'' */
     real size;              /* height / height of the head */
     struct arms arms;       /* arms of the contact with the follower, if there is one */
-    real force, impulse;    /* contact with the follower, set by forces.c */
+    real force, impulse;    /* force and impulse of this contact, set by forces.c */
 };
 
 /* What a pass down the chain computes besides J, H1 and dH. */

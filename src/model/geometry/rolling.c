@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain of dominoes with rounded edges (rounded.h). No error bounds are known for these
- * passes. */
+/* The passes down a chain with rounded edges (rounded.h). No error bounds are known. */
 #include "geometry/far.h"
 #include "geometry/rounded.h"
 
@@ -27,9 +26,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. The tail of J is tested with done_J, which was written
- * for sharp edges but is also safe for rounded ones, because rounding never increases the inertia of a
- * domino. */
+/* Returns true when the tail of H1 can be left out. done_J is safe, too, since rounding never increases the
+ * inertia. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -37,7 +35,7 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, as precisely as its sign requires. */
+/* Finds J, H1 and half of dJ/dtheta. With `sign`, finds only H1, as precisely as its sign requires. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums, real *half_J1)
 {
@@ -87,19 +85,18 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
 
 /* ---- Differences ---- */
 
-/* The difference between the tilts of one domino in two chains: the angle between them, and the tangent of
- * half the angle. */
+/* The angle between the tilts of a domino in two chains, and the tangent of half the angle. */
 struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts from t, the tangent of half the angle between them. */
+/* Returns the difference with the tangent t of half the angle. */
 static struct apart apart_by(real t)
 {
     return (struct apart){2 * atan(t), t};
 }
 
-/* Returns h(A) - h(B) of one domino, like energy_change in sharp_change.c. */
+/* Returns h(A) - h(B) of a domino, as energy_change in sharp_change.c does. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
     return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
@@ -122,15 +119,13 @@ KERNEL_LOOP real tangent_excess(real D)
 }
 
 /*
- * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
- * tilts of a and b themselves. Let D be the difference between the turns of a and b. Subtracting their
- * contact equations gives
+ * Returns the difference between the tilts of the followers of a and b. `apart` is that of a and b
+ * themselves. Let D be the difference between their turns. Subtracting the contact equations gives
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
- * where every term of R has the small factor apart.by. The difference D of the computed turns would be too
- * inaccurate, and is used only for the small difference between 2 tan(D/2) and D. So the result keeps its
- * relative accuracy along the chain, even for the smallest differences.
+ * where every term of R has the small factor apart.by. So even the smallest differences keep their digits. D
+ * itself is inaccurate, and is used only for the small term 2 tan(D/2) - D.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -159,23 +154,23 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * The test of pushes_between in sharp_change.c, for rounded edges. The inertia i of a domino changes with its
- * tilt, so a_k has i_k in its denominator, and
+ * The test of pushes_between in sharp_change.c, for rounded edges. The inertia i changes with the tilt. So
+ * a_k has i_k in its denominator, and
  *
  *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k.
  *
  * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. Let p = 1 - step, Q = L - rho_1 turn and
- * D = rho - rho_1 (`more` in the code). By the contact equation, -curve b is equal to
+ * D = rho - rho_1 (`more`). By the contact equation, -curve b is
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large, and so is p, which is at least x (M - rho_1 turn)/b. The lever arm of
- * the leader decreases by the same terms with p instead of p^2. So slope and turn decrease as well, and the
- * values at a and b bound every term.
+ * and d. If y Q < d/2, then x is large, and so is p >= x (M - rho_1 turn)/b. The leader's arm decreases by
+ * the same terms with p instead of p^2. So slope and turn decrease, too, and the values at a and b bound
+ * every term.
  *
- * The condition for a is the one for sharp edges, with two changes: R i/i_1 takes the place of R, and there
- * is one more term for a foot that rolls down a slope.
+ * The condition for a is the one for sharp edges, with R i/i_1 instead of R, and with a term for a foot that
+ * rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
@@ -190,8 +185,7 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
-    /* Up to pi/2 the inertia is a concave function of the tilt. So it is smallest at one end of the interval
-     * of tilts, and its derivative decreases. */
+    /* Up to pi/2 the inertia is concave: it is smallest at one end, and its derivative decreases. */
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
@@ -213,8 +207,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns true if rolling_pushes_between succeeds from b to a. Otherwise bisects the interval and tests both
- * halves, up to `halvings` times. */
+/* Returns true if rolling_pushes_between succeeds from b to a, or on both halves, halving up to `halvings`
+ * times. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))
@@ -230,16 +224,15 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* A chain a, its difference from another chain b, and the sums that `change` in struct contact_law finds. */
+/* Chain a, its difference from chain b, and the sums of `change` in struct contact_law. */
 struct rolling_pair {
     struct walk a;
-    struct apart apart; /* the difference between the tilts of the current dominoes of a and b */
+    struct apart apart; /* difference between the current dominoes of a and b */
     struct sum_state state;
     real H2;
 };
 
-/* Starts chain a at the tilt `head`; chain b starts at the tilt `from`. t is the tangent of half the angle
- * from `from` to `head`. */
+/* Starts chain a at `head`, and chain b at `from`. t is the tangent of half the angle between them. */
 static void rolling_begin(struct rolling_pair *p, const struct geometry *geometry, struct tilt from,
                           struct tilt head, real t)
 {
@@ -258,8 +251,7 @@ KERNEL_LOOP void rolling_add(struct rolling_pair *p, const struct walk *b)
                              link->slope * link->slope * geometry_height(link->geometry, link->tilt));
 }
 
-/* Replaces the difference between the current dominoes by `next`, the difference between their followers.
- * Returns true if the terms of the followers, and of all dominoes behind them, no longer matter. */
+/* Moves on to `next`, the difference between the followers. Returns true if no further terms matter. */
 KERNEL_LOOP bool rolling_done(struct rolling_pair *p, struct apart next)
 {
     const struct link *link = &p->a.link;
@@ -276,15 +268,14 @@ static bool rolling_near(const struct rolling_pair *p, const struct walk *b)
     return far_near(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
 }
 
-/* Adds the contributions of the current domino, and of all dominoes behind it, to the sums, by the far
- * series. */
+/* Adds the current domino and all dominoes behind it, by the far series. */
 static void rolling_add_far(struct rolling_pair *p, const struct walk *b)
 {
     const struct far_point rest = far_add(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
     p->H2 += far_H2(&p->a.link, p->a.second_derivative, &rest);
 }
 
-/* Does for rounded edges what energy_change_between does for sharp edges, but finds no error bounds. */
+/* Like energy_change_between for sharp edges, but without error bounds. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error)
 {
@@ -311,7 +302,7 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
         rolling_add(&p, &b);
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
-        if (!link->leads) { /* The follower has detached during this cycle and keeps the tilt theta_f. */
+        if (!link->leads) { /* The follower has detached in this cycle and stays at theta_f. */
             if (pass == PASS_SHIFT)
                 b = p.a;
             else
@@ -339,8 +330,8 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     return status;
 }
 
-/* The two passes run side by side, as in sharp_both. Each domino of the upright chain has the tilt of the
- * domino before it in the chain whose head is at theta_c. */
+/* The two passes run side by side, as in sharp_both. Each domino of the upright chain has its leader's tilt
+ * in the chain at theta_c. */
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c)
 {

@@ -1,16 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Friction between dominoes with rounded edges. The tip is a circle of radius rho_1, and the foot rolls
- * (geometry/rounded.h). The arms about the lines of contact with the floor, multiplied by r, are those of
- * rounded_arms. Since the inertia i of a domino changes with its tilt, A contains i theta_i' and B contains i
- * theta_i'' + i' theta_i'^2 / 2.
- */
+/* Friction between dominoes with rounded edges (rounded.h). The arms are those of rounded_arms. Since the
+ * inertia i changes with the tilt, A contains i theta_i', and B contains i theta_i'' + i' theta_i'^2 / 2. */
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. They grow when
- * the terms of a difference cancel. Such differences are the arm a when the follower is about to detach, the
- * arm b if X < 0, and the second derivative of the contact.
+ * The rounding errors of S, theta' and theta'' of a domino, in units of the unit roundoff. They grow where
+ * digits cancel: in the arm a when the follower is about to detach, in the arm b if X < 0, and in the second
+ * derivative of the contact.
  */
 struct rounding {
     real S, slope, second_derivative;

@@ -23,16 +23,13 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The largest number of steps of an iteration. One to four steps are enough, unless there is no solution. */
+/* The most steps of an iteration. One to four are enough if there is a solution. */
 enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
 
-/*
- * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The final sine and
- * cosine include the last step up to the second order. The iteration ends when the third-order terms of a
- * step are negligible.
- */
+/* Solves the equation of turn_solve by Halley's method from the estimate `turn`. The iteration ends when the
+ * third order of a step is negligible. The sine and cosine include the last step up to the second order. */
 static struct turn turn_iterate(real l, real c, real G, real turn)
 {
     for (int i = 0; i < TURN_STEPS; i++) {
@@ -47,18 +44,17 @@ static struct turn turn_iterate(real l, real c, real G, real turn)
 }
 
 /*
- * Returns the solution u in [-pi/2, pi/2] of l sin u + c u = G, where l and c >= 0, or NaN if there is none.
+ * Solves l sin u + c u = G for u in [-pi/2, pi/2], where l and c >= 0. Returns NaN if there is no solution.
  * With w = sin u the equation is
  *
  *     w = X - c / (l + c) (asin w - w),   X = G / (l + c).
  *
- * A polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and D = (G -
- * l x - c U) / S, the difference delta = u - U obeys
+ * A polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and
+ * D = (G - l x - c U) / S, the difference delta = u - U obeys
  *
  *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / 2 S,   m = l y / 6 S.
  *
- * The angle, its sine and its cosine are computed separately, each with the terms up to D^3, so that none of
- * them has to wait for another.
+ * The angle, its sine and its cosine are computed separately, up to D^3, so none waits for another.
  */
 KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 {
@@ -67,7 +63,7 @@ KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
     const real x = X - c * of * X * excess, y = sqrt((1 - x) * (1 + x)), U = asin(x), of_S = 1 / (l * y + c);
     const real D = (G - l * x - c * U) * of_S, square = D * D, c_S = c * of_S, k = l * x * of_S / 2,
                third = 2 * k * k - c_S * ((real)1 / 6); /* 2 k^2 + m - 1/6 */
-    /* Accept u only if the omitted terms are below an eighth of a rounding error. */
+    /* The omitted terms must be below an eighth of a rounding error. */
     if (!(square * square * (1 + 6 * k * k) <= REAL_EPSILON / 16))
         return turn_iterate(l, c, G, fabs(k * D) < (real)0.02 ? U + D : X);
     const real down = D * x + square * ((l + c * y) * of_S / 2 + D * (x * third + k * y));
@@ -79,11 +75,9 @@ KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
     };
 }
 
-/*
- * Returns the solution u of l sin u + c u = G for u near pi/2, from E = l + c pi/2 - G. The difference e =
- * pi/2 - u obeys l (1 - cos e) + c e = E. No digits cancel in this form, whereas turn_solve would lose the
- * digits of cos u. Returns NaN if there is no solution.
- */
+/* Solves l sin u + c u = G near u = pi/2, from E = l + c pi/2 - G. Returns NaN if there is no solution.
+ * e = pi/2 - u obeys l (1 - cos e) + c e = E, where no digits cancel. turn_solve would lose those of cos
+ * u. */
 static struct turn turn_near_reach(real l, real c, real E)
 {
     real e = E > 0 ? 2 * E / (c + sqrt(c * c + 2 * l * E)) : E;
@@ -98,7 +92,7 @@ static struct turn turn_near_reach(real l, real c, real E)
     return no_turn;
 }
 
-/* Returns sin theta - theta cos theta. Uses a power series if the two terms would cancel. */
+/* Returns sin theta - theta cos theta, by a power series if the terms would cancel. */
 static real sine_excess(struct tilt t, real theta)
 {
     if (fabs(theta) > (real)0.25)
@@ -111,7 +105,7 @@ static real sine_excess(struct tilt t, real theta)
     return sum;
 }
 
-/* Returns theta cos theta - sin theta + 1 - cos theta, the factor of rho - rho_1 in the contact equation. */
+/* Returns the factor of rho - rho_1 in the contact equation. */
 static real unequal(struct tilt t, real theta)
 {
     return t.v - t.x + theta * t.y;
@@ -128,11 +122,10 @@ static real tilt_theta(struct tilt t)
     return t.v < (real)0.5 ? asin(t.x) : PI / 2 - asin(t.y);
 }
 
-/* If G is at least this fraction of l + c, the turn is so near to pi/2 that turn_near_reach finds it. */
+/* turn_near_reach finds turns near pi/2: G is at least this fraction of l + c. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns the argument E of turn_near_reach for a contact. E is 0 if the follower is perpendicular to its
- * leader. */
+/* Returns E of turn_near_reach for a contact. It is 0 for a follower perpendicular to its leader. */
 static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;
@@ -181,13 +174,12 @@ static struct walk rounded_at(const struct geometry *geometry, real theta)
 
 /* ---- The chain ---- */
 
-/* Finds out whether a follower leans on the domino. If so, also finds the turn to this follower. */
+/* Finds whether a follower leans on the domino, and if so, the turn to it. */
 static void rounded_follower(struct walk *k)
 {
     struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    /* geometry->n is the number of dominoes up to the end of the chain. In a train they are counted from the
-     * head, in a row from this domino. */
+    /* geometry->n counts from the head in a train, but from this domino in a row. */
     const size_t before = geometry->follower ? 0 : link->i;
     link->leads = before + 1 < geometry->n &&
                   (!geometry->detaches || link->tilt.v < geometry->leave.v || link->tilt.x == 0);
@@ -286,10 +278,10 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /* ---- The shape of a train ---- */
 
 /*
- * Returns theta_inf, the tilt at which a follower leans as much as its leader. There the right side of the
- * contact equation is 0. As a function of v = 1 - cos theta, the right side decreases and is concave up to
- * pi/2, so Newton's method converges. It starts from the tilt for sharp edges. *theta receives theta_inf as
- * an angle, and *slope the slope of the follower there.
+ * Returns theta_inf, the tilt at which a follower leans as much as its leader, so that the right side of the
+ * contact equation is 0. Also finds theta_inf as an angle, and the slope there. The right side is a
+ * decreasing, concave function of 1 - cos theta up to pi/2, so Newton's method converges. It starts from
+ * sharp edges.
  */
 static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {
@@ -300,7 +292,7 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
     *theta = 0;
     for (int i = 0; i < TURN_STEPS; i++) {
         t = (struct tilt){.x = sqrt(t.v * (2 - t.v)), .y = 1 - t.v, .v = t.v};
-        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* a step reduces the error to about its square */
+        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* a step about squares the error */
             *theta += by / t.x;
             break;
         }
@@ -314,11 +306,9 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
 }
 
 /*
- * Finds the tilt of a leader at which its follower detaches, and returns the tilt of the follower. At this
- * tilt the slope of the follower is 0. The slope decreases with the tilt of the leader, and is negative at
- * hi; it is NaN if there is no contact. Newton's method starts from the tilt for sharp edges and is kept
- * inside a bracket. When a follower detaches, its own tilt is at its maximum, so the last step changes this
- * tilt only by a term of second order.
+ * Finds the tilt theta of a leader at which its follower detaches, and returns the follower's tilt. Newton's
+ * method in a bracket starts from sharp edges. It finds the zero of the slope, which decreases, is negative
+ * at hi, and is NaN without a contact.
  */
 static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
@@ -335,23 +325,21 @@ static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
         if (!isnan(at.turn.angle))
             follower = *theta + at.turn.angle + by * at.link.step / 2;
         *theta += by;
-        /* near the root, a step reduces the error to about its square */
+        /* near the root, a step about squares the error */
         if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
             break;
     }
     return follower;
 }
 
-/* Returns how far a head with rounded edges reaches beyond the next domino; `sharp` is how far it would reach
- * with sharp edges. */
+/* Returns how far a head reaches beyond the next domino. `sharp` is this length with sharp edges. */
 static real beyond(const struct rounded *of, real sharp)
 {
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino. `gap` is the gap between these two dominoes, and
- * `left` is how far the head could reach beyond the next domino. Both are relative to the height of the
- * head. */
+/* Returns the tilt at which a head hits the next domino. `gap` is the gap, and `left` how far the head could
+ * reach beyond the next domino, both divided by its height. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt
@@ -399,7 +387,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     }
 }
 
-/* The context of led_by. A root of led_by is the tilt of a leader whose follower has the tilt `follower`. */
+/* A root of led_by is the tilt of a leader whose follower has the tilt `follower`. */
 struct led {
     const struct geometry *geometry;
     real follower;
@@ -450,15 +438,14 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
 {
     const struct rounded *of = &geometry->rounded;
     const real x = geometry->inf.x, y = geometry->inf.y, more = of->rho - of->rho_1;
-    /* The series of cos theta and theta, of the turn, and of the sine and cosine of the turn. */
+    /* series of cos theta, theta, the turn, and the sine and cosine of the turn */
     real C[FAR_ORDER + 2] = {y}, theta[FAR_ORDER + 2] = {of->theta_inf};
     real turn[FAR_ORDER + 2], sine[FAR_ORDER + 2], cosine[FAR_ORDER + 2] = {1};
     for (int k = 1; k <= order; k++) {
         const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
         C[k] = two * (k % 2 ? x : y);
         theta[k] = k % 2 ? -two / (real)k : 0;
-        /* G is the right side of the contact equation. From here on, all terms of the equation that do not
-         * contain turn[k] are collected in G. */
+        /* G is the right side of the contact equation, plus all terms without turn[k]. */
         real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
              cosines = 0, half = 0;
         for (int j = 1; j < k; j++) {

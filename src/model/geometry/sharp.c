@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The law of contact of the paper: the edges are sharp, so the upper edge of a follower touches the flat back
- * of its leader, and a domino turns about the front edge of its foot.
- */
+/* The law of contact of the paper. The sharp upper edge of a follower touches the flat back of its leader. A
+ * domino turns about the front edge of its foot. */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
@@ -46,8 +44,8 @@ static struct tilt sharp_hit(const struct geometry *geometry, real gap)
 
 static struct tilt sharp_leader(const struct geometry *geometry, struct tilt follower)
 {
-    /* For a given follower, (12; b8) reads A cos theta + B sin theta = d. The leader's tilt is the smaller of
-     * its two roots. */
+    /* For a given follower, (12; b8) is A cos theta + B sin theta = d. The leader's tilt is the smaller
+     * root. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
     real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
     real least = geometry->lean < 0 ? sin(geometry->lean) : 0;
@@ -61,8 +59,8 @@ static real sharp_paper_fuel(const struct geometry *geometry)
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
         return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
-    /* h(0) - h(theta_inf) in a form in which no digits cancel near P = 0. On a level floor P = 0 at s = 2 d^3
-     * / (1 - d^2). */
+    /* h(0) - h(theta_inf), where no digits cancel near P = 0. On a level floor P = 0 at s = 2
+     * d^3 / (1 - d^2). */
     return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
@@ -180,8 +178,8 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* Tests whether the tilt of this domino is so close to theta_inf that the far series is accurate. If so, adds
- * the contributions of this domino and of all dominoes behind it to J, H1 and J'/2, and returns true. */
+/* If the domino is so close to theta_inf that the far series is accurate, adds this domino and all behind it
+ * to J, H1 and J'/2, and returns true. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Passes down two chains with sharp edges side by side, to find differences of H. The far tails of both
- * chains are replaced by series (far.h). */
+/* Passes down two chains with sharp edges side by side, which find differences of H. Series replace the far
+ * tails (far.h). */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
 
 /*
- * Returns h(A) - h(B), where A and B are the angles of one domino at the tilts a and b, from t = tan((A -
- * B)/2). Since h(theta) = h.y cos theta + h.x sin theta, the difference is the product
+ * Returns h(A) - h(B) of a domino at the tilts a and b, from t = tan((A - B)/2). The difference is the
+ * product
  *
  *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)],
  *
@@ -18,8 +18,8 @@ KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, s
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds during a pass down the chains a and b: for the current domino of each chain, for t of that
- * domino (see energy_change_between), and for the sums. */
+/* Error bounds for the current dominoes of the chains a and b, for t (see energy_change_between), and for the
+ * sums. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -49,9 +49,9 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower that leans at theta_1 now and will detach at theta_f.
- * The formula is that of energy_change_between, for a leader that moves from its present tilt to theta_leave.
- * At theta_leave the arm a is 0, that is, Y = r L x. The arm of `leader` contains the factor
+ * Returns tan((theta_f - theta_1) / 2) for a follower at theta_1 that will detach at theta_f. The formula is
+ * that of energy_change_between for a leader that moves on to theta_leave. There the arm a is 0: Y = r L x.
+ * The arm of `leader` has the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
@@ -66,7 +66,7 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* Returns the term of H2 of one domino. second_derivative is theta'' of this domino. */
+/* Returns the term of H2 of one domino. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
@@ -80,8 +80,7 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is t of the next pair
- * divided by t of this pair. */
+/* Returns true when all tails can be left out. `shrinks` is t of the next pair / t of this pair. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
@@ -90,29 +89,29 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests the contact of one domino with its follower while the domino moves from b to a. If every contact of a
- * chain passes the test, all contacts stay closed, for the following reason.
+ * Tests a contact while its leader moves from b to a. If every contact of a chain passes, all stay closed,
+ * for this reason:
  *
  * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta').
- * Consider domino i and all dominoes behind it. A part of the torques on them does not accelerate them. The
- * contact of domino i with its leader balances this part, so it is the contact force times S_i b_i > 0. With
- * the acceleration of the whole chain it is the sum over k >= i of
+ * Consider domino i and all behind it. A part of the torques on them does not accelerate them. It is balanced
+ * by the contact of domino i with its leader, so it is the contact force times S_i b_i > 0. With the
+ * acceleration of the whole chain it is the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
  *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
  *
- * where g = -h'/2, and <> is the mean over the whole chain with the weights I S theta'. If neither a_k nor
- * c_k decreases down the chain, no such sum is negative: all contacts push, at every speed.
+ * where g = -h'/2, and <> is the mean over the chain with the weights I S theta'. If neither a_k nor c_k
+ * decreases down the chain, no such sum is negative: all contacts push, at every speed.
  *
- * From a leader to its follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
- * (link_second_derivative), where y_1 = Y y - X x is the cosine of the follower. a does not decrease if f =
- * (weight/inertia) g_1 - theta_1' g >= 0. In terms of X and Y of the contact,
+ * From leader to follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
+ * (link_second_derivative), where y_1 = Y y - X x is the follower's cosine. a does not decrease if
+ * f = (weight/inertia) g_1 - theta_1' g >= 0, where
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
  * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
- * term. The arm a of the contact, which must be positive, decreases as well, so it is tested at the end. None
- * of this holds while a leader leans backwards; the test then fails.
+ * term. The arm a of the contact must be positive. It decreases as well, so it is tested at the end. If a
+ * leader leans backwards, none of this holds, and the test fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -128,8 +127,7 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between succeeds from b to a. Otherwise bisects the interval and tests both halves,
- * up to `halvings` times. */
+/* Returns true if pushes_between succeeds from b to a, or on both halves, halving up to `halvings` times. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -151,13 +149,13 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 }
 
 /*
- * Finds the sums of chain a, whose head is at `head`, and H of chain a minus H of chain b, whose head is at
- * `from`. The difference is computed from t = tan((theta_a - theta_b)/2) of each domino, so that even the
- * smallest difference keeps its digits. Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
+ * Finds the sums of chain a, whose head is at `head`, and H of a minus H of chain b, whose head is at `from`.
+ * H comes from t = tan((theta_a - theta_b)/2) of each domino, so the smallest difference keeps its digits.
+ * Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
  *
- *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b),
+ *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
  *
- * where G is the mean of r L x / Y, a term of the slope (14; b10), over the two tilts.
+ * G is a mean of r L x / Y, a term of the slope (14; b10).
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
@@ -190,7 +188,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         if (a.i + 1 >= geometry->n || !b.leads)
             break;
         if (!a.leads) {
-            /* The follower has detached during this cycle and keeps the tilt theta_f. */
+            /* The follower has detached in this cycle and stays at theta_f. */
             struct link leader = b;
             if (pass & PASS_SHIFT) {
                 b.tilt = a.tilt;
@@ -246,9 +244,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* `pass` is a constant in each call below, so the compiler can remove the sums that are not needed. For error
- * bounds, a second pass visits the dominoes that the series replaced. The difference between the sums of the
- * two passes is added to the bounds. */
+/* `pass` is constant in each call, so the compiler removes unneeded sums. For error bounds, a second pass
+ * visits the dominoes that the series replaced. The difference of the sums is added to the bounds. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums, struct sums *error)
 {
@@ -276,8 +273,7 @@ KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt
     return status;
 }
 
-/* The two passes run side by side, which is faster: the processor computes the square roots of one chain
- * while it waits for those of the other chain. */
+/* The passes run side by side: one chain's square roots are computed while the other's are awaited. */
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c)
 {

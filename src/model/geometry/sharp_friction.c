@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain of dominoes with sharp edges and friction. dynamics/friction.c has the
- * equations. */
+/* The passes down a chain with sharp edges and friction (equations: dynamics/friction.c). */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/*
- * The functions A(e), B(e) and C(e) of far_friction follow from A(theta) = 1 + r^-(q+1) S_1 theta_1'
- * A(theta_1) and the corresponding equations for B and C. These equations are differentiated twice at theta_1
- * = theta = theta_inf, where X = 0 and Y = 1.
- */
+/* A(e) of far_friction follows from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1). B and C have such
+ * equations, too. All are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1. */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
@@ -29,7 +25,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
                height = geometry_height(geometry, geometry->inf),
                h[] = {-height_slope / 2, height / 2, height_slope / 2};
     struct far_friction f = {.known = fabs(above[0]) < 1};
-    /* The denominator is 1 - r^-q S_1. It is computed from r^q - 1, because the difference may cancel. */
+    /* The denominator is 1 - r^-q S_1. r^q - 1 keeps its digits. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
     f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
     f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);
@@ -49,11 +45,10 @@ KERNEL void far_friction_make(struct geometry *geometry)
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    /* Rounding error of S in units of the unit roundoff. X < 0 increases it, because b = Y + mu X then
+    /* Rounding error of S in units of the unit roundoff. It grows if X < 0, since b = Y + mu X then
      * cancels. */
     real noise;
-    /* True if some follower lies so flat that the contact force passes on the wrong side of its hinge (b <=
-     * 0). */
+    /* True if the contact force on some follower passes on the wrong side of its hinge: b <= 0. */
     bool wrong_side;
 };
 
@@ -68,8 +63,8 @@ static void friction_next(struct friction_link *k)
     link_next(&k->link);
 }
 
-/* Returns true when the tails of all three sums can be left out. To be safe, the ratio of successive terms is
- * taken to be at least `decay`, the ratio that it approaches far down an endless train. */
+/* Returns true when the tails of all three sums can be left out. The ratio of terms is at least `decay`, its
+ * limit far down an endless train. */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
@@ -96,9 +91,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* Tests whether the tilt of this domino is so close to theta_inf that the quadratic terms of far_friction are
- * negligible. If so, adds the contributions of this domino and of all dominoes behind it to the sums, and
- * returns true. */
+/* If the domino is so close to theta_inf that the quadratic terms of far_friction are negligible, adds this
+ * domino and all behind it to the sums, and returns true. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {
