@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the best separation. Samples of s give a first growth R. Then the search excludes every interval of s
- * that allows no growth above R. An interval is excluded if s R > 1 throughout the interval, or if bounds
- * (strip.h) show that all its trains stop at R, or at some smaller growth. All other intervals are bisected
- * down to a width of BEST_FINEST times s, so a narrower peak of r_max(s) can be missed. No bounds are known
- * with friction or with rounded edges; only samples are used there. In quad precision all these steps are
- * left out, and the search begins at the best separation that double precision has found.
+ * Finds the best separation. Samples of s give a first growth R. Intervals of s that allow no growth above R
+ * are then excluded. All others are bisected down to a width of BEST_FINEST s, so a narrower peak of r_max(s)
+ * can be missed. An interval is excluded in two cases:
+ * - s R > 1 in the whole interval.
+ * - Bounds (strip.h) show that all its trains stop at R, or at one smaller growth.
+ * With friction or rounded edges no bounds are known, so there are only samples. Quad precision refines the
+ * result of double precision, and searches all separations only if that fails.
  */
 #include "growth/limit.h"
 
@@ -15,7 +16,7 @@
 #define BEST_PATIENCE 8
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* The width of the narrowest interval of s until a growth above 1 has been found. */
+/* Relative width of the narrowest interval of s, until a growth above 1 is found. */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
@@ -38,12 +39,10 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/*
- * Returns r_max at s, and stores s if it is the best so far. A coarse scan comes first. If it misses a dip of
- * the margin, r_max comes out too large, so the fine scan is needed only if s seems to be the best.
- */
+/* Returns r_max at s, and stores s if it is the best so far. */
 static real search_at(struct search *b, real s)
 {
+    /* A coarse scan never finds too small an r_max, so it can rule out s. */
     b->c->coarse = (real)1e-3;
     real r_max = rmax_at(s, b->c);
     b->c->coarse = 0;
@@ -56,7 +55,7 @@ static real search_at(struct search *b, real s)
     return r_max;
 }
 
-/* Finds the margin at the separation s and the growth r. A train without fuel gets a negative margin. */
+/* Finds the margin at s and r. A train without fuel gets a negative margin. */
 static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
 {
     c->s = s;
@@ -68,8 +67,7 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops to true if bounds show that every train with a separation between lo and hi stops at the growth
- * r. m is the margin at lo. */
+/* Sets *stops to true if bounds show that all trains from lo to hi stop at r. m is the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -79,8 +77,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 both fuel formulas agree, and P increases with s wherever P is positive. So if P <= 0 at hi,
-     * no train in the interval has fuel. */
+    /* At r = 1 paper_fuel is exact. It increases with s where it is positive, so its sign at hi decides. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -96,11 +93,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/*
- * Let R be the best r_max so far. The train with the separation s has a smaller r_max, although its margin at
- * R is not negative. Looks for a growth between r_max and R at which this train stops. *witness receives the
- * growth with the most negative margin, or R if the train stops at none of the growths tried.
- */
+/* Looks for a growth below R = b->r_max at which a train with a smaller r_max stops. *witness receives the
+ * growth with the most negative margin, or R if no margin is negative. */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
     real lowest = 0;
@@ -120,8 +114,7 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the relative width below which intervals of s are not bisected. This width increases as the work
- * approaches its limit, so that the search comes to an end. */
+/* Returns the smallest relative width of an interval of s. It increases with the work that is done. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -129,8 +122,8 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches the separations between lo and hi for a larger growth than the best so far. If `witness` is less
- * than the best growth, the trains between lo and hi may already stop at `witness`. */
+/* Searches for a growth above the best so far, at separations between lo and hi. If `witness` is below the
+ * best growth, the trains may already stop at `witness`. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -186,14 +179,12 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes more samples near the best one, in smaller and smaller steps. If no bounds are known, this search
- * takes the place of search_between, which excludes intervals. If the train stops at every sample, the steps
- * cover all s from the reach at r = 1 down to 0.5. */
+/* Samples s near the best one, in smaller and smaller steps, if no bounds are known. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
          ratio = sqrt(ratio)) {
-        bool any = b->r_max > 0;
+        bool any = b->r_max > 0; /* if every train has stopped so far, s goes down to 0.5 */
         const real span = b->c->geometry.span;
         real from = any ? fmin(b->s / (ratio * ratio), span) : span,
              to = any ? b->s * ratio * ratio : (real)0.5;
@@ -206,11 +197,8 @@ static enum dom_status search_finely(struct search *b)
 
 /* ---- The maximum of r_max(s) ---- */
 
-/*
- * Returns the step h with which the nine-point rule computes d margin / ds at a fixed growth. The error of
- * the rule is about (h / scale)^8 + rounding error / h, which is smallest near the h returned here. The scale
- * is a few percent of s, or half of the distance to the reach if that is less.
- */
+/* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. The error of the rule is
+ * about (h / scale)^8 + REAL_EPSILON / h, with a scale of a few percent of s, or less near the reach. */
 static real slope_step(real span, real s, real r)
 {
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
@@ -229,8 +217,7 @@ static real margin_slope_by(struct margin_context *c, real s, real r, real h)
     return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
 }
 
-/* Returns d margin / ds at r = r_max(s), which has the same sign as d r_max / ds. If the reach limits r_max
- * at s, returns -1, since r_max = 1/s decreases with s. */
+/* Returns d margin / ds at r_max(s), which has the sign of d r_max / ds. */
 static real top_slope(real s, void *context)
 {
     struct search *b = context;
@@ -238,15 +225,12 @@ static real top_slope(real s, void *context)
     real r = rmax_at(s, c), span = c->geometry.span, h = slope_step(span, s, r) * b->finer;
     if (c->status != DOM_OK)
         return REAL_NAN;
+    /* where the reach limits r_max, r_max = 1/s decreases with s */
     return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
 }
 
-/*
- * Finds the factor for slope_step at which the nine-point rule has the smallest error. If a follower begins
- * to detach at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is
- * better. The error is estimated as the difference between the results with two different steps, plus the
- * rounding error, which is inversely proportional to the step.
- */
+/* Finds the factor of slope_step at which the nine-point rule has the smallest error. The second
+ * derivative jumps where a follower begins to detach, and a smaller step is better there. */
 static void search_step(struct search *b)
 {
     real span = b->c->geometry.span, s = b->s, r = b->r_max, h = slope_step(span, s, r),
@@ -259,6 +243,7 @@ static void search_step(struct search *b)
         real rounding = 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
         if (rounding >= least)
             break;
+        /* the difference between two steps, plus the rounding error, estimates the error */
         real next = margin_slope_by(b->c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
         if (wrong < least) {
             least = wrong;
@@ -275,8 +260,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* If r_max is larger at an end of the interval around s, moves s to that end. Otherwise widens the
-     * interval, until r_max is lower at both ends. */
+    /* Move s to an end of the interval if r_max is larger there. Otherwise widen the interval, until r_max
+     * is lower at both ends. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -300,8 +285,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, as a root of the slope. Sets *smooth to false if the maximum is
- * a kink or a jump. On entry the relative error of b->s must be much less than `width`. */
+/* Finds a smooth maximum of r_max near b->s, as a root of the slope. *smooth is false at a kink or a jump.
+ * The relative error of b->s must be much less than `width`. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
@@ -315,8 +300,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
         real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
-        /* Close to a smooth maximum the slope is small on both sides; at a kink or a jump, it remains large
-         * on one of the two sides. */
+        /* Close to a smooth maximum the slope is small on both sides. At a kink or a jump, it is large on
+         * one. */
         real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
         if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
             break;
@@ -333,12 +318,10 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
     return c->status;
 }
 
-/* Finds the maximum of r_max near b->s. If *smooth is already true when the function is called, b->s is close
- * enough to the maximum to look for the sign change of the slope at once. */
+/* Finds the maximum of r_max near b->s. *smooth is true on entry if b->s is already close to the maximum. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
-    /* Noise in r_max hides the exact position of a smooth maximum: its error is the square root of the noise.
-     * The bracket for the root of the slope must be wider than that. */
+    /* Noise in r_max shifts a smooth maximum by the square root of the noise. The bracket must be wider. */
     const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
     enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
     if (status == DOM_OK && !*smooth) {
@@ -349,21 +332,15 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return status;
 }
 
-/* Returns how much r_max at s + step differs from r_max at the maximum s. Returns 0 if r_max jumps between
- * these two separations, because the lower side of a jump does not belong to the maximum. */
+/* Returns |r_max(s + step) - top|, where top = r_max(s) is the maximum. Returns 0 at a jump, whose lower
+ * side does not belong to the maximum. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
     return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
 }
 
-/*
- * Finds the error bounds on s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
- * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
- * error of this slope. That error, divided by the derivative of the slope, is the error bound on s. At a kink
- * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error bound on r_max includes how much
- * r_max changes if s is off by its error bound.
- */
+/* Finds the error bounds on s and r_max, or NaN if dynamics_bounded is false. */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
     struct margin_context *c = b->c;
@@ -377,7 +354,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
     /* r_max(s) jumps where a dip of the margin begins. The shallowest dips are not resolved (scan.c), so a
-     * jump is located less accurately than a smooth maximum. */
+     * jump is located less accurately. */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
@@ -387,15 +364,17 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* With twice the step, the error of the rule is 256 times as large. The absolute values of the
-         * weights of the rule add up to 1750 / (840 h). */
+        /* With twice the step, the error of the rule is 256 times as large. The absolute values of its
+         * weights add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also causes an error in the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
+        /* The slope is 0 at the maximum. Its error, divided by its derivative, is the error of s. */
         s_error +=
             2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
+    /* add how much r_max changes within the error of s */
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
     *error = (struct dom_best_error){.s = s_error, .r_max = r_error};
@@ -414,8 +393,7 @@ static enum dom_status search_all(struct search *b, bool *smooth)
         status = DOM_NO_GROWTH;
     if (status == DOM_OK)
         status = search_top(b, (real)1e-6, smooth);
-    /* Near a jump there may be several maxima, so the neighbourhood of the best one is searched again with
-     * narrower intervals. */
+    /* Near a jump there may be several maxima. Search again around the best one, in narrower intervals. */
     real before = 0;
     for (int k = 0; status == DOM_OK && bounded && !*smooth && k < 3 && b->r_max > before; k++) {
         before = b->r_max;
@@ -426,8 +404,7 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The best separation of the double kernel is refined within this relative distance. The distance exceeds the
- * error of that separation, but r_max hardly changes within it. */
+/* The double kernel's best separation is refined within this relative distance, which exceeds its error. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -435,7 +412,7 @@ struct line {
     real s[2], r[2], slope;
 };
 
-/* Replaces the older point of the line by the point of the curve r_max(s) at s. */
+/* Replaces the older point of the line by the point of the curve at s. */
 static void line_to(struct line *line, struct margin_context *c, real s)
 {
     line->s[0] = line->s[1];
@@ -445,8 +422,8 @@ static void line_to(struct line *line, struct margin_context *c, real s)
     line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
 }
 
-/* Finds a kink of r_max very close to b->s, at which an increasing branch meets a decreasing one. Each branch
- * is extrapolated by the line through its last two points. Returns false if there is no such kink. */
+/* Finds a kink of r_max very close to b->s, where an increasing branch meets a decreasing one. Each branch
+ * is extrapolated as a line. Returns false if there is no such kink. */
 static bool search_kink(struct search *b, real tol)
 {
     struct line up = {.slope = 0}, down = up;
@@ -469,9 +446,7 @@ static bool search_kink(struct search *b, real tol)
     return b->c->status == DOM_OK;
 }
 
-/* Finds the best separation near c->s, the result of the double kernel. If *found is false, the best
- * separation may lie beyond a jump of r_max(s). Beyond the jump, a root near c->near need not be the first
- * root, so c->near is then reset to 0. */
+/* Refines c->s, the best separation of the double kernel. Sets *found on success. */
 static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
 {
     struct margin_context *c = b->c;
@@ -480,6 +455,7 @@ static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
     b->r_max = rmax_at(b->s, c);
     if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
         *found = *smooth || search_kink(b, tol);
+    /* Otherwise s may lie beyond a jump, where the root at c->near need not be the first one. */
     c->near = *found ? c->near : 0;
     return c->status;
 }

@@ -10,15 +10,12 @@ static dom_real power_of(dom_real r, dom_real n)
     return power;
 }
 
-/*
- * Returns true if domino n is at least as tall as `height`. The heights and r are decimal numbers that were
- * rounded to the precision, each by up to half a unit in the last place. Even if the decimal numbers satisfy
- * first * r^n = height exactly, the two sides of this equation can then differ by about 2 + n/2 units in the
- * last place. Differences up to that size are ignored, but never more than a millionth of the step from one
- * domino to the next.
- */
+/* Returns true if first r^n >= height, apart from rounding errors. All three numbers are rounded decimal
+ * numbers. If the decimals satisfy first r^n = height, the two sides differ by up to 2 + n/2 units in the
+ * last place. */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
+    /* The slack is at most a millionth of the step from one domino to the next. */
     real slack = fmin(UNIT * (4 + n), (real)1e-6 * ln_r);
     return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
 }

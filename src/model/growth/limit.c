@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds r_max, the largest growth: the first root of the margin as a function of r, between r = 1 and the
- * reach r = 1/s. The margin need not be monotone: for thin dominoes it decreases, increases again and drops
- * near 1/s. An ordinary root finder could therefore miss the first root; limit.h says how the search avoids
- * that.
+ * Finds r_max, the largest growth: the first root of the margin between r = 1 and the reach r = 1/s. The
+ * margin need not be monotone. For thin dominoes it decreases, increases, and drops near 1/s. An ordinary
+ * root finder could therefore miss the first root (limit.h).
  */
 #include "growth/limit.h"
 
-/*
- * The error bound is 2 (|margin| + error of the margin) / |d margin / dr|, taken at r_max. The slope is a
- * difference quotient. Its interval ends at or before the reach, and is wide enough for the difference to
- * exceed the errors of both margins.
- */
+/* The error bound is 2 (|margin| + error of the margin) / |d margin / dr| at r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
     real r = limit->r_max, reach = c->geometry.span / c->s;
@@ -23,16 +18,17 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     real margin = margin_at(r, c), wrong = c->error, slope = 0;
     c->errors = false;
     real widest = fmin((reach - r) / 4, r / 4), h = fmin(sqrt(REAL_EPSILON) * 64 * r, widest);
+    /* Widen the difference quotient until the difference exceeds the errors of both margins. */
     for (; c->status == DOM_OK && slope == 0; h = fmin(8 * h, widest)) {
         real lo = fmax(r - h, 1), above = margin_at(r + h, c);
         real below = c->status == DOM_OK ? margin_at(lo, c) : above;
         if (fabs(above - below) > 8 * wrong || h >= widest)
             slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
     }
-    /* If even the widest interval shows no slope, r is only known to lie between 1 and the reach. */
+    /* Without a slope, r is only known to lie between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved, so *error is increased until the margin certainly has the right
-     * sign at both r - *error and r + *error. */
+    /* Near the reach the margin is curved. Increase *error until the margin surely has the right signs at
+     * r - *error and r + *error. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
@@ -40,7 +36,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     return c->status;
 }
 
-/* Converts a limit to the public structure, and adds the error bound if the request has `errors` set. */
+/* Converts a limit to the public structure, and adds the error bound if it is requested. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
                                     struct dom_limit *wide)
 {
@@ -88,8 +84,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1 the fuel P has a closed form, and K = P T. T is at least its first term, which is 1 with sharp
-     * edges. So P times this term is a lower bound on K. */
+    /* At r = 1, K = P T, and P has a closed form. `own` is the first term of T, so K >= P * own. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
@@ -106,8 +101,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* A search that solves an equation of motion may visit at most this many dominoes in all its passes together.
- * Each visit takes four times as long as in other searches. */
+/* The most dominoes that a search with an equation of motion may visit, in all passes together. Each visit
+ * takes four times as long as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)
@@ -130,7 +125,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
-    /* If the growth is less than first.r, domino 1 hits the next domino before it tips over (5; b0). */
+    /* Below the growth first.r, domino 1 hits the next domino before it tips over (5; b0). */
     struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
