@@ -13,12 +13,11 @@ struct budget {
     /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds together */
     enum dom_error_of kind;
     double widest; /* the largest sigma that is tried */
-    /* the tightest known bounds on sigma: enough rows fall if sigma is `lo`, but too few if sigma is `hi` */
+    /* bounds on sigma: enough rows fall at `lo`, too few at `hi` */
     double lo, hi;
     /* true during the search for sigma itself, false for the ends of its confidence interval */
     bool of_answer;
-    /* A cache of the latest results. Many of them are needed again to find the ends of the confidence
-     * interval. */
+    /* a cache of the latest results, since the ends of the confidence interval need many of them again */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];
@@ -26,7 +25,7 @@ struct budget {
 };
 
 /* Finds the fraction of the rows that fall if the errors have the size `sigma`. The random numbers are the
- * same for every sigma, so two studies differ only in the size of their errors. */
+ * same for every sigma. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -58,7 +57,7 @@ static void known(struct budget *b, double lo, double hi)
 }
 
 /* Finds the sigma at which the requested share of the rows falls, by bisection to a relative tolerance of
- * 1e-3. At sigma = lo, at least this share of the rows must fall. At sigma = hi, fewer rows must fall. */
+ * 1e-3. This share must fall at `lo`, but not at `hi`. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
@@ -75,8 +74,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma at which the requested share of the rows falls, by doubling and then by bisection.
- * Sets *sigma to infinity if enough rows fall even with the largest sigma that is tried. */
+/* Finds the largest sigma at which the requested share of the rows falls. Sets *sigma to infinity if enough
+ * rows fall even at b->widest. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes the probability that a row does not fall. This probability is an integral over all random errors.
- * It is estimated by a mean over a sample of random rows, which is the same in every call. Each random row
- * contributes a number between 0 and 1, which depends smoothly on its margins.
+ * Computes the probability that a row does not fall. This is an integral over all random errors, estimated by
+ * a mean over a fixed sample of random rows. Each row contributes a number between 0 and 1, which depends
+ * smoothly on its margins.
  *
- * A first-order reliability index would be cheaper, since it needs only the derivatives at the row without
- * errors. But a domino may stop because the gap before it is too narrow, or because that gap is too wide. So
- * its margin has a maximum in between, where the derivative is 0. A search that minimized this index found a
- * row that stopped in 54 % of all cases; with the present function, the row that was found stopped in 29 %.
+ * A first-order reliability index would be cheaper, since it needs only derivatives at the row without
+ * errors. But a gap can be too narrow or too wide. In between, the margin has a maximum, where its derivative
+ * is 0. A search that minimized this index found a row that stopped in 54 % of all cases. With the present
+ * function, the row that was found stopped in 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -21,9 +21,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bounds and special values of an energy margin. MARGIN_MOST is the margin of a domino that needs no energy,
- * and MARGIN_LEAST is that of a domino that is locked by friction. A domino has MARGIN_NONE if the row ends
- * there in a way that the model does not describe. */
+/*
+ * Bounds and special values of an energy margin:
+ * - MARGIN_MOST: the domino needs no energy
+ * - MARGIN_LEAST: friction locks the domino
+ * - MARGIN_NONE: the row ends at this domino in a way that the model does not describe
+ */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
@@ -32,8 +35,8 @@
 /* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* A change of a gap or a size changes the margins of later dominoes less and less. A run ends when the change
- * of a margin is below this fraction of the largest change. */
+/* A changed gap or size affects later dominoes less and less. A run ends when a margin changes by less than
+ * this fraction of the largest change. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -69,9 +72,9 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Finds the energy margin of each domino of a row. If `base` is not NULL, the domino with the index `from`
- * has been changed, and `base` holds the margins from before the change. The run then ends as soon as margins
- * hardly differ from those in `base`.
+ * Finds the energy margin of each domino. If `base` is not NULL, the row differs from an earlier row only at
+ * the index `from`, and `base` holds the margins of the earlier row. The run then ends as soon as the margins
+ * hardly differ.
  */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)
@@ -92,8 +95,7 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     return DOM_OK;
 }
 
-/* Finds the margin of reach of each domino: 1 - gap / height, where `gap` is the gap before the domino, and
- * `height` is the height of the previous domino. */
+/* Finds the margin of reach of each domino: 1 - (gap before the domino) / (height of the previous domino). */
 static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;
@@ -108,8 +110,8 @@ struct totals {
     double fails, *by_gap, *by_size;
 };
 
-/* Data that all batches share. Each batch has its own sums, which are added in a fixed order at the end, so
- * that the result does not depend on the timing of threads. */
+/* Data that all batches share. The sums of the batches are added in a fixed order, so that the result does
+ * not depend on the timing of threads. */
 struct shared {
     const struct chance *chance;
     struct dom_row row;
@@ -118,14 +120,13 @@ struct shared {
     enum dom_status *status;
 };
 
-/* Arrays for one row: its margins, its margins after a change, and the derivative of P(the row falls) with
- * respect to each margin. */
+/* arrays for one row: margins, margins after a change, and dP(the row falls)/d(margin) */
 struct weighed {
     double *margin, *changed, *weight;
 };
 
-/* Returns the probability that the row falls, which is a product of one factor for each margin. Writes the
- * derivatives of this product with respect to the margins to w->weight. */
+/* Returns the probability that the row falls: a product with one factor for each margin. Writes its
+ * derivatives with respect to the margins to w->weight. */
 static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
 {
     double before = 1, after = 1;
@@ -141,8 +142,7 @@ static double weigh(const struct chance *c, size_t margins, const struct weighed
     return before;
 }
 
-/* Returns the change in the probability that the row falls, to first order in the changes in the energy
- * margins. */
+/* Returns the change in P(the row falls), to first order in the changes of the energy margins. */
 static double change_of(const struct weighed *w, size_t count)
 {
     double sum = 0;
@@ -236,8 +236,7 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. If `margin` is not NULL, writes their margins to it. Otherwise computes the sums in
- * *total. */
+/* Runs all random rows. Writes their margins to `margin`, or if this is NULL, their sums to *total. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

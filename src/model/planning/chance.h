@@ -9,22 +9,24 @@ struct chance {
     const struct shape *shape;
     struct dom_compute compute;
     struct dom_placement placement; /* describes the random rows */
-    /* The width of the smoothing for each margin. Each row is counted with a weight between 0 and 1: the
-     * product of Phi(margin / width) over all its margins, where Phi is the normal distribution. The smaller
-     * the widths, the closer the sum of the weights is to the number of rows that fall. */
+    /* The width of the smoothing for each margin. A row counts as the product of Phi(margin / width) over all
+     * its margins, where Phi is the normal distribution. Small widths bring the sum closer to the number of
+     * rows that fall. */
     const double *width;
 };
 
-/* Finds the smoothed fraction of the rows that do not fall. Unless by_gap is NULL, also finds the derivatives
- * of this fraction: by_gap[k] is the derivative with respect to the gap before domino k, in 1/m, and
- * by_size[k] the derivative with respect to the logarithm of the size of domino k. */
+/*
+ * Finds the smoothed fraction of the rows that do not fall. Unless by_gap is NULL, also finds its
+ * derivatives:
+ * - by_gap[k], with respect to the gap before domino k, in 1/m
+ * - by_size[k], with respect to the logarithm of the size of domino k
+ */
 enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
                             double *by_gap, double *by_size);
 
 /*
- * Finds the margins of each random row, as 2 * count numbers per row. The first `count` numbers are the
- * energy margins ln(kinetic / barrier) of the dominoes. The others are the margins of reach: 1 - gap /
- * (height of the domino before the gap).
+ * Finds 2 * count margins for each random row. The first `count` are the energy margins ln(kinetic / barrier)
+ * of the dominoes. The others are the margins of reach: 1 - gap / (height of the domino before the gap).
  */
 enum dom_status chance_margins(const struct chance *chance, const struct dom_domino *domino, double *margin);
 

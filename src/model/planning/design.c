@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Designs a row: given the heights of the first and the last domino, finds a separation, a growth and a
- * number of dominoes. In the designed row, every cycle has at least `safety` times the energy that it needs.
- * The search uses the same computations as the public functions, so both give the same verdict on a designed
- * row.
+ * Designs a row between given first and last heights: finds a separation, a growth and a number of dominoes.
+ * In the designed row, every cycle has at least `safety` times the energy that it needs. The search uses the
+ * same computations as the public functions, so that both agree on the row.
  */
 #include "planning/planner.h"
 #include <string.h>
 
 /*
- * A search begins with the smallest number of dominoes that may suffice, and tries at most MORE further
- * numbers. The search for the shortest row ends when LONGER successive numbers have not given a shorter row.
- * If an engine runs the rows, LONGER_IN_ENGINE numbers are enough.
+ * A search tries the smallest number of dominoes that may suffice, and at most MORE further numbers. The
+ * search for the shortest row ends after LONGER numbers (LONGER_IN_ENGINE with an engine) without a shorter
+ * row.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
@@ -26,8 +25,8 @@ static bool enough(struct planner *p, struct choice c)
            (!p->limits || row_feet(p, c) + p->wish->height <= p->wish->hall);
 }
 
-/* Returns true if the row has the required safety in the model, and all its dominoes also fall in the engine.
- * If the engine cannot decide whether they fall, they count as not falling. */
+/* Returns true if the row is safe enough in the model, and all its dominoes also fall in the engine. A row
+ * that the engine cannot decide counts as not falling. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -44,8 +43,8 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
-/* Returns the largest growth at which the train has the required safety, with a relative tolerance of 1e-7.
- * Returns 0 if the train is not safe enough at r = 1. */
+/* Returns the largest growth at which the train has the required safety, to a relative tolerance of 1e-7.
+ * Returns 0 if there is none. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -60,8 +59,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Finds the separation that allows the largest growth with the required safety. Returns this growth, or 0 if
- * no train is safe enough. Takes coarse steps first, and then halves the step repeatedly. */
+/* Returns the largest growth that any separation allows with the required safety, or 0 if there is none. Sets
+ * *best to this separation. Takes coarse steps, and then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -87,8 +86,8 @@ static dom_real separation_find(struct planner *p, int *best)
 typedef bool choice_test(struct planner *p, struct choice c);
 
 /*
- * Finds the separation nearest to k/GRID at which the row passes the test. Goes from k in both directions, in
- * steps of `step`, but never above `most`. Returns the separation in units of 1/GRID, or 0 if none is found.
+ * Returns the separation nearest to k, but at most `most`, at which the row passes the test. Returns 0 if
+ * none is found. Separations are in units of 1/GRID and are tried in steps of `step`.
  */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
@@ -102,8 +101,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* The row must have the required safety at the separation `good`. Returns the smallest separation that can be
- * reached from `good` without losing this safety. Separations are in units of 1/GRID. */
+/* Returns the smallest separation that can be reached from `good` without losing the required safety. The row
+ * must have this safety at `good`. Separations are in units of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -119,20 +118,19 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Step size of the search for a separation, in units of 1/GRID. It is larger with an engine, which needs as
- * much time for one row as the model needs for hundreds. */
+/* Step sizes of the search for a separation, in units of 1/GRID. An engine needs as much time for one row as
+ * the model needs for hundreds. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the next number of steps (dominoes minus 1) to try. With an engine, the increments grow, since
- * every row takes a long time. */
+/* Returns the next number of steps (dominoes minus 1) to try. An engine is slow, so its increments grow. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row that has the required safety and at least `fewest` steps. Returns false if none is
+/* Finds the shortest row with the required safety and at least `fewest` steps. Returns false if none is
  * found. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
@@ -159,8 +157,8 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that has the required safety and fits into the hall. Returns false
- * if there is no such row. */
+/* Finds the row with the fewest dominoes that is safe enough and fits into the hall. Returns false if there
+ * is none. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
@@ -176,8 +174,8 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push that gives the row the required safety, to a relative tolerance of 1e-4.
- * Returns NaN if no push is found. */
+/* Returns the weakest push that makes the row safe enough, to a relative tolerance of 1e-4. Returns NaN if
+ * none is found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -194,8 +192,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that any train can have. Only the separation is
- * varied, since the ratio is largest for equal dominoes (r = 1). */
+/* Returns the largest ratio of kinetic energy to barrier of any train. The ratio is largest at r = 1, so only
+ * the separation is varied. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Draws the random errors of a row. Each kind of error has its own random numbers, which depend only on the
- * seed, the kind and the number of the row. So if one kind of error is left out, the errors of other kinds
- * stay the same.
+ * seed, the kind and the number of the row. So the other errors stay the same if one kind is left out.
  */
 #include "planning/draw.h"
 #include "planning/boxes.h"
@@ -17,8 +16,8 @@
 /* A random error never reduces a size or a mass below this fraction of its original value. */
 #define LEAST_SHARE ((dom_real)0.01)
 
-/* The limits of slopes, leans, radii and thicknesses are tightened by this factor, so that they still hold if
- * the values are rounded to float. */
+/* tightens the limits of slopes, leans, radii and thicknesses, so that they still hold after rounding to
+ * float */
 #define INSIDE (1 - (dom_real)1e-6)
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
@@ -36,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns number i of the seeds that are derived from `seed`. The bits are mixed as in splitmix64 (Steele et
- * al., 2014), because a plain counter would give similar random numbers for successive i. */
+/* Returns seed number i of those derived from `seed`. A plain counter would give similar random numbers for
+ * successive i. The bits are therefore mixed as in splitmix64 (Steele et al., 2014). */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -57,8 +56,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /*
- * Returns the next random error. It combines the numbers of two generators, because GSL's generators have
- * seeds of only 32 bits: with one generator, some of a million rows would have the same seed.
+ * Returns the next random error. Combines two generators, because the seeds of GSL have only 32 bits. With
+ * one generator, some of a million rows would have the same seed.
  */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {
@@ -83,8 +82,8 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Applies a random error to one of the sizes or to the mass of a domino. The error is limited so that walls
- * and rounded edges still fit into the domino. */
+/* Applies a random error to a size or to the mass of a domino. Walls and rounded edges still fit into the
+ * domino. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_error *error, struct dom_domino *d)
 {
@@ -112,8 +111,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Applies a random error to the position of each domino, without moving the dominoes after it. A domino that
- * would overlap the previous one is placed so that the two touch. */
+/* Applies a random error to the position of each domino, without moving later dominoes. A domino that would
+ * overlap the previous one touches it instead. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */
@@ -133,7 +132,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
     }
 }
 
-/* Applies a random error to the lean of each domino, but keeps it in the range in which the domino stands. */
+/* Applies a random error to the lean of each domino, but only so far that it still stands. */
 static void leans_draw(const struct draw *draw, const struct dom_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {

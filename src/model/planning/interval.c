@@ -10,13 +10,11 @@
 #define TAIL 0.025
 
 /*
- * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
- * probability p.
+ * Returns the probability that at least k, or at most k, of n rows fall if each falls with the probability p.
  *
- * The term k of the binomial distribution is set to 1. Every other term is its neighbour times a simple
- * ratio, so no factorials are needed. The result is the sum over the tail divided by the sum over all terms.
- * gsl_cdf_beta_P could compute the same probability, but for a million rows or more, its continued fraction
- * does not converge for some p.
+ * Divides the sum over the tail of the binomial distribution by the sum over all terms. Term k is set to 1.
+ * Each other term is a simple ratio times its neighbour, so that no factorials are needed. gsl_cdf_beta_P
+ * does not converge for some p if n is a million or more.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -45,12 +43,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds p, the probability that a single row falls, such that binomial_tail returns TAIL. Uses bisection,
- * because the tail is almost constant where it is close to 0 or to 1. */
+/* Finds the p at which binomial_tail returns TAIL. Uses bisection, because the tail is almost constant where
+ * it is close to 0 or to 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 bisections give all digits of a root near 1. The smallest possible root, which occurs if one of 2^64
-     * rows has fallen, needs up to 64 more bisections. */
+    /* 50 bisections give all digits of a root near 1. The smallest possible root (one of 2^64 rows has
+     * fallen) needs up to 64 more. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
@@ -66,9 +64,11 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
 }
 
-/* Finds the exact 95 % confidence interval if n of N rows have fallen. If the true probability that a row
- * falls is the lower end of the interval, then P(n or more rows fall) = 2.5 %. If it is the upper end, then
- * P(n or fewer rows fall) = 2.5 %. For the upper end, rows whose outcome is unknown count as fallen. */
+/*
+ * Finds the exact 95 % confidence interval [low, high]:
+ * - If P(a row falls) = low, P(at least s->fall rows fall) = 2.5 %.
+ * - If P(a row falls) = high, P(at most s->fall + s->unknown rows fall) = 2.5 %.
+ */
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
