@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds a root of the margin, and then proves that it is the first root. Starting from a guess, the secant
- * method finds the root in a few passes. The proof takes a few strips of growths below the root: the margin
- * decreases over the strip that ends at the root, and is positive over the strips before it. A scan upwards
- * from r = 1 would need many more strips.
+ * Finds a root of the margin, and then proves that it is the first root. The secant method finds the root
+ * from a guess in a few passes. The proof takes a few strips of growths below the root. The margin decreases
+ * over the strip that ends at the root, and is positive over the others.
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel. The fuel
- * decreases with r because the dominoes behind the head become lighter. */
+/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel, which
+ * decreases with r. */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -23,8 +22,8 @@ struct root_point {
     real r, share, value, tol;
 };
 
-/* The state of a search for a root of the margin, which is positive at lo and negative at hi. at[2] is the
- * newest point, and `known` is the number of valid points. */
+/* A search for a root of the margin, which is positive at lo and negative at hi. Of the `known` valid
+ * points, at[2] is the newest. */
 struct root_search {
     real lo, hi;
     struct root_point at[3];
@@ -46,11 +45,8 @@ static void root_add(struct root_search *s, struct root_point point)
     s->known += !again;
 }
 
-/*
- * Returns the root of the straight line through two points. Close to the root of the margin, the line is
- * drawn through margin_share, which is less curved there than the margin. Far from the root, margin_share is
- * almost constant, near 1 or -1, so the line is drawn through the margin itself.
- */
+/* Returns the root of the line through two points. margin_share is less curved than the margin close to
+ * the root. Far away it is almost constant, so the margin itself takes its place. */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
     bool near = fabs(a->share) + fabs(b->share) < 1;
@@ -58,8 +54,8 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If margin_share is within ROOT_FLAT of 1 or -1, it does not show how far away the root is. The search
- * then multiplies or divides r by at least r^ROOT_STEP. */
+/* If |margin_share| > 1 - ROOT_FLAT, it does not show how far away the root is. The next step then changes
+ * r by at least the factor r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -69,8 +65,7 @@ static real root_inside(const struct root_search *s, real r)
     return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
 }
 
-/* Returns the next growth to try, found by inverse interpolation through the newest points. If that growth is
- * outside the bracket, returns the middle of the bracket. */
+/* Returns the next growth inside the bracket, by inverse interpolation through the newest points. */
 static real root_next(const struct root_search *s, const struct margin_context *c)
 {
     const struct root_point *at = s->at;
@@ -116,14 +111,12 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* As in the secant method, the error after a step is roughly the product of the last two errors,
-         * divided by a length that can be estimated from the previous steps. The first step is not one of the
-         * secant method, so it says nothing about this length. The length is then taken to be a 16th of r or
-         * of the distance to the reach, whichever is smaller. */
+        /* The error after a secant step is about the product of the last two errors, divided by a length.
+         * At the first step, the length is taken to be a 16th of r or of the distance to the reach. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
-        /* The error of the previous point changes the step by as large a part as it changes margin_share. */
+        /* The step has the same relative error as margin_share at the previous point. */
         close = close && (s->known == 1 || step * s->at[1].tol <= 4 * tol * r * fabs(s->at[1].share));
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
@@ -146,12 +139,11 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
-/* The slope of the margin is measured at this relative distance from an approximate root. The relative error
- * of the approximate root may be at most the square of this distance. */
+/* The slope is measured at this relative distance from an approximate root. The relative error of that
+ * root may be at most ROOT_ASIDE squared. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Finds the root close to `near`. Starts at a growth slightly below `near`, and follows the maximum of H from
- * there to the root. The margin at the first growth also gives the slope of the margin. */
+/* Finds the root close to `near`. A growth slightly below `near` comes first, and gives the slope. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
@@ -171,8 +163,7 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 {
     const real tol = c->geometry.tol, aside = ROOT_ASIDE * ROOT_ASIDE;
     const bool follows = c->geometry.dynamics->conservative;
-    /* With a coarser tolerance, the root found here could be rejected as too far from the approximate root,
-     * and a complete search would be necessary. */
+    /* With a coarser tolerance, the root could be rejected as too far from `near`. */
     c->geometry.tol = fmin(tol, aside);
     enum dom_status status =
         follows ? root_followed(c, near, root)
@@ -187,27 +178,25 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The barrier at the root is taken to exceed the barrier at the last growth of the search by at most this
- * fraction. */
+/* The barrier at the root is taken to be at most 1 + DOWN_SLACK times the last barrier of the search. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns the thickness of the flat part of a domino, divided by the height of the flat part. The root for
- * rounded edges is nearly the root for sharp-edged dominoes of these proportions. */
+/* Returns thickness / height of the flat part of a domino. Sharp-edged dominoes of these proportions have
+ * nearly the same root. */
 static real flat_thickness(const struct geometry *geometry)
 {
     return geometry->rounded.wide / geometry->rounded.tall;
 }
 
-/* Returns s / d - 2 d^2 / (1 - d^2), but at least 0. A train of equal dominoes has fuel only if this
- * difference is positive. */
+/* Returns max(s / d - 2 d^2 / (1 - d^2), 0). Without growth, a train has fuel only if this is positive. */
 static real root_room(const struct margin_context *c)
 {
     const real d = flat_thickness(&c->geometry), s = c->s / (1 - c->geometry.rounded.rho);
     return fmax(s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Returns an estimate of the root. For dominoes of ordinary proportions, the logarithm of the estimate is
- * correct to a few percent. The coefficients are fitted to computed roots. */
+/* Estimates the root, with coefficients fitted to computed roots. For ordinary dominoes, the logarithm of
+ * the estimate is correct to a few percent. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(flat_thickness(&c->geometry), (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -229,15 +218,13 @@ static real root_slope(const struct margin_context *c)
 #define REACH_NEAR ((real)0.96)
 
 /*
- * Estimates a root close to the reach, from the kinetic energy at the reach. If r s is nearly 1, all
- * followers have already detached when the head reaches theta_u, where its own energy is highest. Until then
- * only domino 1 has moved, from theta_c to theta_f, and the energy that it released lowers the barrier. To
+ * Estimates a root close to the reach, from K at the reach. There all followers detach before the head
+ * reaches theta_u. Only domino 1 has moved by then, from theta_c to theta_f, which lowers the barrier. To
  * first order in sqrt(1 - r s) the barrier is
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
- * *start receives the estimate, or 0 if there is none. Returns true if K at the reach exceeds even the
- * largest possible barrier.
+ * *start receives the estimate, or 0 if there is none. Returns true if K at the reach exceeds every barrier.
  */
 static bool root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
 {
@@ -275,31 +262,30 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
 
 enum { DOWN_STRIPS = 32, DOWN_FAILS = 8 };
 
-/* Returns the width in ln r of the first strip below the root; `whole` is the width of the whole interval
- * below the root. */
+/* Returns the width in ln r of the first strip below the root. `whole` is the width of all strips
+ * together. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
     return whole < (real)0.03 ? whole : fmin(width, whole / 2);
 }
 
-/* Returns the width in ln r of a strip that extends downwards from r, a growth near the reach. It is chosen
- * so that the bounds show in most cases that the margin decreases. */
+/* Returns the width in ln r of a strip below r, for r near the reach. In most strips of this width, the
+ * bounds show that the margin decreases. */
 static real down_near(const struct margin_context *c, real r)
 {
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
 }
 
 /*
- * Shows that the margin is positive at growths just below `root`, which is the reach if the margin is
- * positive even there. Works downwards from `root` to `from`, strip by strip, without computing any margin.
- * *down receives the lowest growth that this reaches, or `root` if no strip succeeds. Over the first strip,
- * the bounds show that the margin decreases. Each later strip uses two bounds at its upper end, which follow
- * from the strips above it: a lower bound on the margin, and an upper bound on the barrier.
+ * Shows that the margin is positive just below `root`, which is the reach if it is positive even there. Works
+ * downwards to `from` in strips, without computing a margin. *down receives the lowest growth that this
+ * reaches, or `root` if no strip succeeds.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
+    /* at *down, an upper bound on the barrier and a lower bound on the margin, from the strips above */
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
     /* K falls like a square root near the reach, so the first strip must be narrow there. */
     const bool reaches = root == 1 / c->s;
@@ -336,8 +322,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Moves *lo up towards `to`, as far as a few strips show that the margin stays positive. The margin at *lo
- * must be positive. */
+/* Moves *lo up towards `to`, as far as a few strips show a positive margin. It must be positive at *lo. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
@@ -348,7 +333,7 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
-        /* So far an upper bound takes the place of the barrier at hi. Try again with the barrier itself. */
+        /* Try again with the barrier at hi itself, in the place of an upper bound. */
         if (known == KNOWN_NOTHING && hi->margin.most) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;

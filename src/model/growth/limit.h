@@ -49,8 +49,8 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
 
 /*
  * Predicts and finds a root for an endless train without friction. Then tries to prove that it is the first
- * root after *from. If there is no root up to the reach, proves that and sets *root to the reach. Sets *found
- * to false if there is no proof. *from may move up to a growth below which the margin is positive.
+ * root after *from, or that there is no root up to the reach. In the second case *root is the reach. Sets
+ * *found to false if there is no proof. *from may move up to a growth below which the margin is positive.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 

@@ -2,11 +2,11 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* The approximate number of passes at one growth. All of them use the same series for the far tail. */
+/* About how many passes at one growth use the same series for the far tail. */
 #define FAR_PASSES 2
 
-/* Finds the barrier by the method c->how, and stores it in *m. `near` holds the sums at the tilt that
- * barrier_near returned, or is NULL. */
+/* Stores the barrier, found by the method c->how, in *m. `near` holds the sums at the tilt of
+ * barrier_near, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -23,19 +23,19 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     }
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
-        /* Before its last steps, a root search needs only to come closer to the root. */
+        /* Only the last steps of a root search need a fine tolerance. */
         const bool rough = c->how == MARGIN_FOLLOW && geometry->tol > c->geometry.tol;
         const real tol = rough ? TOP_TOL_ROUGH(geometry) : TOP_TOL(geometry);
         const bool top = barrier_follow(geometry, near, tol, b);
-        m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start, so the barrier is at least 0 */
+        m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* With friction Newton's method is not available. The error of the barrier is then of second order in
-         * the error of the tilt, and not of third order, so the tilt needs a finer tolerance. */
+        /* Newton's method is not available with friction. The error of the barrier is then of second order
+         * in the error of the tilt, not of third, so the tilt needs a finer tolerance. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -56,7 +56,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
     bool both = c->how == MARGIN_FOLLOW && !geometry->detaches && geometry->law->both;
-    /* At r = 1 both fuel formulas agree, and the closed form needs no pass down the chain. */
+    /* At r = 1 both fuel formulas agree, and the closed form is faster. */
     if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
@@ -134,8 +134,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks has no margin, but it stops: its energy tends to 0 as it approaches the tilt at
-     * which it locks. Any negative margin will do. */
+    /* A train that locks has no margin, but it stops: its energy tends to 0 as it locks. So its margin may
+     * be any negative number. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -162,8 +162,7 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 
 #define ROUGH ((real)1e-3)
 
-/* Finds the sign of the margin. Without friction, `how` is MARGIN_SIGN or MARGIN_TOPS; with friction it is
- * ignored. */
+/* Finds the sign of the margin. `how` is MARGIN_SIGN or MARGIN_TOPS, and is ignored with friction. */
 static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
 {
     struct margin m = {.kinetic = REAL_NAN};
@@ -179,17 +178,15 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /*
-     * The margin is the difference of two nearly equal numbers. It must itself be correct to the relative
-     * tolerance; otherwise the verdict would change with the tolerance. Therefore refine the tolerance as in
-     * barrier_verdict. If the arithmetic does not allow a finer tolerance, the last result stands.
-     */
+    /* The margin is the difference of two nearly equal numbers. Refine the tolerance until the margin
+     * itself is correct to the tolerance. Otherwise the verdict could depend on the tolerance. */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;
     while ((fine = balance_tol(reached, fabs(margin_value(&m)), fabs(m.kinetic))) < reached / 4) {
         struct margin finer = {.kinetic = REAL_NAN};
         if (margin_to(c, r, fine, &finer) != DOM_OK) {
+            /* the arithmetic allows no finer tolerance: keep the last result */
             c->status = c->status == DOM_NOT_CONVERGED ? DOM_OK : c->status;
             break;
         }
@@ -235,7 +232,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* not even more accurate sums could show the sign */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even more accurate sums could not show the sign */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* The margin is treated as a function of x = -sqrt(1 - r/reach). It is a smooth function of x up to the
- * reach, but not of r: close to the reach it falls like sqrt(1 - r/reach). */
+/* The margin is a smooth function of x = -sqrt(1 - r/reach) up to the reach. As a function of r, it falls
+ * like sqrt(1 - r/reach) there. */
 static real probe_x(const struct margin_context *c, real r)
 {
     return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
@@ -13,12 +13,10 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples for an increase of r by a factor of e. These samples end at 0.9 times the reach; one
- * more sample is at the reach. */
+/* Samples for each factor of e in r, up to 0.9 of the reach. One more is at the reach. */
 #define PROBE_PER_E 5
 
-/* Returns the growth r of sample k, between 1 and the reach. If there are fewer samples than k, returns the
- * reach. */
+/* Returns the growth of sample k. Beyond the last sample, this is the reach. */
 static real probe_place(const struct margin_context *c, int k)
 {
     const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
@@ -26,28 +24,25 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* An interval between two samples is bisected at most this many times. The bisections divide an interval from
- * r to r e^(1/5) into parts about 2e-6 r wide. */
+/* The most bisections between two samples. They divide an interval from r to r e^(1/5) into parts about
+ * 2e-6 r wide. */
 #define PROBE_HALVES 17
 
 /*
- * Let w be the difference of x between two samples, and f the second divided difference of the margin at
- * these samples and a third one. The margin is taken to keep its sign between the two samples if it exceeds
- * PROBE_SAFETY f w^2 at both of them. A parabola deviates from the straight line between the samples by at
- * most f w^2 / 4.
+ * Let w be the distance in x between two samples, and f the second divided difference of the margin. The
+ * margin is taken to keep its sign if it exceeds PROBE_SAFETY f w^2 at both samples. A parabola deviates from
+ * the line between the samples by at most f w^2 / 4.
  */
 #define PROBE_SAFETY 3
 
-/* The largest relative tolerance of samples. With a coarser tolerance, errors would look like curvature of
- * the margin, and every interval would be bisected down to the smallest width. */
+/* The largest relative tolerance of samples. Larger errors would look like curvature of the margin. */
 #define PROBE_TOL ((real)1e-3)
 
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    /* The first growth found so far at which the sign changes, or infinity. If the margin is positive at the
-     * start, `root` is a root. Otherwise it is the growth of the sample `after`, at which the margin is not
-     * negative. */
+    /* The first growth with a sign change so far, or infinity. It is a root if `positive` is true, and
+     * otherwise the growth of the sample `after`, where the margin is >= 0. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
     struct edge after;
@@ -64,12 +59,8 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
     return (margin_value(&edge->margin) >= 0) == p->positive;
 }
 
-/*
- * Returns a smooth function of x that is positive wherever the margin has the same sign as at the start of
- * the search. If a root is already known, the function is divided by the distance from that root, so that it
- * changes its sign only at other roots. If only an upper bound on the barrier of `edge` is known, the
- * argument `barrier` is used instead.
- */
+/* Returns a smooth function of x, positive where the margin has the same sign as at the start. `barrier`
+ * replaces the barrier of `edge` if only an upper bound on that is known. */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
     const struct margin *m = &edge->margin;
@@ -77,18 +68,16 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
                value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
     if (edge->r == p->root)
         return p->falls;
+    /* division by the distance from a known root leaves only the other sign changes */
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
-/*
- * Returns true if, according to its curvature, the margin has no sign change between lo and hi apart from
- * p->root. The curvature comes from lo, hi and `third`, a sample outside the interval. If `third` is lo
- * itself, the result is false. If only an upper bound on a barrier is known, the barrier of another sample is
- * used, so that the step from upper bounds to barriers is not mistaken for curvature.
- */
+/* Returns true if the curvature of the margin shows no sign change between lo and hi apart from p->root.
+ * The curvature comes from lo, hi and `third`, a sample outside. Returns false if `third` is lo. */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
 {
+    /* a step from an upper bound to a barrier would look like curvature */
     const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
@@ -97,10 +86,8 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Takes more samples between `lo` and `hi`, and looks for the first sign change. A sign change that comes
- * after p->root is not needed. At `lo` the margin has the same sign as at the start of the search. If the
- * margin has the opposite sign at `hi`, first finds a root between `lo` and `hi`, and then looks for an
- * earlier one. */
+/* Looks for the first sign change between `lo` and `hi`, with more samples. At `lo` the margin has the
+ * same sign as at the start. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {
@@ -109,6 +96,7 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
         return DOM_OK;
     const bool changes = !probe_kept(p, hi) && hi->r < p->root,
                finest = halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r;
+    /* find any root first; the bisection below looks for earlier ones */
     if (changes && p->positive)
         status = scan_root(p->c, lo, hi, &p->root);
     else if (changes && finest) {
@@ -124,8 +112,8 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
 }
 
-/* Takes samples, starting with number k, up to the first sign change. Then looks for sign changes between
- * `lo` and the next sample, which is stored in *hi. `last` is the sample before `lo`. */
+/* Takes samples from number k up to the first sign change. Then looks for sign changes between `lo` and
+ * the next sample, *hi. `last` is the sample before `lo`. */
 static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
                                   struct edge *hi)
 {

@@ -3,16 +3,15 @@
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /*
- * SCAN_ROUGH is the relative error of the barrier that a scan accepts from margin_sign. SCAN_FINE is the
- * smaller error that scan_sure leaves. As soon as a root is bracketed to less than SCAN_CLOSE in ln r, it is
- * taken to be the first root.
+ * Relative errors of the barrier: SCAN_ROUGH from margin_sign, and SCAN_FINE from scan_sure. A root is taken
+ * to be the first one if its bracket is narrower than SCAN_CLOSE in ln r.
  */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/* Follows the maximum of H that is found first to the root. Another search at the root checks that this
- * maximum is the highest. If it is not, the root is found again with a search for all maxima at every r. */
+/* Follows one maximum of H to the root. If it is not the highest there, finds the root again with a search
+ * for all maxima. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
 {
@@ -27,8 +26,7 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
     return model_status(c->status, solver);
 }
 
-/* Computes the margin again with an accurate barrier, since margin_sign may have used only one of several
- * maxima of H. */
+/* Computes the margin again from all maxima of H, with an accurate barrier. */
 static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
 {
     edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
@@ -71,8 +69,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* From any growth in the strip up to hi, the margin increases by at most strip.margin_slope *
-         * ln_r. */
+        /* From anywhere in the strip up to hi, the margin increases by at most strip.margin_slope ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -93,8 +90,8 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the narrowest step: SCAN_FINEST for the first 1500 strips, doubled after every further 100 strips.
- * No search takes more than about 3,000 strips. */
+/* Returns the narrowest step. After 1500 strips it doubles every 100 strips, so that a search ends within
+ * about 3,000. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));
@@ -131,7 +128,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         } else if (known == KNOWN_POSITIVE || step * (real)0.8 <= finest) {
             lo = hi;
             step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
-        } else { /* a shorter strip may have sufficient bounds, or numbers that do not underflow */
+        } else { /* a shorter strip may have better bounds, or no underflow */
             step /= 2;
         }
     }

@@ -2,8 +2,7 @@
 #include "growth/strip.h"
 #include "geometry/sums.h"
 
-/* Relative allowance for the rounding errors of sums over a chain. Each term of such a sum has an error of a
- * few rounding units. */
+/* Allows for the rounding errors of sums over a chain. Each term has an error of a few rounding units. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
 #define LEAST_TOP_STEPS 4
@@ -20,8 +19,7 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
     return -geometry_height_slope(geometry, t);
 }
 
-/* A follower of the trains in a strip: its tilt lies between `lo` and `hi`, the tilts at the two ends of the
- * strip. */
+/* A follower in a strip. Its tilt lies between `lo` and `hi`, the tilts at the ends of the strip. */
 struct between {
     struct tilt lo, hi;
     real fall_least, fall_most; /* bounds on h(0) - h */
@@ -36,8 +34,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
 
-/* A chain with an upright head. After a domino has detached, the chain is continued with dominoes at
- * theta_f. */
+/* A chain with an upright head. Behind a detached domino it goes on with dominoes at theta_f. */
 struct upright {
     struct link link;
     bool ended; /* true if this domino and all after it are at theta_f */
@@ -57,16 +54,15 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
-    /* The inertia ratio T is J of the upright chain without its head, since domino 1 of this chain leans at
-     * theta_c. */
+    /* T is J of this chain without its head, since domino 1 leans at theta_c. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->step = u->ended || !u->link.leads ? 0 : u->link.step;
     real ratio = geometry->inertia * u->step * u->step;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* Sums over the followers. Each sum is a bound for all trains of a strip. In a strip of separations, d / ds
- * takes the place of d / d ln r. */
+/* Sums over the followers, which are bounds for all trains of a strip. In a strip of separations, s takes
+ * the place of ln r. */
 struct strip_sums {
     real least, most;              /* lower and upper bound on the fuel */
     real advance;                  /* upper bound on d theta_i(0) / d ln r */
@@ -78,8 +74,8 @@ struct strip_sums {
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or on d theta_1 / ds in a strip of
- * separations. The bound is the derivative at hi, at the smallest tilt of the leader. */
+/* Returns an upper bound on d theta_1 / d ln r, or on d theta_1 / ds in a strip of separations. It is the
+ * derivative at hi, at the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -87,8 +83,7 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* strip_advance returns an upper bound on a derivative, and this function a lower bound: the derivative at
- * lo, at the largest tilt of the leader. */
+/* Returns a lower bound, in the same way: the derivative at lo, at the largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -97,8 +92,7 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
 }
 
 /*
- * Adds follower i to the sums, which bound d margin / d ln r. Let theta be the tilt at which H has its
- * maximum, and let
+ * Adds follower i to the sums, which bound d margin / d ln r. Let theta be the tilt at the maximum of H, and
  *
  *     u_i = d theta_i / d ln r,   m_i = theta_i(theta) - theta_i(0),   g = -dh/dtheta,   w = r^-q,
  *     D = r^q / T + r^q - 1,   K = P / D,   c = (1 - w) T / (1 + (1 - w) T).
@@ -108,8 +102,11 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
  *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
  *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))].
  *
- * For a follower beyond theta_u, g_i(theta) - g_i(0) <= h_i(0) m_i, u_i(theta) <= u_i(0) and h_i(0) -
- * h_i(theta) >= g_i(0) m_i. For a follower before theta_u, the bound adds the absolute values of the parts.
+ * Beyond theta_u, the bound uses three inequalities:
+ *
+ *     g_i(theta) - g_i(0) <= h_i(0) m_i,   u_i(theta) <= u_i(0),   h_i(0) - h_i(theta) >= g_i(0) m_i.
+ *
+ * Before theta_u, it adds the absolute values of the parts.
  */
 static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
@@ -121,8 +118,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h of the next domino is lower by the integral of g over the angle between the two dominoes, which
-         * is asin X >= X */
+        /* h of the next domino is lower by the integral of g over an angle of asin X >= X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -133,37 +129,34 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     s->rests += weight * fmax(g_hi, 0) * u;
 }
 
-/*
- * Finds a lower bound on the tilt of the head at the maximum of H, for trains whose barrier is at least
- * `kinetic`. At this maximum the energy of the head has increased by at least the barrier plus the energy
- * that the first follower has lost. This loss increases with the tilt of the head, and is at least the loss
- * at hi divided by `grows`.
- */
+/* Returns a lower bound on the tilt of the head at the maximum of H, for barriers of at least `kinetic`.
+ * There the head has gained at least the barrier plus the energy that the first follower has lost. */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
 {
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* Upper bound on how far h of the head is below h(theta_u) at the maximum of H. */
+        /* upper bound on h(theta_u) - h(theta) of the head at the maximum of H */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->reach - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
         const bool leads = !hi->detaches || head.v < hi->leave.v;
         const struct tilt first = leads ? tilt_follower(head, geometry_contact(hi, head)) : hi->f;
+        /* the loss increases with the tilt of the head, and at hi it is at most `grows` times as large */
         loss = hi->weight * fmax(strip_fall(hi, first) - upright, 0) / grows;
     }
     return tilt_half(p);
 }
 
 /*
- * Returns an upper bound on the terms of the first follower that is finite at the reach, or infinity. Let u_1
- * be d theta_1 / d ln r, as in strip_follower. For an upright head, u_1(0) is tan theta_c, which is infinite
- * at the reach. At the maxima that matter, the head leans by at least `least`, and u_1(theta) is at most
- * `part` times u_1(0). While domino 1 leans on its leader, u_1(theta) / u_1(0) decreases with theta and with
- * r. After domino 1 has detached, u_1(theta) is d theta_f / d ln r, which is less than sqrt(d / L) times
- * u_1(0). With u_1(theta) replaced by this bound, the terms are a convex function of u_1(0), so they are
- * largest at lo or at hi.
+ * Returns an upper bound on the terms of domino 1 that is finite at the reach, or infinity. At the reach,
+ * u_1(0) = tan theta_c (strip_follower) is infinite. At the maxima that matter, the head leans by at least
+ * `least`, and u_1(theta) <= part u_1(0):
+ * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
+ * - After it has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
+ *
+ * With this bound the terms are a convex function of u_1(0), so they are largest at lo or at hi.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -179,7 +172,7 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
     return g >= 0 && falls > 0 ? most : (real)INFINITY;
 }
 
-/* Adds bounds on the terms of all followers behind the last one that the sums include. */
+/* Adds bounds on the terms of all followers that the sums do not include yet. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                        real weight, real slope, real step, struct strip_sums *s)
 {
@@ -207,8 +200,8 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
-    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. The right side
-     * is monotone in T, so it is smallest at one end of the range of T. */
+    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. This is
+     * monotone in T, so an end of the range of T has the minimum. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
@@ -231,14 +224,12 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Finds an upper bound on the tilt of the head at the maximum of H, for every train in the strip, and returns
- * the tangent of half this bound. The bound is theta_u, or less if the first follower pulls. At the maximum,
+ * Returns tan(t / 2), where t is an upper bound on the tilt of the head at the maximum of H. t is theta_u, or
+ * less if the first follower pulls. At the maximum,
  *
  *     reach sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i),
  *
- * where no term is negative. The first term is at least the product of lower bounds on its three factors,
- * each of which comes from one end of the strip. theta_1' is taken at the largest tilt. This gives `below`, a
- * lower bound on (theta_u - theta) / 2. It is used in place of its tangent, since the tangent is larger.
+ * where no term is negative. Each factor of the first term is replaced by a bound from one end of the strip.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -250,13 +241,15 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
+        /* A lower bound on (theta_u - theta) / 2, used in place of its tangent, which is larger. theta_1' is
+         * least at the largest tilt. */
         const real below = geometry_contact(hi, head).step * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
 
-/* Counts a pass along both chains. Each domino takes as long as about ten dominoes of a plain pass. */
+/* Counts a pass along both chains. A domino takes as long as about ten in a plain pass. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
@@ -280,7 +273,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     const real half_top = strip_top(lo, hi, at.lo);
     sums.tilt = 2 * atan(half_top);
     const struct between first = at;
-    /* true if no domino of the train at lo gets beyond theta_u; this train then has no fuel */
+    /* true if no domino at lo gets beyond theta_u; that train has no fuel */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
@@ -312,8 +305,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds, at lo and at hi, on the energy that the dominoes behind this one can still lose. They
-         * are known only if none of these dominoes gains energy. */
+        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose. NaN if these
+         * dominoes may gain energy. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -325,8 +318,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Rounding errors can keep the computed tilts from reaching theta_inf. The second argument of fmax
-         * allows for that. */
+        /* Rounding errors can keep the tilts from reaching theta_inf, so `small` exceeds these errors. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
@@ -368,12 +360,13 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * Beyond theta_u, follower i lowers the barrier by its drop: the integral of w^i theta_i' g(theta_i) over
- * theta. For every train in the strip, this drop is at least the drop at hi divided by `grows`. The reason is
- * that theta_i' and w^i are at least as large as at hi, while g(theta_i) is smaller than at hi by some
- * factor. This factor is largest when the head is upright, because h/g and d theta_i / dr decrease with
- * theta. The rise of the head itself is at most `most`. If a follower has not yet reached theta_u, `grows` is
- * infinite, and the bound comes from the slope of the barrier.
+ * Beyond theta_u, a follower lowers the barrier by its drop: the integral of w^i theta_i' g(theta_i) over
+ * theta. In every train of the strip, this is at least the drop at hi divided by `grows`:
+ * - theta_i' and w^i are at least as large as at hi.
+ * - g(theta_i) is smaller than at hi, by at most the factor `grows`.
+ *
+ * This factor is largest for an upright head, because h/g and d theta_i / dr decrease with theta. The head
+ * itself rises by at most `most`. If `grows` is infinite, the slope of the barrier gives the bound.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
