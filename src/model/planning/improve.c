@@ -4,16 +4,14 @@
  * fraction of random rows that do not fall (chance.h). All its steps use the same random rows. Other random
  * rows decide whether a result is kept.
  *
- * Each margin is smoothed over a width that is a multiple of its standard deviation. At first, the multiple
- * is 1. This has the effect of errors sqrt(2) times as large, so that even rows that are unlikely to stop
- * contribute. Later levels of the search use more rows and less smoothing. The margins need different widths,
- * because errors of a few mm hardly affect large dominoes. With equal widths, the search would give large
- * dominoes as much spare energy as small ones, although only the small ones need it.
+ * The width of the smoothing is a multiple of the standard deviation of each margin. At first, the multiple
+ * is 1, so that even rows that are unlikely to stop contribute. Later levels of the search use more rows and
+ * less smoothing. Errors of a few mm hardly affect large dominoes. With one width for all margins, large
+ * dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS from GSL. An earlier version of this search was slightly better with SLSQP from NLopt
- * and the same number of runs: of rows of eleven dominoes, 7.2 % failed to fall rather than 7.6 %. But Debian
- * provides NLopt only as a shared library. Loading it would take 190,000 instructions, while the whole
- * program starts in 440,000.
+ * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better with as many runs: 7.2 % rather than
+ * 7.6 % of rows of eleven dominoes did not fall. But Debian has NLopt only as a shared library. Loading it
+ * would take 190,000 instructions, while the whole program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -31,8 +29,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search. `rows` is the number of random rows. `width` is the width of the smoothing in
- * standard deviations of the margin. The function and its gradient are evaluated at most `values` times. */
+/* The levels of the search: the number of random rows, the width of the smoothing in standard deviations of
+ * the margin, and the largest number of evaluations with gradient. */
 static const struct level {
     size_t rows;
     double width;
@@ -49,8 +47,8 @@ enum { CHECK = 8 };
 /* The relative tolerance for computing margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
-/* The length of the minimizer's first step, and the accuracy of its line searches as recommended in GSL's
- * manual. The variables are logarithms of relative gaps and of growths. */
+/* The length of the minimizer's first step, and the accuracy that GSL's manual recommends for line searches.
+ * The variables are logarithms of relative gaps and of growths. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -87,8 +85,7 @@ static size_t values_all(void)
     return all;
 }
 
-/* Returns the number of random rows on a level. It is at most about twice the number of rows that decide
- * whether a result is kept. */
+/* Returns the number of random rows on a level, which is at most about twice placement->rows. */
 static size_t rows_of(const struct dom_placement *placement, const struct level *level)
 {
     const size_t most = 2 * placement->rows + 2;
@@ -103,9 +100,9 @@ static void level_set(struct search *s, const struct level *level)
 /* ---- The function that is minimized ---- */
 
 /*
- * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall, and sets its
- * gradient unless `gradient` is NULL. Unlike p, this logarithm has a slope even where almost all rows fall,
- * or almost none. When all evaluations have been used up, the result is infinite, which ends a line search.
+ * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Sets its gradient
+ * unless `gradient` is NULL. Unlike p, this function has a slope even if almost all rows fall, or almost
+ * none. Returns infinity when no evaluations are left, which ends a line search.
  */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
@@ -164,9 +161,8 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 /* ---- The search ---- */
 
 /*
- * Sets the width of the smoothing for each margin from the standard deviation of the margin. The standard
- * deviation is estimated from the median and a lower quantile, since a row stops only where margins are
- * small.
+ * Sets the width of the smoothing for each margin from its standard deviation. Only small margins stop a row,
+ * so the median and a lower quantile give the standard deviation.
  */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
@@ -195,10 +191,12 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 }
 
 /*
- * Makes the row with the variables x the new best row, under two conditions. Its smoothed fraction of
- * failures must be smaller than that of the best row so far. In the study that decides, it must also fall
- * more often than the original row. If the original row is outside the limits, the second condition is
- * dropped, and the first row within the limits is always kept.
+ * Makes the row with the variables x the new best row if it passes two tests:
+ * - Its smoothed fraction of failures is smaller than that of the best row so far.
+ * - In the study, it falls more often than the original row.
+ *
+ * The first row within the limits passes the first test. If the original row is outside the limits, all rows
+ * pass the second.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {
@@ -221,8 +219,8 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Runs the minimizer on one level. The minimizer stops where the function has a kink. It is restarted until a
- * restart no longer helps. */
+/* Runs the minimizer on one level. It stops at a kink of the function, and is restarted as long as this
+ * helps. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)
 {

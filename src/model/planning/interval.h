@@ -7,8 +7,8 @@
 
 /*
  * Each of `rows` rows falls with the probability `share`. If `at_least` is true, returns the smallest k with
- * P(k or more rows fall) < 2.5 %. Otherwise returns the largest k with P(k or fewer rows fall) < 2.5 %, or -1
- * if there is none.
+ * P(at least k rows fall) < 2.5 %. Otherwise returns the largest k with P(at most k rows fall) < 2.5 %, or
+ * -1.
  */
 double unlikely(double share, double rows, bool at_least);
 

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* If not all dominoes of a row fall, finds a change that makes all of them fall: a different gap or a
- * stronger push. Also finds the growths at which all dominoes of a row fall. */
+/* Finds changes with which all dominoes of a row fall: another gap or a stronger push. Also finds the growths
+ * at which all dominoes of a row fall. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* The gap at which the row ends and this many gaps before it are tried. Earlier gaps hardly affect the domino
- * at which the row ends. */
+/* number of gaps that are tried before the one at which the row ends; earlier gaps hardly matter */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches from the current gap towards the gap `end` for the first gap at which all dominoes fall. Returns
- * false if there is no such gap. */
+/* Searches for the first gap between the current gap and `end` at which all dominoes fall. Returns false if
+ * there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
@@ -18,9 +17,9 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * If the previous domino cannot reach across the gap, finds the range of gaps at which all dominoes fall. The
- * range begins with the widest gap within reach. Returns false if the gap is within reach, or if not all
- * dominoes fall at the widest gap within reach.
+ * If the gap is too wide to reach across, finds the range of gaps with which all dominoes fall. The range
+ * begins at the widest gap within reach. Returns false if the gap is within reach, or if the row does not
+ * fall with the widest one.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
@@ -39,7 +38,7 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the smallest change of the gap before domino t->k that makes all dominoes fall. Returns false if
+/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. Returns false if
  * there is none. */
 static bool gap_mend(struct trial *t, struct dom_mend *mend)
 {
@@ -52,8 +51,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gap after the domino at which the row ends, and some gaps before it. Later gaps do not matter. If
- * the row ended because the gap after that domino is too wide, only this gap is tried. */
+/* Tries the gap after the domino at which the row ends, and up to BACK gaps before it. If that gap is too
+ * wide to reach across, it is the only one to be tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -102,8 +101,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the smallest angular velocity omega that tips the first domino over its edge: I omega^2 / 2 = m g
- * (sqrt(h^2 + d^2) - h) / 2. */
+/* Returns the smallest omega that tips the first domino over its edge: I omega^2 / 2 = m g (sqrt(h^2 + d^2) -
+ * h) / 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -139,8 +138,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* Each step of the search multiplies the growth by GROWTH_STEP. If an engine runs the row, the search for the
- * first growth at which the row falls uses the larger factor GROWTH_STEP_OF_ENGINE. */
+/* The growth is multiplied by GROWTH_STEP in each step. With an engine, the larger factor is used until the
+ * row falls for the first time. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -154,8 +153,8 @@ static bool falls_grown(dom_real r, void *context)
 
 /*
  * `falls` tells whether the row falls at the growth *r. Raises *r in steps until this changes, and sets
- * *before to the growth one step earlier. Returns false if *r reaches `highest` without a change. Bisection
- * could miss the first change: a row that does not fall at one growth may fall at a larger one.
+ * *before to the growth one step earlier. Returns false if it never changes up to `highest`. Bisection could
+ * miss the first change, since a row that stops may fall at a larger growth.
  */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
@@ -170,9 +169,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
 }
 
 /*
- * Finds r_min, the smallest growth at which the row falls, and r_max, the growth up to which it keeps
- * falling. A row that stops at r = 1 may fall at a larger growth: its gaps are then wider, so the first
- * domino tips over before it hits the second.
+ * Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. A row
+ * that stops at r = 1 may fall at a larger growth: its gaps are wider, so the first domino tips over before
+ * it hits the second.
  */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {

@@ -6,11 +6,11 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* A verdict depends only on the sign of the margin, so a smaller tolerance would change the verdict on only
- * one row in a billion. */
+/* A verdict depends only on the sign of the margin. A smaller tolerance would change one verdict in a
+ * billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
-/* Number of rows in a batch, which is large enough to make the time for memory allocation negligible. */
+/* number of rows in a batch, large enough to make the time for memory allocation negligible */
 enum { BATCH = 16 };
 
 /* The data that all batches of a study share. */
@@ -22,8 +22,7 @@ struct shared {
     bool causes;       /* true if each row is also run without each kind of error in turn */
     atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* How many rows ended at each domino, or NULL if not requested. The layout is described at
-     * dom_placement_causes. */
+    /* how many rows ended at each domino (dom_placement_causes), or NULL if not requested */
     atomic_size_t *stops;
 };
 
@@ -50,8 +49,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i. If causes are wanted, also runs it without each kind of error in turn. Adds the results
- * to the counts. */
+/* Runs row number i, and if causes are wanted, also runs it without each kind of error. Adds the results to
+ * the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -126,8 +125,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. Gaps and the tolerance are checked here, because the study changes them
- * before the kernel could check them. */
+/* Checks the arguments of a study. Includes gaps and the tolerance, since the kernel sees them only after the
+ * study has changed them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {

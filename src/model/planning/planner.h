@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes how safe and how long the candidates for a design are. A candidate is a train or a row with a
- * constant growth. */
+/* Computes the safety and the length of the candidates for a design: trains and rows with a constant
+ * growth. */
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 
@@ -11,12 +11,12 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations are multiples of height / GRID, which is about 0.05 mm for the standard domino. The search for
- * the best separation begins with steps of COARSE * height / GRID. */
+/* Separations are multiples of height / GRID, about 0.05 mm for the standard domino. The search begins with
+ * steps of COARSE * height / GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* The state of a search for a design. After an error, `status` is not DOM_OK, no more trains or rows are
- * computed, and every test fails. */
+/* The state of a search for a design. After an error, `status` is not DOM_OK, nothing more is computed, and
+ * every test fails. */
 struct planner {
     struct dom_train train;
     /* settings of the search, which computes in double even if the result has another precision */
@@ -28,12 +28,12 @@ struct planner {
     size_t room;
     enum dom_status status;
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole;      /* if `whole` is false, a run may end at the first domino with too little safety */
-    /* number of the domino with the smallest ratio of kinetic energy to barrier in the last run */
+    bool whole;      /* false if a run may end at the first domino with too little safety */
+    /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */
     size_t weakest;
-    dom_real least;                   /* ratio of kinetic energy to barrier of domino number `weakest` */
+    dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
-    bool engine_refused; /* true if some row was safe enough in the model, but did not fall in the engine */
+    bool engine_refused; /* true if a row was safe enough in the model, but did not fall in the engine */
 };
 
 /* A candidate row: the separation k/GRID, and the number of steps from the first domino to the last. */
@@ -42,8 +42,8 @@ struct choice {
     size_t steps;
 };
 
-/* Prepares a search. If a value in *wish or in *limits is outside its range, the member `status` of the
- * result says which. The caller frees the member `domino`. */
+/* Prepares a search. Its `status` says which value in *wish or in *limits is outside its range, if any. The
+ * caller frees its `domino`. */
 struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
                             const struct dom_limits *limits, const struct dom_compute *compute);
 
@@ -52,37 +52,34 @@ dom_real separation(int k);
 /* Returns the growth that leads from the first height to the last in `steps` steps. */
 dom_real growth(const struct planner *p, size_t steps);
 
-/* Returns the ratio of the kinetic energy of the endless train to its barrier, or 0 if the train has no
- * cycle. */
+/* Returns the ratio of kinetic energy to barrier of the endless train, or 0 if the train has no cycle. */
 dom_real train_ratio(struct planner *p, dom_real s, dom_real r);
 
-/* Writes the dominoes of a candidate row to p->domino, and enlarges this array if necessary. Returns false
- * and sets p->status if memory is exhausted, or if the walls do not fit into a domino. */
+/* Writes the dominoes of a candidate row to p->domino. Returns false and sets p->status if memory is
+ * exhausted, or if the walls do not fit. */
 bool row_write(struct planner *p, struct choice c);
 
 /* Returns a row with the dominoes that row_write wrote last. */
 struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                       const struct dom_engine *engine);
 
-/* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier of its
- * dominoes, or 0 if not all of them fall. If `times` is false, the run ends at the first ratio below the
- * required safety. */
+/* Writes a candidate row and runs it. Returns its smallest ratio of kinetic energy to barrier, or 0 if not
+ * all dominoes fall. If `times` is false, the run ends at the first ratio below the required safety. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length of the standing row with the separation s, from the back of the first domino to the
- * front of the last. Ignores the rounding of dimensions. */
+/* Returns the length of the standing row with the separation s, without rounding to a grid. It is measured
+ * from the back of the first domino to the front of the last. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
-/* Returns the length of the row after the last domino has fallen forwards. Ignores the rounding of
- * dimensions. */
+/* Returns the length of the row after the last domino has fallen forwards, without rounding to a grid. */
 dom_real length_of(const struct planner *p, struct choice c);
 
-/* Returns the length of the standing row that row_write wrote last, from the back of the first domino to the
- * front of the last. */
+/* Returns the length of the standing row that row_write wrote last. It is measured from the back of the first
+ * domino to the front of the last. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
-/* Returns the largest k for which a row with the separation k/GRID fits into a hall of the given length.
- * Returns a number below 1 if no row fits. */
+/* Returns the largest k for which a row with the separation k/GRID fits into the hall, or a number below
+ * 1. */
 int widest(const struct planner *p, size_t steps, dom_real hall);
 
 /* Computes the chosen row with the requested precision, and writes the result to *design. */

@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The limit of the hall is smooth, so gaps are narrowed a little even if the row is not too long. If the row
- * exactly fills the hall, they are narrowed by the factor 2^(-1 / SHARP). */
+/* The limit of the hall is smooth, so even gaps that fit are narrowed a little. A row that exactly fills the
+ * hall is narrowed by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
@@ -55,8 +55,8 @@ void shape_begin(const struct shape *s, double *x)
     }
 }
 
-/* Returns the number that must be subtracted from the logarithm of each growth so that the last domino keeps
- * its height. */
+/* Returns the number to subtract from the logarithm of each growth so that the last domino keeps its
+ * height. */
 static dom_real growth_excess(const struct shape *s, const double *growth)
 {
     const struct dom_domino *d = s->row->domino;
@@ -75,8 +75,8 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
     d->radius *= x;
     d->height = height;
     d->thickness = thickness;
-    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the mass
-     * hardly depends on the thickness. */
+    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the
+     * thickness hardly matters. */
     d->mass *= wood_factor(s->row, &before, d, pow(x, q - 1) * pow(slimmer, q - 3));
 }
 
@@ -93,8 +93,8 @@ bool shape_from_board(const struct shape *s, dom_real height)
     return s->limits->boards > 0 && !is_box;
 }
 
-/* Returns the thickness of a board that is closest to `thickness`. If a domino of this height is not cut from
- * a board, returns `thickness`, rounded to the grid if `final` is true. */
+/* Returns the thickness of the board closest to `thickness`. If no board is needed at this height, returns
+ * `thickness`, on the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -107,7 +107,7 @@ static dom_real board_near(const struct shape *s, dom_real height, dom_real thic
     return near;
 }
 
-/* Sets the height of domino k to `height`, or to less if the domino would otherwise be too heavy. */
+/* Sets the height of domino k to `height`, or to less if the domino would be too heavy. */
 static void size_set(const struct shape *s, size_t k, dom_real height, bool final, struct dom_domino *d)
 {
     const struct dom_domino *given = &s->row->domino[k];
@@ -123,8 +123,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. Positions are rounded rather than single gaps, so that rounding errors do not
- * add up. */
+/* Rounds all gaps to the grid. Rounds positions rather than single gaps, so that rounding errors do not add
+ * up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;
@@ -156,7 +156,7 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     }
     if (room <= 0 && gaps > 0)
         return false;
-    /* This is min(1, room / sum) without its kink, so that the minimizer can follow the limit. */
+    /* This is min(1, room / sum) without the kink, so that the minimizer can follow the limit. */
     const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
     for (size_t k = 1; k < count; k++)
         d[k].gap *= narrower;

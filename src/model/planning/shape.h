@@ -12,28 +12,27 @@ struct shape {
 
 /*
  * Returns the number of variables. Each gap has one: ln(gap / height of the domino before it). If sizes may
- * change, each gap has a second one: ln of the growth between the dominoes on its two sides. Only the
- * differences between these growths matter, since the last domino keeps its height.
+ * change, each gap has a second one: ln of the growth across it. The last domino keeps its height, so only
+ * the differences between these growths matter.
  */
 size_t shape_variables(const struct shape *shape);
 
 /* Sets the variables x to those of shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be as thick as one of the boards. Any thickness is allowed if
- * no boards are given, or if the domino is a box. */
+/* Returns true if a domino of this height must be as thick as one of the boards. A box need not be. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
-/* Writes the dominoes that are described by the variables x. Gaps are narrowed if the row would be longer
- * than the hall, or if a domino could not reach the next one. If `final` is true, all lengths that may change
- * are rounded to the grid. Returns false if the dominoes do not fit into the hall even without gaps. */
+/* Writes the dominoes for the variables x. Narrows gaps that are too wide for the hall or for a domino's
+ * reach. Rounds lengths that may change to the grid if `final` is true. Returns false if the hall is too
+ * short even without gaps. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
-/* Rounds the dimensions of a row to the grid and to the boards: the heights of all dominoes except the first
- * and the last, the thicknesses of all dominoes except the first, and all gaps. */
+/* Rounds the dimensions of a row to the grid and to the boards. The first domino keeps its sizes, and the
+ * last its height. */
 void shape_round(const struct shape *shape, struct dom_domino *domino);
 
 /* Returns DOM_OK, or a status that says which of the limits is outside its range. */

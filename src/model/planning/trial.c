@@ -18,8 +18,7 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* The spare energy is kept for this many dominoes at the end of a run, including the one at which the row
- * stops. */
+/* number of dominoes at the end of a run whose spare energy is kept */
 enum { RECENT = 4 };
 struct recent {
     dom_real share[RECENT]; /* margin / kinetic energy of the last RECENT dominoes, beginning with the last */
@@ -47,8 +46,7 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
 
 /*
  * Returns true if the row is part of a train: all dominoes have the same proportions, and sizes and masses
- * grow by constant factors. All cycles are then alike. With walls, the proportions differ, because all walls
- * have the same thickness.
+ * grow by constant factors. Walls change the proportions, because all of them have the same thickness.
  */
 static bool is_train(const struct dom_row *row)
 {
@@ -69,14 +67,12 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * If the row is part of a train, runs only its first START dominoes. Returns true if these decide whether all
- * dominoes fall.
+ * Returns true if the first START dominoes of a train decide whether the whole row falls. Runs only these.
  *
  * Each domino can spare a share of its kinetic energy. From domino to domino, this share changes less and
- * less, and approaches its value in the endless train. To be safe, the latest change is assumed to repeat at
- * every remaining domino. If at least half of the share would then be left at the end of the row, all
- * dominoes fall. The last of the START dominoes falls down to the floor, unlike the others, so its share is
- * tested as well.
+ * less. To be safe, the latest change is assumed to repeat at every remaining domino. The row falls if half
+ * of the share would still be left at its end. The last of the START dominoes falls to the floor, so its
+ * share is tested as well.
  */
 static bool start_decides(struct trial *t)
 {
@@ -101,7 +97,7 @@ bool trial_falls(struct trial *t)
     return trial_judged(t);
 }
 
-/* Runs the unchanged row, and stores the states from which runs of slightly changed rows can start. */
+/* Runs the unchanged row, and stores states from which runs of changed rows can start. */
 static enum dom_status trial_course(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);
@@ -135,12 +131,12 @@ void trial_end(struct trial *t)
 }
 
 /*
- * Neither num_root nor a solver of GSL can be used here: not every test yields a number to interpolate, the
- * result must be a point that was tested, and GSL computes only in double.
+ * num_root and the solvers of GSL cannot be used. Not every test yields a number to interpolate, the result
+ * must be a tested point, and GSL computes only in double.
  *
- * Bisection alternates with the secant method, which is used if the spare energy is known at both ends of the
- * interval and has different signs there. The secant method's point is moved away from the nearer end of the
- * interval, by half of the tolerance. Otherwise only that end would approach the edge.
+ * Bisection alternates with the secant method if the spare energies at both ends are known and differ in
+ * sign. The secant's point is moved away from the nearer end by half of the tolerance. Otherwise only that
+ * end would approach the edge.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -172,12 +168,10 @@ dom_real digit_of(dom_real value, int places)
 
 /* Values are rounded to this relative precision, which makes them short enough to type. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* The relative precision of values if an engine runs the row. The results of an engine are accurate to only
- * one percent. */
+/* the same if an engine runs the row; its results are accurate to only one percent */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* The number of values that are tried in each direction. With an engine, fewer values are tried, since each
- * takes thousands of times as long. */
+/* number of values to try in each direction; an engine takes thousands of times as long for each */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)
@@ -204,8 +198,8 @@ dom_real trial_now(const struct trial *t)
     return t->domino[t->k].gap;
 }
 
-/* Sets *size, which is the height or the thickness of the domino. The density of the wood, the thickness of
- * the walls and the width stay the same. */
+/* Sets *size, the height or the thickness of the domino. The density of the wood, the walls and the width
+ * stay the same. */
 static void size_set(const struct dom_row *row, struct dom_domino *d, dom_real *size, dom_real value)
 {
     const struct dom_domino before = *d;
@@ -225,7 +219,7 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* If the gap is the widest that the previous domino can reach across, rounding must not widen it. */
+        /* rounding must not widen the widest gap that the previous domino can reach across */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)
@@ -277,9 +271,8 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge for a row that is run by an engine. Each trial takes a long time and is
- * accurate to only one percent. Therefore only values with few digits are tried, and the search ends half a
- * percent from the edge. */
+/* Does the same as value_edge if an engine runs the row. A trial is slow and accurate to only one percent. So
+ * only values with few digits are tried, and the search ends half a percent from the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),
@@ -304,8 +297,8 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The steps are short at first and grow longer, so that small changes are also tried. With an engine, each
- * value is rounded to a few digits. */
+/* The steps grow, so that small changes are also tried. With an engine, values are rounded to a few
+ * digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {
     const dom_real part = (dom_real)i / (dom_real)trial_steps(t);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trial is a run of a row with one changed value. A series of trials finds the edge between the values at
- * which all dominoes fall and the values at which some do not. */
+/* A trial runs a row with one changed value. A series of trials finds the edge between the values at which
+ * all dominoes fall and those at which some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* A series of trials. After an error, `status` is not DOM_OK, no more rows are run, and every trial counts as
- * a row that does not fall. */
+ * stopped. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
@@ -23,69 +23,67 @@ struct trial {
     /* distance from the back of the first domino to the back of domino k before the change */
     dom_real place;
     const struct kernel *kernel;
-    /* state of the kernel for running the row again after small changes, or NULL if an engine runs the row */
+    /* the kernel's state for running slightly changed rows, or NULL if an engine runs them */
     struct course *course;
     dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
     void *context;
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
     enum dom_row_end ends;      /* how the row ended in the last run in which it did not fall */
-    /* The spare energy (margin / barrier) of one domino in the last run: of the weakest domino if the row
-     * fell, or of the domino at which the row stopped. NaN if the row ended in another way. */
+    /* Spare energy (margin / barrier) in the last run: of the weakest domino if the row fell, or of the
+     * domino at which it stopped. NaN if the row ended in another way. */
     dom_real spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its current dominoes. Returns true if all dominoes fall. The run may be shorter if the
- * first dominoes already decide the outcome. */
+/* Runs the row with its current dominoes. Returns true if all fall. Ends early if the first dominoes
+ * decide. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
- * all dominoes fall. Call trial_end afterwards to free the memory, even after a failure. */
+ * all dominoes fall. Call trial_end afterwards, even after a failure. */
 bool trial_begin(struct trial *t);
 void trial_end(struct trial *t);
 
 typedef bool trial_test(dom_real x, void *trial);
 
-/* Searches for the edge between `good`, where the test is true, and `bad`, where it is false, by moving both
- * towards each other. Stops when the distance between `good` and `bad` is at most absolute + relative * good,
- * or when they are adjacent floating-point numbers. Returns the final `good`. */
+/* Searches for the edge between `good`, where the test is true, and `bad`, where it is false. Stops when
+ * |good - bad| <= absolute + relative * good, or when no number lies between them. Returns the last
+ * `good`. */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of a decimal digit of `value`. For places = 0, it is the first significant digit,
- * for places = 1 the digit after it, and so on. */
+/* Returns the place value of the first significant digit of `value` if places = 0, of the next digit if
+ * places = 1, and so on. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* trial_now returns the value of one property (t->of) of one domino (t->k). trial_change sets this value. */
+/* trial_now returns the property t->of of domino t->k. trial_change sets it. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
-/* A trial_test: sets the value with trial_change, runs the row, and restores it. Returns true if all dominoes
- * fall. */
+/* A trial_test: runs the row with this value, then restores the row. Returns true if all dominoes fall. */
 bool falls_with(dom_real value, void *context);
 
-/* A search from `value` to `end` tries a fixed number of values in between. trial_steps returns this number,
- * and value_step returns the value for step i. */
+/* A search tries trial_steps values between `value` and `end`. value_step returns value number i. */
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
 /* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* All dominoes must fall at the value `good`, but not at `bad`. Goes from `good` towards `bad` and returns
- * the last value at which all dominoes fall. The result is rounded to a few digits, away from `bad`. */
+/* Returns the last value from `good` towards `bad` at which all dominoes fall, rounded to a few digits away
+ * from `bad`. They must fall at `good`, but not at `bad`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Continues a search from `now` to `end`, beginning with step i. Returns the last value up to which all
- * dominoes fall. They must fall at `good`, the value of step i - 1. */
+/* Continues the search from `now` to `end` with step i. All dominoes must fall at `good`, the value of step i
+ * - 1. Returns the last value up to which they fall. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end` for a range of values at which all dominoes fall. `*to` and
- * `*until` receive the beginning and the end of the range. Returns false if there is no such range. */
+/* Searches from the current value towards `end` for a range in which all dominoes fall. Sets *to and *until
+ * to its beginning and its end. Returns false if there is none. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds windows. A window belongs to one value of a row: a gap, a position, a height, a thickness, a lean or
- * the friction. It is the range in which this value may lie so that all dominoes still fall. */
+/* Finds windows: the range in which one value of a row may lie so that all dominoes still fall. The value is
+ * a gap, a position, a height, a thickness, a lean or the friction. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction coefficients are
- * tried up to FRICTION_MOST, or up to four times the current one if this is larger. */
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction is tried up to
+ * FRICTION_MOST, or up to four times the current coefficient if this is larger. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Relative distance that heights, thicknesses and leans keep from the values at which a domino falls over by
- * itself. The distance is larger than the rounding error of a float. */
+/* Relative distance between a tried size or lean and the limit at which a domino falls over by itself. It
+ * exceeds the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -21,9 +21,9 @@ struct range {
     enum dom_row_end above;
 };
 
-/* Returns the range of heights that are tried. A domino that leans or stands on a slope falls over by itself
- * if it is taller than foot / tan |tilt|, where the foot is its thickness minus the radii of two rounded
- * edges. A domino must be taller than two radii. A solid domino stays solid, and a box stays a box. */
+/* Returns the range of heights that are tried. A tilted domino stands if height < foot / tan |tilt|, where
+ * foot = thickness - 2 radii. It must be taller than 2 radii. A solid domino stays solid, and a box stays a
+ * box. */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
@@ -37,8 +37,8 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
 }
 
 /*
- * Returns the range of thicknesses that are tried. The domino must not fall over by itself, and it must be
- * thick enough for two walls or for two rounded edges.
+ * Returns the range of thicknesses that are tried. The domino must stand, and two walls or two rounded edges
+ * must fit.
  */
 static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
 {
@@ -55,8 +55,8 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* The domino can move forwards until it touches the next one, or until the previous domino can no
-         * longer reach it. */
+        /* The domino can move forwards until it touches the next one, or until it is out of reach of the
+         * previous one. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -83,8 +83,7 @@ static struct range range_of(const struct trial *t)
 
 /*
  * Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
- * *beyond to how the row ends beyond this value. The steps then continue to `end`. If the row falls again at
- * one of them, *others is set to true.
+ * *beyond to how it ends beyond. Sets *others to true if the row falls again at a later step.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -95,8 +94,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = x == good || falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            /* t->ends comes from the last trial in which the row did not fall. This trial is the closest to
-             * the edge. */
+            /* t->ends comes from the closest trial at which the row did not fall. */
             *beyond = t->ends;
             open = false;
         }
@@ -120,8 +118,8 @@ static void window_around(struct trial *t, struct dom_window *w)
 
 /* ---- Equal dominoes ---- */
 
-/* Returns true if domino k and its two neighbours are equal to domino k - 1 and its two neighbours. The
- * windows of domino k and domino k - 1 are then nearly equal. */
+/* Returns true if domino k and its two neighbours equal domino k - 1 and its neighbours. Their windows are
+ * then nearly equal. */
 static bool is_repeated(const struct dom_row *row, size_t k)
 {
     bool equal = k > 2 && k + 1 < row->count;
@@ -133,9 +131,8 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Does the same as window_edge, but starts at `guess`, which is close to the edge. The second trial differs
- * from the first by one unit in the last digit. The steps to later trials are longer and longer, until the
- * edge is between two trials. */
+/* Does the same as window_edge, but starts at `guess`, close to the edge. The first step is one unit in the
+ * last digit. Later steps are longer and longer, until the edge lies between two trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
@@ -159,8 +156,7 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
     return end < now ? fmin(good, now) : fmax(good, now);
 }
 
-/* Finds the window of the current value for a domino that is equal to the previous one. *last is the window
- * of the previous domino. */
+/* Finds the window of a domino that is equal to the previous one, whose window is *last. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -173,8 +169,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* The current value is above the range, but all dominoes fall at the highest value of the range. Finds the
- * window that ends at this highest value. */
+/* Finds the window that ends at the highest value of the range. The current value must be above the range,
+ * and all dominoes must fall at its highest value. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -209,7 +205,7 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can affect a row that ends at domino `ends` (both counted from 0). */
+/* Returns true if a change of domino k can affect a row that ends at domino `ends`, both counted from 0. */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;
