@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with a change of a few neighbouring dominoes. Most of the work is
- * done only once, in the run of the unchanged row. The dominoes before the change fall as in the unchanged
- * row, so a trial begins at the first head that can be affected. A trial may also end early, because the
- * effect of a change decreases from head to head. There are two effects.
+ * A row that is run many times, each time with a change of a few neighbouring dominoes. A trial begins at the
+ * first head that can be affected. Effects of the change decrease from head to head, so a trial may also end
+ * early. There are two effects.
  *
  * First, omegasq deviates from its value in the unchanged row by a relative deviation D. The equation of
  * motion is linear in omegasq. So where the geometry is that of the unchanged row,
@@ -13,37 +12,35 @@
  * The deviation at the next head is lambda D, with lambda = gain * omegasq / (omegasq of the next head). If a
  * fall releases energy, lambda < 1.
  *
- * Second, the changed dominoes belong to the chains that lean on the next heads, and change the three numbers
- * `need`, `gain` and `offset` of these heads. This change (`off`) is computed at each head. It decays from
- * head to head like a geometric series, so two successive values give an estimate of the sum of all further
- * changes.
+ * Second, the changed dominoes lean on the next heads, and change the `need`, `gain` and `offset` of these
+ * heads. This change (`off`) is computed at each head. It decays like a geometric series. So the sum of all
+ * further changes is estimated from two successive values.
  *
- * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt, a contact force is
- * linear in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of
- * the head, one barely fast enough and one with FAST times the omegasq, show how far this interval reaches.
+ * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
+ * omegasq, so no force is negative in an interval of omegasq. Two runs of the head show how far this interval
+ * reaches: one barely fast enough, and one with FAST times the omegasq.
  *
- * Working backwards from the end of the row, the program finds for each head the deviations of omegasq
- * (`below` and `above`) that do not change the verdict:
+ * The deviations of omegasq (`below` and `above`) that do not change the verdict are found from the last head
+ * to the first:
  *
  *     min(half of what the head itself allows, what the next head allows / max(lambda, 1)).
  *
  * As soon as D and the sum of the further changes together are smaller, the trial ends with the verdict of
- * the unchanged row. Otherwise it continues to the end of the row.
+ * the unchanged row.
  */
 #include "row/run.h"
 #include <stdlib.h>
 
-/* A mark holds the state of the unchanged row at the moment when one head is hit, and tells how far a trial
- * may deviate from this state without any effect on the verdict. */
+/* The state of the unchanged row when a head is hit, and how far a trial may deviate from it without a change
+ * of the verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
     real need, gain, offset;
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
-    /* the smallest contact force of this head and all later heads, relative to the weight of the pushed
-     * domino */
+    /* the smallest contact force of this head and all later heads, in weights of the pushed domino */
     real pushes;
-    /* true if all dominoes from this head on fall; false if the row ends as the unchanged row does */
+    /* true if this domino and all later ones fall, false if the row ends like the unchanged row */
     bool falls;
 };
 
@@ -56,14 +53,13 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Each head is run twice, slowly and fast, to look for negative contact forces. In the fast run, omegasq is
- * multiplied by this factor. */
+/* Each head is run twice to look for negative contact forces, slowly and with FAST times its omegasq. */
 #define FAST 1000
 
 /*
  * A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
- * the smallest contact force. With friction, the tiny LEFT_MOST_LOCKING replaces LEFT_MOST, because no number
- * tells how close a row is to locking.
+ * the smallest contact force. With friction, no number tells how close a row is to locking. The tiny
+ * LEFT_MOST_LOCKING then replaces LEFT_MOST.
  */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
@@ -72,11 +68,11 @@ struct course {
 /* A change below NOISE times the tolerance counts as a rounding error. */
 #define NOISE 64
 
-/* The changes at successive heads count as decaying if each is at most this fraction of the previous one. */
+/* Changes at successive heads count as decaying if each is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force during the fall of head k if its motion begins with the given omegasq.
- * Returns a negative number if the row then ends at this head. */
+/* Returns the smallest contact force during the fall of head k from the given omegasq. Returns a negative
+ * number if the row ends at this head. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -87,8 +83,7 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* Makes the mark of head k. `before` and `after` are the states of the run when head k was hit and when the
- * next head was hit. */
+/* Makes the mark of head k. `before` and `after` are the states when head k and the next head were hit. */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -112,8 +107,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds the deviations of omegasq that head k itself allows, that is, with which it still falls. The effect
- * on later heads is not considered here. */
+/* Finds the deviations of omegasq with which head k itself still falls, whatever happens to later heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -126,8 +120,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Reduces the deviations that the marks `from` to `to` - 1 allow, so that these deviations are also harmless
- * for all later heads. */
+/* Reduces the deviations in the marks from `from` to `to` - 1 to those that no later head changes into
+ * another verdict. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -142,8 +136,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Completes the mark of the head at which the row ends: finds the deviations of omegasq with which the row
- * still ends in the same way. */
+/* Completes the mark of the head at which the row ends, with the deviations that do not change how it
+ * ends. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
@@ -152,9 +146,8 @@ static void mark_end(struct mark *m, enum dom_row_end end)
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
 
-/* Returns true if no head after k can change the verdict. On entry, *off holds the relative change of `need`,
- * `gain` and `offset` at the head before k, or NaN if it is unknown. On return, *off holds the same quantity
- * at head k. */
+/* Returns true if no head after k can change the verdict. On entry, *off is the relative change of `need`,
+ * `gain` and `offset` at the previous head, or NaN if unknown. On return, it is the change at head k. */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
@@ -173,8 +166,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from` on. All dominoes after domino `last` are those of the unchanged row. Also
- * makes the marks of those heads that no earlier run has reached. */
+/* Runs the row from head `from`. Dominoes after `last` are those of the unchanged row. Also makes marks of
+ * heads that no earlier run has reached. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;

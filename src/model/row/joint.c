@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Describes a finite row as a chain in which each domino has its own size, weight and gap. The joint between
- * a domino and its follower is described by the geometry of a train, with the r, s and d of these two
- * dominoes. The unit of length is the height of the domino, and the unit of energy is its m g h / 2.
+ * Describes a finite row as a chain in which each domino has its own size, weight and gap. Two neighbours
+ * form a joint, which has the geometry of a train with their r, s and d. The unit of length is the height of
+ * the domino, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
 #include "dynamics/walls.h"
@@ -44,7 +44,7 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Fills in the geometry of the joint between domino k and its follower k - 1, including bounds that tell when
+/* Fills in the geometry of the joint between domino k and its follower k - 1. Includes bounds that tell when
  * a sum along the chain may end at domino k. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
@@ -57,15 +57,14 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* If a sum along the chain ends at domino k, it leaves out the terms of all dominoes behind domino k.
-     * `weights` and `moments` are upper bounds on the weights and the moments of inertia that are left out,
-     * divided by those of domino k. */
+    /* A sum that ends at domino k leaves out all dominoes behind it. `weights` and `moments` are upper bounds
+     * on their weights and moments of inertia, divided by those of domino k. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While the domino leans backwards, the slope is 1 + r L |x| / Y, and Y is not below its value for an
-         * upright domino. */
+        /* While the domino leans backwards, the slope is 1 + r L |x| / Y. Y is smallest for an upright
+         * domino. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
@@ -118,8 +117,7 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects for domino k. The values of two effects differ from domino to domino: the thickness of
- * the walls as a fraction of the height, and the radius of the edges. */
+/* Turns on the effects for domino k. The walls and the radius of the edges are relative to its height. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -199,9 +197,7 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/*
- * The sizes of a domino, and quantities that are computed from them, must be in the range of the precision.
- */
+/* Checks that the sizes of a domino, and what is computed from them, are in the range of the precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

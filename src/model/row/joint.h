@@ -7,10 +7,9 @@
 #include "dynamics/choose.h"
 
 /*
- * A head reaches the next domino if its height is not less than the gap. If a row is made from a train with r
- * = 1/s, the two are equal except for rounding errors. So the gap may exceed the height by this fraction. The
- * errors come from r, two powers, four products, and rounding to the precision of the kernel. Each of them is
- * at most one unit in the last place.
+ * The gap may exceed the height of a head by this fraction, because of rounding errors. In a row from a train
+ * with r = 1/s, the two would be equal. Errors of at most one unit in the last place come from r, two powers,
+ * four products and rounding to the precision of the kernel.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
@@ -24,25 +23,23 @@ struct block {
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* row_check checks a whole row, and row_domino_check checks only domino k. If a domino is bad, row_check sets
- * *wrong to the number of the first bad domino, counted from 1. */
+/* row_check checks a whole row, and row_domino_check only domino k. If a domino is bad, row_check sets *wrong
+ * to the number of the first bad one, counted from 1. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* row_make fills in the geometry of the first `count` dominoes of a row. It also allocates memory for the
- * equation of motion; call dynamics_end(&row[0]) afterwards, even after a failure. row_geometry fills in only
- * row[k], from row[k - 1]. */
+/* row_make fills in the geometry of the first `count` dominoes, and row_geometry only row[k], from row[k -
+ * 1]. row_make also allocates memory. Call dynamics_end(&row[0]) afterwards, even after a failure. */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row in which only gaps have changed. All dominoes must be plumb and have sharp
- * edges. */
+/* Updates the geometry of a row after changes of gaps. All dominoes must be plumb and have sharp edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /*
- * For dominoes k and k + 1, at least one of which leans: finds their contact, and the tilt of domino k at
- * this contact. Returns false if the upper edge of domino k does not touch the back face of domino k + 1, or
- * if the two dominoes touch before domino k moves.
+ * Finds the contact of dominoes k and k + 1, one of which leans, and the tilt of domino k at this contact.
+ * Returns false if the upper edge of domino k does not touch the back face of domino k + 1, or if they touch
+ * before domino k moves.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 

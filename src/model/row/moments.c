@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the state of a row at given times. The motion of a head is divided into passages; a new passage
- * begins whenever a domino detaches. In each passage, time is a Chebyshev series in the tilt of the head, and
- * this tilt determines the tilts of all followers. A domino that has detached keeps its tilt. */
+/* Finds the state of a row at given times. Passages divide the motion of a head. A new one begins when a
+ * domino detaches, which then keeps its tilt. In each passage, time is a Chebyshev series in the tilt of the
+ * head, which determines the tilts of all followers. */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -21,8 +21,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and the angular velocities of all moving dominoes, given the tilt theta and the angular
- * velocity omega (in rad/s) of the head. */
+/* Sets the tilts and angular velocities of all moving dominoes. The head has the tilt theta and the angular
+ * velocity omega in rad/s. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -37,7 +37,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* the follower detaches at this very tilt, and counts as detached because of a rounding error */
+        /* a follower that detaches at this very tilt counts as detached because of a rounding error */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
@@ -64,7 +64,7 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the scale of the tilts in a passage: the last tilt, or the whole range of tilts if the head leans
+/* Returns the scale of the tilts in a passage: the last tilt, or the range of tilts if the head leans
  * backwards at first. */
 static real passage_size(const struct passage *s)
 {
@@ -72,9 +72,9 @@ static real passage_size(const struct passage *s)
 }
 
 /*
- * Let b be the tilt `to` at which the head comes to rest. Near b, the slowness 1/omega grows like (b -
- * theta)^(-1/2). So the integral for the time uses the variable x, with theta = b - (b - lo) x^2. The time
- * until the head rests is a smooth function of x. Returns the integrand at x.
+ * Returns the integrand at x of the time until the head rests. Let b be the tilt `to` at which it rests. Near
+ * b, the slowness 1/omega grows like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth
+ * function of x.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -85,8 +85,7 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds the series for the time, and the duration of the passage unless this is already known. `lasts` is the
- * known duration, or NaN. */
+/* Finds the series for the time, and the duration of the passage if `lasts` is NaN. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
@@ -118,8 +117,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 
 /*
  * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
- * rest, `at` is instead the variable x of slowness_to_rest. The result is then the time from x until the head
- * is at rest, minus s->into.
+ * rest, `at` is the variable x of slowness_to_rest. The result is then the time from x to the rest, minus
+ * s->into.
  */
 static real passage_over(real at, void *context)
 {
@@ -168,8 +167,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is needed if a requested time falls in this passage. It is also needed to compute an unknown
-     * duration: the run then ends with this passage, and watch_rest reports the time of its end. */
+    /* The series is needed if a requested time falls in this passage, or if the duration is unknown. An
+     * unknown duration means that the run ends with this passage, and watch_rest reports when. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -249,20 +248,20 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* A domino with rounded edges will hit the next domino in the time `left`, in tau. Returns its current angle
- * phi beyond theta_u. */
+/* Returns the angle phi beyond theta_u of a domino with rounded edges at the time `left`, in tau, before it
+ * hits the next one. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /* The moment of inertia is at least a quarter of that of a block with sharp edges. So p grows by at most
-     * sqrt(2 R) per tau, where R is the reach. The p that is sought cannot be below `first`. */
+     * sqrt(2 R) per tau, where R is the reach, and was at least `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
 }
 
-/* For a single domino with sharp edges at the angle phi beyond theta_u, tau^2 omega^2 = 2 u sin^2(phi / 2),
- * where u = sqrt(1 + d^2) is its reach. So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
+/* For a domino with sharp edges at the angle phi beyond theta_u, tau^2 omega^2 = 2 u sin^2(phi / 2), with u =
+ * sqrt(1 + d^2). So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

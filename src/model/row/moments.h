@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* The time at which a passage begins is `begins` + `passed` * `tau`. The head was hit at the time `begins` in
- * s, `tau` is its tau in s, and `passed` is the time in tau from the hit to the passage. */
+/* A passage begins at the time `begins` + `passed` * `tau` in s. The head was hit at `begins` in s. `tau` is
+ * the tau of the head in s, and `passed` is a time in tau. */
 struct since {
     real begins, tau, passed;
 };
@@ -21,7 +21,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if the passage ends at rest */
-    /* time in tau for which the tilt is sought; before the end, if the passage ends at rest */
+    /* the time for which the tilt is sought, in tau from the beginning, or before the end if the passage ends
+     * at rest */
     real into;
     struct num_series series;
 };
@@ -45,13 +46,12 @@ KERNEL void watch_free(struct watch *watch);
 /* Reports the states at requested times before the first hit, while the first domino tips over its edge. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
-/* Reports the states at those requested times that fall in one passage. The passage ends at the tilt `to`;
- * `lasts` is its duration, or NaN if this is not known yet. */
+/* Reports the states at requested times in one passage. It ends at the tilt `to`. Its duration is `lasts`, or
+ * NaN if unknown. */
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Stores the tilts of the dominoes that detach at the end of a segment. These are all dominoes but the
- * foremost `stay` ones. */
+/* Stores the tilts of dominoes that detach at the end of a segment: all but the foremost `stay` ones. */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
 
 /* Reports the states at all later requested times, after the end of the run. */

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of dominoes. Each domino has its own size, weight and gap. While domino k is the head, the
- * dominoes before it lean on it in a chain, as in a train. Energies, the law of motion and the collision are
- * those of a train, with two differences. No cycle repeats, so each head begins with the energy that the
- * previous head leaves to it. And a domino that detaches takes along all dominoes that lean on it. The units
- * of length, energy and time are those of the current head: its height, m g h / 2, and tau.
+ * A finite row of dominoes. Each domino has its own size, weight and gap. The dominoes before the head lean
+ * on it in a chain. Energies, motion and collision are those of a train, except for two differences:
+ * - Each head begins with the energy that the previous head leaves to it, since no cycle repeats.
+ * - A domino that detaches takes along all dominoes that lean on it.
+ *
+ * The units of length, energy and time are the current head's height, m g h / 2 and tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends inside the current segment. If `used_up` is true, the motion ends
- * because the kinetic energy does not suffice. Otherwise friction brings the head to rest or locks it. */
+/* Finds the tilt at which the motion ends in this segment. If `used_up` is true, kinetic energy is lacking
+ * there. Otherwise friction brings the head to rest or locks it. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -52,7 +53,7 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 }
 
 /* Computes one segment and prepares the next. If the head has already stopped, only finds how much more
- * energy it would have needed to pass this segment. */
+ * energy this segment would have needed. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -66,8 +67,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->stay);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* The margin is converted to an energy at the launch: with friction, only the fraction st->gain of a
-     * change in omegasq at the launch reaches this segment. */
+    /* Converts the margin to an energy at the launch. With friction, only the fraction st->gain of a change
+     * in omegasq at the launch arrives here. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
@@ -89,9 +90,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /*
- * Finds the inertia J of all moving dominoes after head k has been hit. If the contacts have no closed form,
- * summing along the chain is expensive, so J is computed from the inertia ratio of the collision. This is
- * impossible with friction, which changes the ratio.
+ * Finds the inertia J of all moving dominoes after head k has been hit. If contacts have no closed form, sums
+ * along the chain are slow, and J is computed from the inertia ratio. Friction changes the ratio, so the sum
+ * is needed.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
@@ -130,8 +131,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* If the head touches the next domino from the start, there is no segment, and the values that are set
-     * here remain. */
+    /* these values remain if the head touches the next domino from the start and has no segment */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
@@ -155,7 +155,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs the first domino if it is tipped over its edge and let go. Its kinetic energy is the potential energy
+/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is the potential energy
  * that it loses (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
@@ -192,8 +192,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the row ends when head k touches the next domino, if one of the two leans. DOM_ROW_FALLS means
- * that the row does not end there. */
+/* Returns how the row ends when head k touches the next domino and one of them leans. DOM_ROW_FALLS means
+ * that it does not end. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;
@@ -268,8 +268,7 @@ KERNEL void row_launch(struct run *run)
     run->moving = 1;
 }
 
-/* Runs head k again after it has stopped, now with slightly more energy than it needs, so that the run can go
- * on. */
+/* Runs a stopped head k again, with slightly more energy than it needs, so that the run can go on. */
 static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
 {
     const real more = 1 + (real)1e-4;

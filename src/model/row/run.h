@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that run a row, one head after the other. row.c implements them; sample.c, course.c and steady.c
- * also use them. */
+/* Functions that run a row, one head after the other (row.c). */
 #ifndef DOM_RUN_H
 #define DOM_RUN_H
 
@@ -18,8 +17,7 @@ struct run {
     bool forces;   /* true if the smallest contact force is wanted, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* Inertia ratio of the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction. 0 if no
-     * collision has taken place. */
+    /* J(0) - 1, or A(0) - 1 with friction, of the collision in which the head was hit; 0 without collision */
     real inertia_ratio;
     real time;           /* time since the start in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */
@@ -32,7 +30,7 @@ struct descent {
     struct segment st; /* the current segment */
     size_t stay;       /* number of dominoes that move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    /* `stops` is true if the head comes to rest, and `locks` if friction locks it while it is moving */
+    /* `stops` is true if the head comes to rest, `locks` if friction locks it while it moves */
     bool stops, locks;
     bool forces; /* true if the smallest contact force is wanted, not only its sign */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
@@ -44,17 +42,14 @@ struct descent {
 /* Sets the state in which the first domino begins to move. */
 KERNEL void row_launch(struct run *run);
 
-/* Runs head k from the moment when it is hit, or from the start if it is the first domino, and updates the
- * verdict of the run. */
+/* Runs head k from the hit, or from the start if it is the first domino. Updates the verdict of the run. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Runs head k from its first tilt to its last tilt, without updating the verdict. On return, *d holds the
- * state at the end of the motion. */
+/* Runs head k from its first to its last tilt, without updating the verdict. *d receives the final state. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Computes the collision of head k with domino k + 1, which becomes the head. `at` is the state of head k at
- * this moment, and `hitting` is its geometry. If the row ends here, for example because the gap is too wide,
- * sets run->verdict.end to the reason. */
+/* Computes the collision of head k, whose state is *at, with domino k + 1, which becomes the head. `hitting`
+ * is the geometry of head k. If the row ends here, sets run->verdict.end to the reason. */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
- * the head keeps falling: its energy is larger than the barrier, and all contacts push. For such a head, one
- * pass down the chain is enough to find the energy that the next head gets. This pass needs the tilts at two
- * moments: when the head is hit, and when it hits the next domino. The tilts at the first moment are known
- * from the pass for the previous head. If the bounds do not suffice, or if a domino detaches, the head is run
- * as in any other row (row_head).
+ * the head keeps falling: its energy exceeds the barrier, and all contacts push. One pass down the chain then
+ * gives the energy of the next head. This pass needs the tilts when the head is hit, and when it hits the
+ * next domino. The former are known from the previous pass. If the bounds do not suffice, or if a domino
+ * detaches, row_head runs the head.
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -15,8 +14,8 @@ struct random_row {
     struct row_request request;
     bool plain; /* true if the edges are sharp and the dominoes are plumb */
     bool rolls; /* true if the edges are rounded and there is friction */
-    /* True if there is friction. The row is then first run with a rough computation, and again with a precise
-     * one if its verdict is in doubt. */
+    /* True if there is friction. A rough run then comes first, and a precise run follows if the verdict is in
+     * doubt. */
     bool has_friction;
     bool rough, doubt;
     struct slide slide;
@@ -26,15 +25,15 @@ struct random_row {
     /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
     struct link *link;
     size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
-    /* The dynamics for which dynamics_end must be called, or NULL if there is none. It may differ from the
-     * dynamics of the last row, because the friction of a row may be random, and may be 0. */
+    /* The dynamics for which dynamics_end must be called, or NULL. The friction of the last row may be 0, so
+     * its dynamics may differ. */
     const struct dynamics *begun;
 };
 
 /*
- * Sums along a chain, for the motion of its head from one tilt to another. Rounding errors are not
- * compensated, since a few digits are enough for the sign of a margin. With a = `rise` and b = `bend`,
- * H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier is at most a^2 / (2 b).
+ * Sums along a chain between two tilts of its head. A few digits suffice for the sign of a margin, so
+ * rounding errors are not compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2
+ * / 2, so the barrier is at most a^2 / (2 b).
  */
 struct glide {
     real J, dH;
@@ -45,8 +44,7 @@ struct glide {
     bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds one domino to the sums. The state of this domino is *b at the first tilt of the head, and *a at the
- * last. */
+/* Adds a domino to the sums. Its state is *b at the first tilt of the head, and *a at the last. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -62,8 +60,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Computes the bound `curve` for the next domino. While the domino moves from state *b to state *a, X and
- * theta_1' decrease, and Y is smallest in one of these two states. */
+/* Computes the bound `curve` for the next domino. While the domino moves from *b to *a, X and theta_1'
+ * decrease, and Y is smallest at one of the two. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -72,8 +70,8 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The energy must exceed the bound on the barrier by this factor, since the bound ignores the last dominoes
- * of the chain. */
+/* The energy must exceed the bound on the barrier by this factor, since the bound ignores the chain's last
+ * dominoes. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
 /* Returns true if the kinetic energy certainly exceeds the barrier. */
@@ -87,8 +85,8 @@ static bool glide_passes(const struct glide *g, const struct link *head, real ki
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true if the contributions of all dominoes after *a are negligible. `shrinks` is the ratio of g->t
- * for the next domino to g->t for this domino. */
+/* Returns true if all dominoes after *a are negligible. `shrinks` is g->t of the next domino divided by
+ * g->t. */
 static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
 {
     const struct geometry *self = a->geometry;
@@ -102,8 +100,8 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
     return true;
 }
 
-/* Returns the state of domino j at the moment when the head is hit. Domino j leans on `leader`. If j >=
- * known, the stored chain contains the state. */
+/* Returns the state of domino j, which leans on `leader`, when the head is hit. If j >= known, the stored
+ * chain contains it. */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;
@@ -116,8 +114,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* For rows with sharp edges and plumb dominoes: returns true if head k certainly keeps falling, and sets *at
- * to the state in which it hits the next domino. Stores the chain at that moment in s->link. */
+/* Returns true if head k certainly keeps falling, and sets *at to the state in which it hits the next domino.
+ * Stores the chain of that moment in s->link. Dominoes must be plumb and have sharp edges. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -196,12 +194,11 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A rough run trusts the sign of a contact force only if the force is larger than this fraction of the weight
- * of the pushed domino. */
+/* A rough run trusts the sign of a contact force above this fraction of the weight of the pushed domino. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. When the head is hit, the error in omegasq is at most s->slide.off. Sets
- * s->doubt if this error may change the verdict. */
+/* Runs head k as in any other row. The error in omegasq at the hit is at most s->slide.off. Sets s->doubt if
+ * it may change the verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;
@@ -251,8 +248,7 @@ static void sample_tol(struct random_row *s, bool rough)
         s->geometry[k].tol = rough ? fmax((real)s->request.tol, SLIDE_TOL) : (real)s->request.tol;
 }
 
-/* Checks the row, fills in its blocks and its geometry, and determines which of the fast methods can be used.
- */
+/* Checks the row, fills in its blocks and geometry, and chooses the fast methods that can be used. */
 static enum dom_status sample_make(struct random_row *s)
 {
     size_t wrong;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/slide.h"
 
-/* A verdict is certain if the margin exceeds both SLIDE_CLEAR times the estimated error and the fraction
- * SLIDE_ROOM of the energy. */
+/* A verdict is certain if the margin exceeds SLIDE_CLEAR times the estimated error, and SLIDE_ROOM times the
+ * energy. */
 #define SLIDE_CLEAR 8
 #define SLIDE_ROOM  ((real)1 / 64)
 
@@ -53,8 +53,8 @@ static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct sl
     return true;
 }
 
-/* Finds the equation of motion as a function of p = tan(theta / 2). With this variable, no trigonometric
- * functions are needed. */
+/* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometric
+ * functions. */
 static bool slide_rate(real p, void *context, struct num_rate *rate)
 {
     const struct geometry *head = ((const struct slide_context *)context)->head;
@@ -73,8 +73,8 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
     return found;
 }
 
-/* Returns the omegasq that the head needs to pass every tilt. This is the maximum of -num_rough_v, which is
- * found from samples and from parabolas through three neighbouring samples. */
+/* Returns the omegasq that the head needs to pass every tilt: the maximum of -num_rough_v, from samples and
+ * parabolas through them. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rough computation of the motion of a head with friction. From eight evaluations of the equation of
- * motion, it finds the motion to a few digits, and an estimate of the error. Most verdicts need no more. */
+/* A rough computation of the motion of a head with friction. Eight evaluations of the equation of motion give
+ * a few digits and an error estimate. Most verdicts need no more. */
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 
@@ -17,13 +17,12 @@ struct slide {
 /* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
 KERNEL real slide_error(const struct geometry *head);
 
-/* Returns true if the head certainly reaches the tilt 2 atan hi. All dominoes must be plumb, and all contacts
- * must push. */
+/* Returns true if the head certainly reaches the tilt 2 atan hi. Dominoes must be plumb, and contacts must
+ * push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/* Sets *after to omegasq at the end of the head's motion, and *after_off to a bound on the error in *after.
- * All dominoes must be plumb, and all contacts must push. Returns false if the head may come to rest before
- * the end. */
+/* Sets *after to omegasq at the end of the head's motion, and *after_off to a bound on its error. Returns
+ * false if the head may come to rest earlier. Dominoes must be plumb, and contacts must push. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 

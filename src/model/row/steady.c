@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A head repeats the motion of the previous head only if all dominoes that matter are equal. So the number of
- * equal dominoes must exceed the length of the longest pass along a chain by at least this number. */
+/* A head repeats the previous motion only if all dominoes that matter are equal. The number of equal dominoes
+ * must exceed the longest pass along a chain by STEADY_MORE. */
 enum { STEADY_MORE = 2 };
 
-/* If the dominoes at the end of a row are all equal, the geometry of this many of them is filled in before
- * the run. */
+/* number of equal dominoes at the end of a row whose geometry is filled in before the run */
 enum { STEADY_FIRST = 256 };
 
-/* A motion counts as repeated if the total change of omegasq over all later heads would be at most this
- * fraction of the tolerance. */
+/* A motion is repeated if omegasq would change by at most this fraction of the tolerance over all later
+ * heads. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a long sequence of equal dominoes, each head eventually moves exactly like the previous one: all
- * dominoes that influence it are equal, and omegasq no longer changes. Such a head need not be computed. */
+/* In a long sequence of equal dominoes, each head finally moves exactly like the previous one. Such a head
+ * need not be computed. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -11,31 +11,30 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* increase in the number of moving dominoes from head to head: 0 or 1 */
     size_t more;
-    /* true if the next head will move like the last one, as long as the next two dominoes are equal to the
-     * last head */
+    /* true if the next head will move like the last one, provided that the next two dominoes equal it */
     bool found;
 };
 
 /* Fills in the geometry of the dominoes up to domino k, if this has not been done yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns the number of dominoes that get their geometry before the run. All later dominoes are equal to the
- * last of these, so filling in their geometry during the run cannot fail. */
+/* Returns the number of dominoes whose geometry is filled in before the run. All later dominoes equal the
+ * last of these, so their geometry cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
-/* Called when head k begins to move. If head k repeats the motion of the previous head, fills in *fall,
- * advances the run to the next head, and returns true. */
+/* Called when head k begins to move. If it repeats the previous motion, fills in *fall, advances the run to
+ * the next head, and returns true. */
 KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall);
 
-/* Called when head k has hit the next domino. Determines whether that domino will repeat the motion of head
- * k. `before` is the omegasq with which head k began. */
+/* Called when head k, which began with the omegasq `before`, has hit the next domino. Determines whether that
+ * domino will repeat its motion. */
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row in which the previous heads repeated one motion. The geometry of these heads
- * was never filled in, so the last head is computed as if the row ended at the last domino that has a
- * geometry. Returns false if this shorter row has too few equal dominoes at its end.
+ * Runs the last head after heads that repeated one motion. Their geometry was never filled in. So the row is
+ * computed as if it ended at the last domino with a geometry. Returns false if this shorter row has too few
+ * equal dominoes.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
