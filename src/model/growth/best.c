@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the best separation. Samples of s give a first growth R. Intervals of s that allow no growth above R
- * are then excluded. All others are bisected down to a width of BEST_FINEST s, so a narrower peak of r_max(s)
- * can be missed. An interval is excluded in two cases:
- * - s R > 1 in the whole interval.
- * - Bounds (strip.h) show that all its trains stop at R, or at one smaller growth.
- * With friction or rounded edges no bounds are known, so there are only samples. Quad precision refines the
- * result of double precision, and searches all separations only if that fails.
+ * Finds the best separation. Samples of s give a first growth R. Then all intervals of s are excluded that
+ * surely allow no growth above R. The others are bisected, down to a width of BEST_FINEST s. A narrower peak
+ * of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are only samples.
+ * Quad precision refines the result of double precision, and searches all separations only if that fails.
  */
 #include "growth/limit.h"
 
@@ -93,8 +90,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/* Looks for a growth below R = b->r_max at which a train with a smaller r_max stops. *witness receives the
- * growth with the most negative margin, or R if no margin is negative. */
+/* Looks for a growth between r_max and b->r_max at which the train stops. *witness is b->r_max if there is
+ * none. */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
     real lowest = 0;
@@ -122,15 +119,15 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches for a growth above the best so far, at separations between lo and hi. If `witness` is below the
- * best growth, the trains may already stop at `witness`. */
+/* Searches between lo and hi for a growth above the best so far. All trains there may already stop at
+ * `witness`, if that is a smaller growth. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
     struct margin m;
     enum dom_status status = DOM_OK;
     bool stops = false;
-    real last = 1 / fmax(b->r_max, 1);
+    real last = 1 / fmax(b->r_max, 1); /* above `last`, s R > 1 */
     hi = fmin(hi, last);
     if (lo >= hi)
         return DOM_OK;
@@ -197,10 +194,10 @@ static enum dom_status search_finely(struct search *b)
 
 /* ---- The maximum of r_max(s) ---- */
 
-/* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. The error of the rule is
- * about (h / scale)^8 + REAL_EPSILON / h, with a scale of a few percent of s, or less near the reach. */
+/* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. */
 static real slope_step(real span, real s, real r)
 {
+    /* The error of the rule is about (h / scale)^8 + REAL_EPSILON / h. */
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
@@ -229,8 +226,7 @@ static real top_slope(real s, void *context)
     return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
 }
 
-/* Finds the factor of slope_step at which the nine-point rule has the smallest error. The second
- * derivative jumps where a follower begins to detach, and a smaller step is better there. */
+/* Sets b->finer to the factor at which the nine-point rule has the smallest error. */
 static void search_step(struct search *b)
 {
     real span = b->c->geometry.span, s = b->s, r = b->r_max, h = slope_step(span, s, r),
@@ -239,6 +235,7 @@ static void search_step(struct search *b)
     if (!(h > 0) || s + 4 * h >= span / r)
         return;
     real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->geometry);
+    /* A smaller step is better where a follower begins to detach: the second derivative jumps there. */
     for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
         real rounding = 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
         if (rounding >= least)
@@ -285,8 +282,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, as a root of the slope. *smooth is false at a kink or a jump.
- * The relative error of b->s must be much less than `width`. */
+/* Finds a smooth maximum of r_max near b->s, as a root of the slope. Sets *smooth to false at a kink or a
+ * jump. `width` must far exceed the relative error of b->s. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
@@ -332,11 +329,11 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return status;
 }
 
-/* Returns |r_max(s + step) - top|, where top = r_max(s) is the maximum. Returns 0 at a jump, whose lower
- * side does not belong to the maximum. */
+/* Returns |r_max(s + step) - top|, where top = r_max(s). Returns 0 if r_max jumps in between. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
+    /* the lower side of a jump does not belong to the maximum */
     return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
 }
 
@@ -353,8 +350,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps where a dip of the margin begins. The shallowest dips are not resolved (scan.c), so a
-     * jump is located less accurately. */
+    /* r_max(s) jumps where a dip of the margin begins. Shallow dips are not resolved (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
@@ -422,8 +418,8 @@ static void line_to(struct line *line, struct margin_context *c, real s)
     line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
 }
 
-/* Finds a kink of r_max very close to b->s, where an increasing branch meets a decreasing one. Each branch
- * is extrapolated as a line. Returns false if there is no such kink. */
+/* Finds a kink of r_max very close to b->s, as the point where two extrapolated branches meet. Returns
+ * false if there is no kink. */
 static bool search_kink(struct search *b, real tol)
 {
     struct line up = {.slope = 0}, down = up;

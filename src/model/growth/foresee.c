@@ -22,8 +22,7 @@ struct root_point {
     real r, share, value, tol;
 };
 
-/* A search for a root of the margin, which is positive at lo and negative at hi. Of the `known` valid
- * points, at[2] is the newest. */
+/* The margin is positive at lo and negative at hi. at[2] is the newest of the `known` valid points. */
 struct root_search {
     real lo, hi;
     struct root_point at[3];
@@ -45,17 +44,17 @@ static void root_add(struct root_search *s, struct root_point point)
     s->known += !again;
 }
 
-/* Returns the root of the line through two points. margin_share is less curved than the margin close to
- * the root. Far away it is almost constant, so the margin itself takes its place. */
+/* Returns the root of the line through two points. */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
+    /* margin_share is less curved than the margin close to the root, but almost constant far from it */
     bool near = fabs(a->share) + fabs(b->share) < 1;
     real f_a = near ? a->share : a->value, f_b = near ? b->share : b->value;
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If |margin_share| > 1 - ROOT_FLAT, it does not show how far away the root is. The next step then changes
- * r by at least the factor r^ROOT_STEP. */
+/* Above 1 - ROOT_FLAT, |margin_share| does not show how far away the root is. r then changes at least by
+ * the factor r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -111,8 +110,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* The error after a secant step is about the product of the last two errors, divided by a length.
-         * At the first step, the length is taken to be a 16th of r or of the distance to the reach. */
+        /* The next error is about the product of the last two, divided by a length. At the first step,
+         * this length is taken to be a 16th of r or of the distance to the reach. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
@@ -139,8 +138,8 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
-/* The slope is measured at this relative distance from an approximate root. The relative error of that
- * root may be at most ROOT_ASIDE squared. */
+/* Relative distance from an approximate root at which the slope is measured. The approximate root must be
+ * correct to ROOT_ASIDE squared. */
 #define ROOT_ASIDE ((real)1e-5)
 
 /* Finds the root close to `near`. A growth slightly below `near` comes first, and gives the slope. */
@@ -270,18 +269,15 @@ static real down_first(real whole)
     return whole < (real)0.03 ? whole : fmin(width, whole / 2);
 }
 
-/* Returns the width in ln r of a strip below r, for r near the reach. In most strips of this width, the
- * bounds show that the margin decreases. */
+/* Returns the width in ln r of a strip below r, near the reach. Over most such strips, the bounds show
+ * that the margin decreases. */
 static real down_near(const struct margin_context *c, real r)
 {
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
 }
 
-/*
- * Shows that the margin is positive just below `root`, which is the reach if it is positive even there. Works
- * downwards to `from` in strips, without computing a margin. *down receives the lowest growth that this
- * reaches, or `root` if no strip succeeds.
- */
+/* Shows, strip by strip, that the margin is positive from `root` down to *down, but not below `from`.
+ * `root` is the reach if the margin is positive even there. */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);

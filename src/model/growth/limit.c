@@ -27,8 +27,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     }
     /* Without a slope, r is only known to lie between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved. Increase *error until the margin surely has the right signs at
-     * r - *error and r + *error. */
+    /* Near the reach the margin is curved. Increase *error until the signs at both ends are surely right. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
@@ -84,7 +83,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1, K = P T, and P has a closed form. `own` is the first term of T, so K >= P * own. */
+    /* At r = 1, K = P T, and P has a closed form. T is at least its first term, `own`. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
@@ -101,8 +100,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The most dominoes that a search with an equation of motion may visit, in all passes together. Each visit
- * takes four times as long as in other searches. */
+/* The most visits to dominoes in a search with an equation of motion. Each visit takes four times as long
+ * as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

@@ -19,8 +19,8 @@ struct edge {
     struct margin margin;
 };
 
-/* What is known about the margin between two growths. It is not negative at the smaller growth.
- * KNOWN_TO_FALL: the margin has at most one root, and decreases there. */
+/* What is known about the margin between two growths. It is >= 0 at the smaller growth. KNOWN_TO_FALL: it
+ * has at most one root, and decreases there. */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 
 /* Finds the bounds of struct strip for all growths between lo and hi. */
@@ -48,9 +48,9 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
                                      real *falls);
 
 /*
- * Predicts and finds a root for an endless train without friction. Then tries to prove that it is the first
- * root after *from, or that there is no root up to the reach. In the second case *root is the reach. Sets
- * *found to false if there is no proof. *from may move up to a growth below which the margin is positive.
+ * Finds a root for an endless train without friction, and tries to prove that it is the first after *from.
+ * *root is the reach if there is no root. *found is false if there is no proof. *from may move up to a growth
+ * below which the margin is positive.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 
@@ -59,17 +59,17 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
                                  real *r);
 
 /*
- * Finds the first r > from->r at which the margin becomes negative, without friction. The margin at from->r
- * is >= 0. If there is no such r, *ends is DOM_END_REACH and *r is the reach. A dip below 0, or a rise above
- * 0, can be missed if it is narrower than SCAN_FINEST in ln r.
+ * Finds the first r > from->r with a negative margin, without friction. The margin at from->r is >= 0. If
+ * there is no such r, *r is the reach and *ends is DOM_END_REACH. Two sign changes closer than SCAN_FINEST in
+ * ln r can be missed.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);
 
 /*
- * Finds the first growth after from->r at which the margin changes its sign. If the margin at from->r is >=
- * 0, change->r is the root; otherwise `change` is a sample shortly after the root. Sets *found to false if
- * the sign does not change up to the reach. Without proof: a dip between two samples can be missed.
+ * Finds the first sign change of the margin after from->r. change->r is the root, if the margin at from->r is
+ * >= 0. Otherwise *change is a sample shortly after the root. *found is false if there is no sign change up
+ * to the reach. A dip between two samples can be missed.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
                                     bool *found);

@@ -34,8 +34,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Newton's method is not available with friction. The error of the barrier is then of second order
-         * in the error of the tilt, not of third, so the tilt needs a finer tolerance. */
+        /* Newton's method is not available with friction. The tilt then needs a finer tolerance, since its
+         * error enters the barrier in second order, not in third. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -134,8 +134,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks has no margin, but it stops: its energy tends to 0 as it locks. So its margin may
-     * be any negative number. */
+    /* A train that locks stops, since its energy tends to 0. It has no margin, and any negative number
+     * will do. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -178,8 +178,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /* The margin is the difference of two nearly equal numbers. Refine the tolerance until the margin
-     * itself is correct to the tolerance. Otherwise the verdict could depend on the tolerance. */
+    /* K and B are nearly equal here. Refine until the margin itself is correct to the tolerance. Otherwise
+     * the verdict could depend on the tolerance. */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;

@@ -29,9 +29,8 @@ static real probe_place(const struct margin_context *c, int k)
 #define PROBE_HALVES 17
 
 /*
- * Let w be the distance in x between two samples, and f the second divided difference of the margin. The
- * margin is taken to keep its sign if it exceeds PROBE_SAFETY f w^2 at both samples. A parabola deviates from
- * the line between the samples by at most f w^2 / 4.
+ * The margin is taken to keep its sign between two samples if it exceeds PROBE_SAFETY f w^2 at both. w is
+ * their distance in x, and f a second divided difference. For a parabola, f w^2 / 4 suffices.
  */
 #define PROBE_SAFETY 3
 
@@ -41,8 +40,8 @@ static real probe_place(const struct margin_context *c, int k)
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    /* The first growth with a sign change so far, or infinity. It is a root if `positive` is true, and
-     * otherwise the growth of the sample `after`, where the margin is >= 0. */
+    /* The first growth with a sign change so far, or infinity. It is a root, or the growth of `after` if
+     * `positive` is false. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
     struct edge after;
@@ -59,8 +58,8 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
     return (margin_value(&edge->margin) >= 0) == p->positive;
 }
 
-/* Returns a smooth function of x, positive where the margin has the same sign as at the start. `barrier`
- * replaces the barrier of `edge` if only an upper bound on that is known. */
+/* Returns a smooth function of x, positive where the margin has its initial sign. `barrier` is used if
+ * `edge` has only an upper bound. */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
     const struct margin *m = &edge->margin;
@@ -72,8 +71,8 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
-/* Returns true if the curvature of the margin shows no sign change between lo and hi apart from p->root.
- * The curvature comes from lo, hi and `third`, a sample outside. Returns false if `third` is lo. */
+/* Returns true if the curvature of the margin shows no sign change between lo and hi except p->root.
+ * `third` is a sample outside the interval. */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
 {
@@ -82,6 +81,7 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
                width = probe_x(p->c, hi->r) - x, before = probe_x(p->c, third->r) - x;
+    /* if `third` is lo, this is NaN, and the result is false */
     const real bend = (at_hi - at_lo - (at_third - at_lo) / before * width) * width / (width - before);
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }

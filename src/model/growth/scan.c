@@ -2,16 +2,13 @@
 #include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
-/*
- * Relative errors of the barrier: SCAN_ROUGH from margin_sign, and SCAN_FINE from scan_sure. A root is taken
- * to be the first one if its bracket is narrower than SCAN_CLOSE in ln r.
- */
+/* Relative errors of the barrier from margin_sign and from scan_sure. */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
+/* A root in a bracket that is narrower than this in ln r is taken to be the first root. */
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/* Follows one maximum of H to the root. If it is not the highest there, finds the root again with a search
- * for all maxima. */
+/* Follows one maximum of H to the root. If another maximum is higher there, searches for all maxima. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
 {

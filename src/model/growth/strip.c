@@ -74,7 +74,7 @@ struct strip_sums {
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound on d theta_1 / d ln r, or on d theta_1 / ds in a strip of separations. It is the
+/* Returns an upper bound on d theta_1 / d ln r, or on d theta_1 / ds in a strip of separations: the
  * derivative at hi, at the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
@@ -129,15 +129,14 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     s->rests += weight * fmax(g_hi, 0) * u;
 }
 
-/* Returns a lower bound on the tilt of the head at the maximum of H, for barriers of at least `kinetic`.
- * There the head has gained at least the barrier plus the energy that the first follower has lost. */
+/* Returns a lower bound on the tilt of the head at the maximum of H, if the barrier is at least `kinetic`. */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
 {
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* upper bound on h(theta_u) - h(theta) of the head at the maximum of H */
+        /* Upper bound on h(theta_u) - h of the head: the head has gained at least kinetic + loss. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->reach - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
@@ -200,8 +199,8 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
-    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. This is
-     * monotone in T, so an end of the range of T has the minimum. */
+    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. The right
+     * side is monotone in T, so it is smallest at one end. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
@@ -241,8 +240,8 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        /* A lower bound on (theta_u - theta) / 2, used in place of its tangent, which is larger. theta_1' is
-         * least at the largest tilt. */
+        /* Lower bound on (theta_u - theta) / 2, which is less than its tangent. theta_1' decreases with
+         * tilt. */
         const real below = geometry_contact(hi, head).step * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
@@ -360,13 +359,13 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * Beyond theta_u, a follower lowers the barrier by its drop: the integral of w^i theta_i' g(theta_i) over
- * theta. In every train of the strip, this is at least the drop at hi divided by `grows`:
+ * A follower beyond theta_u lowers the barrier by its drop, the integral of w^i theta_i' g(theta_i) over
+ * theta. This is at least the drop at hi divided by `grows`:
  * - theta_i' and w^i are at least as large as at hi.
  * - g(theta_i) is smaller than at hi, by at most the factor `grows`.
  *
  * This factor is largest for an upright head, because h/g and d theta_i / dr decrease with theta. The head
- * itself rises by at most `most`. If `grows` is infinite, the slope of the barrier gives the bound.
+ * itself rises by at most `most`.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
