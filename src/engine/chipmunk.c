@@ -10,8 +10,8 @@
 static struct chipmunk functions;
 static bool loaded;
 
-/* Looks up a function and stores its address in *member. ISO C has no conversion from void * to a function
- * pointer, so the bytes of the address are copied. */
+/* Looks up a function and stores its address in *member. ISO C cannot convert void * to a function pointer,
+ * so the bytes of the address are copied. */
 static bool find(void *library, const char *name, void *member)
 {
     void *address = dlsym(library, name);
@@ -20,9 +20,9 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Chipmunk prints its name when a process creates its first space. So this function creates and frees a space
- * while the variable `stdout` refers to /dev/null, which discards the name. The file descriptor is left
- * alone, because a signal handler or another thread may write to it.
+ * Chipmunk prints its name when a process creates its first space. So a space is created while the variable
+ * `stdout` refers to /dev/null. The file descriptor is left alone, since a signal handler or another thread
+ * may write to it.
  */
 static void make_first(void)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The functions of Chipmunk 7, a rigid-body engine, which is loaded the first time a row needs it. A program
- * that never needs the engine does not load it, and therefore also runs where it is not installed.
+ * The functions of the rigid-body engine Chipmunk 7, which is loaded when a row first needs it. So the
+ * program also runs where Chipmunk is not installed.
  */
 #ifndef ENGINE_CHIPMUNK_H
 #define ENGINE_CHIPMUNK_H
@@ -10,8 +10,8 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* Calls X(name) for each function that is looked up in the library. Getters are not looked up, since members
- * are read directly from the library's structs. */
+/* Calls X(name) for each function of the library that is used. Getters are missing, since members are read
+ * directly. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \
@@ -58,8 +58,8 @@ struct chipmunk {
     char version[24]; /* "7.0.3" */
 };
 
-/* Sets *functions. The first call loads the library; calls from several threads are safe. Returns
- * ENGINE_NO_LIBRARY or ENGINE_NO_MEMORY if loading fails. */
+/* Sets *functions. The first call loads the library. Thread-safe. Returns ENGINE_NO_LIBRARY or
+ * ENGINE_NO_MEMORY if loading fails. */
 enum engine_status chipmunk_load(const struct chipmunk **functions);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Ends the iterations of the engine's solver when they have converged. Chipmunk makes a fixed number of
- * iterations in each step. But in each iteration it calls a function of every constraint, and reads the
- * number of iterations again. So a constraint is added that applies no impulse. It observes how much the
- * velocities of the boxes change, and ends the loop by lowering the number of iterations.
+ * Ends the iterations of Chipmunk's solver when they have converged. Chipmunk makes a fixed number of
+ * iterations per step. But in each one, it calls a function of every constraint and reads the number of
+ * iterations again. So a constraint without impulses is added. It observes the changes of the velocities, and
+ * ends the loop by lowering the number.
  */
 #include "world.h"
 #include <math.h>
@@ -11,8 +11,7 @@
 /* The largest number of iterations in a step. */
 enum { MOST = 1000 };
 
-/* Called before the first iteration, when the velocities already include gravity and the impulses of the
- * previous step. */
+/* Called before the first iteration. Gravity and the impulses of the previous step are already applied. */
 static void before_first(cpConstraint *watch, double factor)
 {
     struct world *w = watch->userData;
@@ -28,9 +27,8 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Called in each iteration. Estimates the total change of the velocities in all further iterations, supposing
- * that the changes form a geometric series. Ends the loop if this total is a small fraction of the change in
- * the whole step.
+ * Called in each iteration. Estimates the change of the velocities in all further iterations as a geometric
+ * series. Ends the loop if it is a small fraction of the change in the whole step.
  */
 static void each(cpConstraint *watch, double dt)
 {

@@ -3,8 +3,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-/* Bytes to reserve for a space and for each box. Chipmunk 7.0.3 needs at most 0.4 MB for a space and 4 kB for
- * each box. */
+/* Bytes to reserve. Chipmunk 7.0.3 needs at most 0.4 MB for a space and 4 kB for each box. */
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -14,7 +13,7 @@ bool room_take(size_t boxes)
 {
     const size_t more = SPACE + BOX * boxes;
     pthread_mutex_lock(&lock);
-    /* The pointer is volatile because otherwise gcc could remove a malloc whose result is only freed. */
+    /* volatile, because gcc could otherwise remove a malloc whose result is only freed */
     void *volatile room = malloc(taken + more);
     const bool found = room;
     free(room);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Chipmunk crashes if an allocation fails. Therefore a space is created only if there is enough memory for
- * everything that it and all other spaces may allocate.
+ * Chipmunk crashes if an allocation fails. So a space is created only if there is memory for all that it and
+ * the other spaces may allocate.
  */
 #ifndef ENGINE_ROOM_H
 #define ENGINE_ROOM_H

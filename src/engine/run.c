@@ -5,16 +5,15 @@
 #include <stdlib.h>
 
 /*
- * The engine integrates with the symplectic Euler method, which is of first order, and finds the impulses of
- * contacts and joints iteratively. Boxes that penetrate each other are not pushed apart, since the push would
- * move them off their hinges. A box that has drifted from its hinge is pulled back slowly, over many steps,
- * because it keeps the velocity that the pull gives it.
+ * The engine integrates with the symplectic Euler method, which is of first order, and iterates to find
+ * impulses. Penetrating boxes are not pushed apart, since this would move them off their hinges. A box that
+ * has drifted from its hinge keeps the velocity with which it is pulled back. So it is pulled back slowly.
  *
- * Before a hit, the steps become short, so that the hit is detected on time and with little penetration.
- * After the hit, they stay short for a while: the engine starts each step from the impulses of the step
- * before, scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
+ * Before a hit, the steps become short, to detect the hit on time and with little penetration. They stay
+ * short for a while. Each step starts from the impulses of the previous step, scaled by the ratio of the step
+ * lengths, so a long step would act like another hit.
  */
-/* Rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box. */
+/* rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box */
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
@@ -23,8 +22,8 @@ static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 /* A box counts as stopped after it has rested for this time, in sqrt(height / g). */
 static const double hinged_rest = 0.1, any_rest = 3;
-/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need only a
- * twentieth of this number. */
+/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need a
+ * twentieth of this. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
@@ -41,7 +40,7 @@ struct run {
 };
 
 /* Returns the time until the front face of the head reaches `edge`, the upper back edge of the next box, or
- * INFINITY if the face does not reach this edge. */
+ * INFINITY. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -85,7 +84,7 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Records the angular velocity of the head after it is hit, and the increase in energy since the previous
+/* Records the angular velocity of the head after its hit, and the increase in energy since the previous
  * hit. */
 static void note_state(struct run *r)
 {
@@ -123,8 +122,8 @@ static void step(struct run *r)
         r->calm--;
 }
 
-/* Returns the angle in rad by which box k would have to turn forwards to balance on its lower front corner.
- * The angle is negative if the box is past its balance point, where gravity pulls it down. */
+/* Returns the angle in rad by which box k must turn forwards to balance on its lower front corner. The angle
+ * is negative if gravity already pulls the box down. */
 static double to_balance(const struct world *w, size_t k)
 {
     const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = world_gravity(w->row);
@@ -132,9 +131,8 @@ static double to_balance(const struct world *w, size_t k)
 }
 
 /*
- * Returns true if the head lies on the floor, or if it has rested for so long that it has stopped for good.
- * If `verdict_only` is true, also returns true if the last box is past its balance point and accelerates,
- * because the verdict is then certain.
+ * Returns true if the head lies on the floor, or has rested so long that it has stopped for good. If
+ * `verdict_only` is true, also returns true if the last box is past its balance point and accelerates.
  */
 static bool ends(struct run *r, bool verdict_only)
 {
@@ -180,8 +178,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Fills in the times at which boxes hit the next one, and the distances that feet have slid. If the first box
- * was let go rather than pushed, shifts all times so that they are measured from the first hit. */
+/* Fills in the times at which boxes hit the next one, and the distances that feet have slid. Without a push,
+ * shifts all times so that the first hit is at 0. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

@@ -9,8 +9,7 @@
 static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3};
 const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
-/* Returns the difference between the times of two runs: the largest difference in any hit time or in the
- * duration, divided by the duration of the second run. */
+/* Returns the largest difference in a hit time or in the duration, divided by the second run's duration. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {
@@ -21,17 +20,18 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
 }
 
 /*
- * Returns true if the verdict of the first run is certain. If all boxes fall, none of them may have slowed
- * down to half of its largest angular velocity. Otherwise, the foremost box must have stopped far short of
- * its balance point.
+ * Returns true if the verdict of the first run is certain. If all boxes fall, none may have slowed down to
+ * half of its largest angular velocity. Otherwise, the foremost box must have stopped far short of its
+ * balance point.
  *
  * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges, which
- * were run again with finer steps. Whenever all boxes fell and none slowed down to less than 0.41 times its
- * largest angular velocity, all boxes also fell with finer steps. In 1,400 rows, the foremost box stopped
- * less than a quarter of the way to its balance point; only one of these rows fell with finer steps.
+ * were run again with finer steps:
+ * - If all boxes fell and none slowed down below 0.41 times its largest angular velocity, all fell again.
+ * - In 1,400 rows, the foremost box stopped less than a quarter of the way to its balance point. Only one of
+ *   these rows fell with finer steps.
  *
- * On hinges, a stop is never certain: the run ends soon after the foremost box has turned back, although the
- * box behind it may push it over later.
+ * On hinges, a stop is never certain. The run ends soon after the foremost box has turned back, but the box
+ * behind it may push it over later.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {

@@ -11,7 +11,7 @@ static const double rough = 1000;
 /* A released box starts this far, in rad, beyond the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
 
-/* The engine measures angles anticlockwise, from x to y, whereas boxes fall clockwise, towards positive x. */
+/* Chipmunk measures angles anticlockwise, but boxes fall clockwise, towards positive x. */
 double world_tilt(const struct world *w, size_t k)
 {
     return -w->body[k].body->a;
@@ -83,9 +83,8 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Returns a filter for the shapes with which a box can collide. If the feet are on hinges, a box can collide
- * only with its neighbours. On a floor, where feet may slide, a box can collide with the floor and with all
- * other boxes. */
+/* Returns a filter for the shapes with which a box can collide. On hinges, these are only its neighbours. On
+ * a floor, feet may slide, so these are the floor and all other boxes. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;
@@ -139,7 +138,7 @@ static void turn(struct world *w, double tilt, double spin)
 }
 
 /* Starts the first box. Without a push, it starts slightly beyond the tilt at which it balances on its edge.
- * Its distance from this tilt grows like exp(rate t), which determines its velocity. */
+ * Its distance from this tilt grows like exp(rate t), which gives its velocity. */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;
@@ -166,8 +165,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deeply box `front` and the box behind it penetrate each other, and whether they touch in a way
- * that the model does not include. */
+/* Records how deeply box `front` and the box behind it penetrate each other, and whether their contact is
+ * outside the model. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;
@@ -184,8 +183,8 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     }
 }
 
-/* Sets friction and restitution of a contact. The box in front of the head counts as hit when it is first
- * touched. */
+/* Sets friction and restitution of a contact. The box in front of the head counts as hit at its first
+ * contact. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;

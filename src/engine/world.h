@@ -6,10 +6,10 @@
 #include "chipmunk.h"
 #include "engine.h"
 
-/* Penetration and drift are recorded for this many boxes, counted back from the head. */
+/* penetration and drift are recorded for this many boxes at the front, including the head */
 enum { FOREMOST = 4 };
 
-/* The velocity of the centre of a box, and the speed of its upper and lower ends relative to the centre. */
+/* the velocity of the centre of a box, and the speed of its ends relative to the centre */
 struct motion {
     cpVect v;
     double turns;
@@ -52,9 +52,8 @@ void world_free(struct world *world);
 void world_stand(struct world *world);
 
 /*
- * These functions make the solver iterate in each step until its impulses have converged. Call converge_begin
- * after the first box has been added, converge_step before each step, and converge_end before the boxes are
- * freed.
+ * These functions make the solver iterate until its impulses have converged. Call converge_begin after the
+ * first box has been added, converge_step before each step, and converge_end before the boxes are freed.
  */
 void converge_begin(struct world *world);
 void converge_step(struct world *world);
@@ -66,8 +65,8 @@ cpVect world_gravity(const struct engine_row *row);
 /* Returns the current motion of box k. */
 struct motion world_motion(const struct world *world, size_t k);
 
-/* These functions return the tilt of box k, its angular velocity, and the positions of its upper and lower
- * front corners. */
+/* These functions return the tilt and the angular velocity of box k, and its upper and lower front
+ * corners. */
 double world_tilt(const struct world *world, size_t k);
 double world_spin(const struct world *world, size_t k);
 cpVect world_tip(const struct world *world, size_t k);
