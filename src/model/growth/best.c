@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the best separation. Samples of s give a first growth R. Then all intervals of s are excluded that
- * surely allow no growth above R. The others are bisected, down to a width of BEST_FINEST s. A narrower peak
- * of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are only samples.
- * Quad precision refines the result of double precision, and searches all separations only if that fails.
+ * Finds the best separation. Samples of s give a first growth R. Then bounds (strip.h) exclude the intervals
+ * of s that allow no growth above R. The others are bisected, down to a width of BEST_FINEST s. A narrower
+ * peak of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are only
+ * samples. Quad precision refines the result of double precision, and searches all s only if that fails.
  */
 #include "growth/limit.h"
 
@@ -197,7 +197,7 @@ static enum dom_status search_finely(struct search *b)
 /* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. */
 static real slope_step(real span, real s, real r)
 {
-    /* The error of the rule is about (h / scale)^8 + REAL_EPSILON / h. */
+    /* The error of the rule is about (h / scale)^8 + REAL_EPSILON / h. The scale is the first factor here. */
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
@@ -350,7 +350,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps where a dip of the margin begins. Shallow dips are not resolved (scan.c). */
+    /* r_max(s) jumps where a dip of the margin begins. Shallow dips are not resolved (scan.c), so a jump
+     * is located less accurately. */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;

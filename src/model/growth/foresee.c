@@ -53,8 +53,8 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* Above 1 - ROOT_FLAT, |margin_share| does not show how far away the root is. r then changes at least by
- * the factor r^ROOT_STEP. */
+/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. r then changes at least by the factor
+ * r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -276,8 +276,8 @@ static real down_near(const struct margin_context *c, real r)
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
 }
 
-/* Shows, strip by strip, that the margin is positive from `root` down to *down, but not below `from`.
- * `root` is the reach if the margin is positive even there. */
+/* Shows strip by strip that the margin is positive below `root`, at most down to `from`. *down receives
+ * the growth down to which this succeeds. `root` is the reach if the margin is positive even there. */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);

@@ -27,7 +27,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     }
     /* Without a slope, r is only known to lie between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved. Increase *error until the signs at both ends are surely right. */
+    /* Near the reach the margin is curved. Increase *error until both ends certainly have the right sign. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);

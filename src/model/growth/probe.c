@@ -71,7 +71,7 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
-/* Returns true if the curvature of the margin shows no sign change between lo and hi except p->root.
+/* Returns true if the curvature of the margin shows no sign change between lo and hi, except at p->root.
  * `third` is a sample outside the interval. */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)

@@ -240,8 +240,8 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        /* Lower bound on (theta_u - theta) / 2, which is less than its tangent. theta_1' decreases with
-         * tilt. */
+        /* Lower bound on (theta_u - theta) / 2, used for the tangent, which is larger. theta_1' decreases
+         * with the tilt of the head. */
         const real below = geometry_contact(hi, head).step * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
