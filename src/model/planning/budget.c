@@ -24,8 +24,8 @@ struct budget {
     int answers;
 };
 
-/* Finds the fraction of the rows that fall if the errors have the size `sigma`. The random numbers are the
- * same for every sigma. */
+/* Finds the fraction of the rows that fall with errors of size `sigma`. Uses the same random numbers for
+ * every sigma. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -56,8 +56,8 @@ static void known(struct budget *b, double lo, double hi)
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds the sigma at which the requested share of the rows falls, by bisection to a relative tolerance of
- * 1e-3. This share must fall at `lo`, but not at `hi`. */
+/* Bisects to a relative tolerance of 1e-3. The requested share of the rows must fall at `lo`, but not at
+ * `hi`. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
@@ -74,8 +74,7 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma at which the requested share of the rows falls. Sets *sigma to infinity if enough
- * rows fall even at b->widest. */
+/* Finds the largest sigma at which the requested share falls, or infinity if it falls even at b->widest. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

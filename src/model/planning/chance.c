@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes the probability that a row does not fall. This is an integral over all random errors, estimated by
- * a mean over a fixed sample of random rows. Each row contributes a number between 0 and 1, which depends
- * smoothly on its margins.
+ * Computes the probability that a row does not fall: the mean over a fixed sample of random rows. Each row
+ * contributes a number between 0 and 1, which depends smoothly on its margins.
  *
  * A first-order reliability index would be cheaper, since it needs only derivatives at the row without
  * errors. But a gap can be too narrow or too wide. In between, the margin has a maximum, where its derivative
@@ -35,8 +34,8 @@
 /* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* A changed gap or size affects later dominoes less and less. A run ends when a margin changes by less than
- * this fraction of the largest change. */
+/* A changed gap or size affects later dominoes less and less. A run ends at changes below this fraction of
+ * the largest. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -72,9 +71,8 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Finds the energy margin of each domino. If `base` is not NULL, the row differs from an earlier row only at
- * the index `from`, and `base` holds the margins of the earlier row. The run then ends as soon as the margins
- * hardly differ.
+ * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before domino `from`
+ * was changed. The run then ends as soon as the margins hardly differ.
  */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)
@@ -95,7 +93,7 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     return DOM_OK;
 }
 
-/* Finds the margin of reach of each domino: 1 - (gap before the domino) / (height of the previous domino). */
+/* Finds the margin of reach of each domino: 1 - gap / (height of the previous domino). */
 static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;
@@ -110,8 +108,8 @@ struct totals {
     double fails, *by_gap, *by_size;
 };
 
-/* Data that all batches share. The sums of the batches are added in a fixed order, so that the result does
- * not depend on the timing of threads. */
+/* Data that all batches share. Sums are added in a fixed order, so that the timing of threads does not
+ * matter. */
 struct shared {
     const struct chance *chance;
     struct dom_row row;
@@ -125,8 +123,8 @@ struct weighed {
     double *margin, *changed, *weight;
 };
 
-/* Returns the probability that the row falls: a product with one factor for each margin. Writes its
- * derivatives with respect to the margins to w->weight. */
+/* Returns the probability that the row falls: a product of factors for the margins. Writes its derivatives to
+ * w->weight. */
 static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
 {
     double before = 1, after = 1;

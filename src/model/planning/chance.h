@@ -10,8 +10,7 @@ struct chance {
     struct dom_compute compute;
     struct dom_placement placement; /* describes the random rows */
     /* The width of the smoothing for each margin. A row counts as the product of Phi(margin / width) over all
-     * its margins, where Phi is the normal distribution. Small widths bring the sum closer to the number of
-     * rows that fall. */
+     * margins, where Phi is the normal distribution. Small widths make this nearly 0 or 1. */
     const double *width;
 };
 

@@ -9,8 +9,7 @@
 
 /*
  * A search tries the smallest number of dominoes that may suffice, and at most MORE further numbers. The
- * search for the shortest row ends after LONGER numbers (LONGER_IN_ENGINE with an engine) without a shorter
- * row.
+ * shortest row is final after LONGER (or LONGER_IN_ENGINE) numbers without a shorter one.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
@@ -25,8 +24,8 @@ static bool enough(struct planner *p, struct choice c)
            (!p->limits || row_feet(p, c) + p->wish->height <= p->wish->hall);
 }
 
-/* Returns true if the row is safe enough in the model, and all its dominoes also fall in the engine. A row
- * that the engine cannot decide counts as not falling. */
+/* Returns true if the row is safe enough in the model and falls in the engine. An undecided row does not
+ * count as falling. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -43,8 +42,7 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
-/* Returns the largest growth at which the train has the required safety, to a relative tolerance of 1e-7.
- * Returns 0 if there is none. */
+/* Returns the largest safe growth of the train to a relative tolerance of 1e-7, or 0 if there is none. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -59,8 +57,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Returns the largest growth that any separation allows with the required safety, or 0 if there is none. Sets
- * *best to this separation. Takes coarse steps, and then halves the step repeatedly. */
+/* Returns the largest safe growth of any train, or 0. Sets *best to its separation. Takes coarse steps, and
+ * then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -86,8 +84,8 @@ static dom_real separation_find(struct planner *p, int *best)
 typedef bool choice_test(struct planner *p, struct choice c);
 
 /*
- * Returns the separation nearest to k, but at most `most`, at which the row passes the test. Returns 0 if
- * none is found. Separations are in units of 1/GRID and are tried in steps of `step`.
+ * Returns the separation nearest to k, but at most `most`, at which the row passes the test, or 0.
+ * Separations are in units of 1/GRID and are tried in steps of `step`.
  */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
@@ -101,8 +99,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation that can be reached from `good` without losing the required safety. The row
- * must have this safety at `good`. Separations are in units of 1/GRID. */
+/* Returns the smallest separation that can be reached from `good` in safety. Separations are in units of
+ * 1/GRID. The row must be safe enough at `good`. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -118,8 +116,8 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Step sizes of the search for a separation, in units of 1/GRID. An engine needs as much time for one row as
- * the model needs for hundreds. */
+/* Step sizes of the search for a separation, in units of 1/GRID. An engine is hundreds of times slower than
+ * the model. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
@@ -157,8 +155,7 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that is safe enough and fits into the hall. Returns false if there
- * is none. */
+/* Finds the row with the fewest dominoes that is safe enough and fits into the hall. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
@@ -174,8 +171,7 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push that makes the row safe enough, to a relative tolerance of 1e-4. Returns NaN if
- * none is found. */
+/* Returns the weakest push that makes the row safe enough, to a relative tolerance of 1e-4, or NaN. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -192,8 +188,7 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier of any train. The ratio is largest at r = 1, so only
- * the separation is varied. */
+/* Returns the largest ratio of kinetic energy to barrier of any train. It occurs at r = 1. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Draws the random errors of a row. Each kind of error has its own random numbers, which depend only on the
- * seed, the kind and the number of the row. So the other errors stay the same if one kind is left out.
+ * Draws the random errors of a row. The random numbers depend only on the seed, the kind of error and the
+ * number of the row. So other errors stay the same if one kind is left out.
  */
 #include "planning/draw.h"
 #include "planning/boxes.h"
@@ -35,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns seed number i of those derived from `seed`. A plain counter would give similar random numbers for
- * successive i. The bits are therefore mixed as in splitmix64 (Steele et al., 2014). */
+/* Returns seed number i of those derived from `seed`. The bits are mixed as in splitmix64 (Steele et al.,
+ * 2014). A plain counter would give similar random numbers for successive i. */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -56,8 +56,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /*
- * Returns the next random error. Combines two generators, because the seeds of GSL have only 32 bits. With
- * one generator, some of a million rows would have the same seed.
+ * Returns the next random error. The seeds of GSL have only 32 bits: with a single generator, some of a
+ * million rows would have the same seed.
  */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {
@@ -82,8 +82,7 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Applies a random error to a size or to the mass of a domino. Walls and rounded edges still fit into the
- * domino. */
+/* Applies a random error to a size or to the mass. Walls and rounded edges still fit into the domino. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_error *error, struct dom_domino *d)
 {
@@ -111,8 +110,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Applies a random error to the position of each domino, without moving later dominoes. A domino that would
- * overlap the previous one touches it instead. */
+/* Applies a random error to each position, without moving later dominoes. Dominoes that would overlap touch
+ * instead. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */

@@ -29,8 +29,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search: the number of random rows, the width of the smoothing in standard deviations of
- * the margin, and the largest number of evaluations with gradient. */
+/* The levels of the search. `width` is in standard deviations of the margin. `values` is the largest number
+ * of evaluations with gradient. */
 static const struct level {
     size_t rows;
     double width;
@@ -47,8 +47,8 @@ enum { CHECK = 8 };
 /* The relative tolerance for computing margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
-/* The length of the minimizer's first step, and the accuracy that GSL's manual recommends for line searches.
- * The variables are logarithms of relative gaps and of growths. */
+/* The length of the minimizer's first step, and the accuracy of line searches that GSL's manual recommends.
+ * The variables are logarithms. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -100,9 +100,9 @@ static void level_set(struct search *s, const struct level *level)
 /* ---- The function that is minimized ---- */
 
 /*
- * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Sets its gradient
- * unless `gradient` is NULL. Unlike p, this function has a slope even if almost all rows fall, or almost
- * none. Returns infinity when no evaluations are left, which ends a line search.
+ * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Unlike p, this has
+ * a slope even if almost all rows fall, or almost none. Returns infinity when no evaluations are left, which
+ * ends a line search.
  */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
@@ -161,8 +161,8 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 /* ---- The search ---- */
 
 /*
- * Sets the width of the smoothing for each margin from its standard deviation. Only small margins stop a row,
- * so the median and a lower quantile give the standard deviation.
+ * Sets the width of the smoothing for each margin. Only small margins stop a row, so the standard deviation
+ * is found from the median and a lower quantile.
  */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
@@ -192,11 +192,8 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 
 /*
  * Makes the row with the variables x the new best row if it passes two tests:
- * - Its smoothed fraction of failures is smaller than that of the best row so far.
- * - In the study, it falls more often than the original row.
- *
- * The first row within the limits passes the first test. If the original row is outside the limits, all rows
- * pass the second.
+ * - Its smoothed fraction of failures is the smallest so far, or it is the first row within the limits.
+ * - In the study, it falls more often than the original row, or that row is outside the limits.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {
@@ -219,8 +216,7 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Runs the minimizer on one level. It stops at a kink of the function, and is restarted as long as this
- * helps. */
+/* Runs the minimizer on one level. It stops at kinks, and is restarted as long as this helps. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)
 {

@@ -43,12 +43,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the p at which binomial_tail returns TAIL. Uses bisection, because the tail is almost constant where
- * it is close to 0 or to 1. */
+/* Finds the p at which binomial_tail returns TAIL. Bisection suits a tail that is almost constant near 0 and
+ * near 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 bisections give all digits of a root near 1. The smallest possible root (one of 2^64 rows has
-     * fallen) needs up to 64 more. */
+    /* 50 bisections give all digits of a root near 1. A root near 2^-64 (one of 2^64 rows has fallen) needs
+     * 64 more. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);

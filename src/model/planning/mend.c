@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds changes with which all dominoes of a row fall: another gap or a stronger push. Also finds the growths
- * at which all dominoes of a row fall. */
+/* Finds changes with which all dominoes of a row fall: another gap, a stronger push or another growth. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
@@ -8,8 +7,7 @@
 /* number of gaps that are tried before the one at which the row ends; earlier gaps hardly matter */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches for the first gap between the current gap and `end` at which all dominoes fall. Returns false if
- * there is none. */
+/* Searches for the first gap between the current one and `end` at which all dominoes fall. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
@@ -17,9 +15,8 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * If the gap is too wide to reach across, finds the range of gaps with which all dominoes fall. The range
- * begins at the widest gap within reach. Returns false if the gap is within reach, or if the row does not
- * fall with the widest one.
+ * If the gap is too wide to reach across, finds the range of gaps with which the row falls. The range begins
+ * at the widest gap within reach. Returns false if the row does not fall there.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
@@ -38,8 +35,7 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. Returns false if
- * there is none. */
+/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. */
 static bool gap_mend(struct trial *t, struct dom_mend *mend)
 {
     struct dom_mend wider;
@@ -51,8 +47,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gap after the domino at which the row ends, and up to BACK gaps before it. If that gap is too
- * wide to reach across, it is the only one to be tried. */
+/* Tries the gap after the domino at which the row ends, and up to BACK gaps before it. A gap that is too wide
+ * to reach across is the only one to be tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -101,8 +97,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the smallest omega that tips the first domino over its edge: I omega^2 / 2 = m g (sqrt(h^2 + d^2) -
- * h) / 2. */
+/* Returns the omega that just suffices to tip the first domino: I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) /
+ * 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -138,8 +134,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth is multiplied by GROWTH_STEP in each step. With an engine, the larger factor is used until the
- * row falls for the first time. */
+/* Each step multiplies the growth by GROWTH_STEP. With an engine, the steps to a first falling row are
+ * longer. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -152,9 +148,8 @@ static bool falls_grown(dom_real r, void *context)
 }
 
 /*
- * `falls` tells whether the row falls at the growth *r. Raises *r in steps until this changes, and sets
- * *before to the growth one step earlier. Returns false if it never changes up to `highest`. Bisection could
- * miss the first change, since a row that stops may fall at a larger growth.
+ * Raises the growth *r in steps until the row no longer falls, or until it falls if `falls` is false. Sets
+ * *before to the growth one step earlier. Bisection could miss the first change.
  */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
@@ -169,9 +164,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
 }
 
 /*
- * Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. A row
- * that stops at r = 1 may fall at a larger growth: its gaps are wider, so the first domino tips over before
- * it hits the second.
+ * Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. At a
+ * larger growth, gaps are wider. The first domino may then tip over before it hits the second.
  */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {

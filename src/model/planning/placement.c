@@ -6,8 +6,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* A verdict depends only on the sign of the margin. A smaller tolerance would change one verdict in a
- * billion. */
+/* Verdicts depend only on the sign of a margin. A smaller tolerance would change one in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
 /* number of rows in a batch, large enough to make the time for memory allocation negligible */
@@ -49,8 +48,7 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i, and if causes are wanted, also runs it without each kind of error. Adds the results to
- * the counts. */
+/* Runs row number i, and for causes, also without each kind of error. Adds the results to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -87,7 +85,7 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* if the friction has random errors, the kernel must allocate memory for rows with friction */
+        /* the kernel must allocate memory for friction, which random rows may have */
         row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);
@@ -125,8 +123,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. Includes gaps and the tolerance, since the kernel sees them only after the
- * study has changed them. */
+/* Checks the arguments of a study. The kernel would see gaps and the tolerance only after the study has
+ * changed them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {

@@ -19,8 +19,8 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* Returns true if a computation that failed should be tried again, and raises its tolerance. A few digits of
- * a ratio can be found even where rounding errors exceed the usual tolerance. */
+/* Returns true if a failed computation should be tried again with the tolerance that is set here. A few
+ * digits can be found even if rounding errors exceed the usual tolerance. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
@@ -29,8 +29,8 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
     return true;
 }
 
-/* Records a failure. A computation that did not converge rules out only this separation. Any other status
- * ends the search. */
+/* Records a failure. Without convergence, only this separation is skipped. Any other status ends the
+ * search. */
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
@@ -61,9 +61,8 @@ dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 }
 
 /*
- * Records the smallest ratio of kinetic energy to barrier. The energy of the first domino depends on the
- * push, so this domino does not count. Returns false to end the run after too small a ratio, unless p->whole
- * is true.
+ * Records the smallest ratio of kinetic energy to barrier. The first domino does not count, since its energy
+ * depends on the push. Returns false to end the run.
  */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {

@@ -11,8 +11,8 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations are multiples of height / GRID, about 0.05 mm for the standard domino. The search begins with
- * steps of COARSE * height / GRID. */
+/* Separations are multiples of height / GRID (0.05 mm for the standard domino). The search begins with COARSE
+ * times this. */
 enum { GRID = 1000, COARSE = 20 };
 
 /* The state of a search for a design. After an error, `status` is not DOM_OK, nothing more is computed, and
@@ -42,8 +42,8 @@ struct choice {
     size_t steps;
 };
 
-/* Prepares a search. Its `status` says which value in *wish or in *limits is outside its range, if any. The
- * caller frees its `domino`. */
+/* Prepares a search. Its `status` tells whether a value is outside its range. The caller frees its
+ * `domino`. */
 struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
                             const struct dom_limits *limits, const struct dom_compute *compute);
 
@@ -63,19 +63,18 @@ bool row_write(struct planner *p, struct choice c);
 struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                       const struct dom_engine *engine);
 
-/* Writes a candidate row and runs it. Returns its smallest ratio of kinetic energy to barrier, or 0 if not
- * all dominoes fall. If `times` is false, the run ends at the first ratio below the required safety. */
+/* Writes a candidate row and runs it. Returns its smallest ratio of kinetic energy to barrier, or 0 if it
+ * does not fall. If `times` is false, the run ends at the first ratio that is too small. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length of the standing row with the separation s, without rounding to a grid. It is measured
- * from the back of the first domino to the front of the last. */
+/* Returns the length of the standing row with the separation s, from the first back to the last front.
+ * Ignores rounding. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
 /* Returns the length of the row after the last domino has fallen forwards, without rounding to a grid. */
 dom_real length_of(const struct planner *p, struct choice c);
 
-/* Returns the length of the standing row that row_write wrote last. It is measured from the back of the first
- * domino to the front of the last. */
+/* Returns the length of the row that row_write wrote last, from the first back to the last front. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
 /* Returns the largest k for which a row with the separation k/GRID fits into the hall, or a number below

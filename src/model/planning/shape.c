@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The limit of the hall is smooth, so even gaps that fit are narrowed a little. A row that exactly fills the
- * hall is narrowed by the factor 2^(-1 / SHARP). */
+/* The limit of the hall is smooth, so even gaps that fit are narrowed a little. In a row that exactly fills
+ * the hall, the factor is 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
@@ -93,8 +93,8 @@ bool shape_from_board(const struct shape *s, dom_real height)
     return s->limits->boards > 0 && !is_box;
 }
 
-/* Returns the thickness of the board closest to `thickness`. If no board is needed at this height, returns
- * `thickness`, on the grid if `final` is true. */
+/* Returns the thickness of the closest board. If a domino of this height needs no board, returns `thickness`,
+ * on the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;

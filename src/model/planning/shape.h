@@ -12,8 +12,8 @@ struct shape {
 
 /*
  * Returns the number of variables. Each gap has one: ln(gap / height of the domino before it). If sizes may
- * change, each gap has a second one: ln of the growth across it. The last domino keeps its height, so only
- * the differences between these growths matter.
+ * change, each gap has a second one: ln of the growth across it. Adding a number to all of these changes
+ * nothing.
  */
 size_t shape_variables(const struct shape *shape);
 
@@ -27,8 +27,7 @@ bool shape_from_board(const struct shape *shape, dom_real height);
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
 /* Writes the dominoes for the variables x. Narrows gaps that are too wide for the hall or for a domino's
- * reach. Rounds lengths that may change to the grid if `final` is true. Returns false if the hall is too
- * short even without gaps. */
+ * reach. If `final` is true, rounds lengths to the grid. Returns false if the hall is too short. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
 /* Rounds the dimensions of a row to the grid and to the boards. The first domino keeps its sizes, and the

@@ -45,8 +45,8 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
 }
 
 /*
- * Returns true if the row is part of a train: all dominoes have the same proportions, and sizes and masses
- * grow by constant factors. Walls change the proportions, because all of them have the same thickness.
+ * Returns true if the row is part of a train: the same proportions, and constant growths of sizes and masses.
+ * Walls of equal thickness change the proportions.
  */
 static bool is_train(const struct dom_row *row)
 {
@@ -271,8 +271,8 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge if an engine runs the row. A trial is slow and accurate to only one percent. So
- * only values with few digits are tried, and the search ends half a percent from the edge. */
+/* Does the same as value_edge with an engine, which is slow and accurate to one percent. So values have few
+ * digits, and the search ends half a percent from the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A series of trials. After an error, `status` is not DOM_OK, no more rows are run, and every trial counts as
- * stopped. */
+/* A series of trials. After an error, `status` is not DOM_OK, no more rows are run, and trials return
+ * false. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;

@@ -4,14 +4,14 @@
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction is tried up to
- * FRICTION_MOST, or up to four times the current coefficient if this is larger. */
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current one, and friction up to
+ * FRICTION_MOST, or four times the current one. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Relative distance between a tried size or lean and the limit at which a domino falls over by itself. It
- * exceeds the rounding error of a float. */
+/* Relative distance of tried sizes and leans from those at which a domino falls over by itself. It exceeds
+ * the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -83,7 +83,7 @@ static struct range range_of(const struct trial *t)
 
 /*
  * Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
- * *beyond to how it ends beyond. Sets *others to true if the row falls again at a later step.
+ * *beyond to how it ends beyond. Sets *others if the row falls again later.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -132,7 +132,7 @@ static bool is_repeated(const struct dom_row *row, size_t k)
 }
 
 /* Does the same as window_edge, but starts at `guess`, close to the edge. The first step is one unit in the
- * last digit. Later steps are longer and longer, until the edge lies between two trials. */
+ * last digit. Each later step is eight times as long, until the edge lies between two trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
@@ -169,8 +169,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* Finds the window that ends at the highest value of the range. The current value must be above the range,
- * and all dominoes must fall at its highest value. */
+/* Finds the window that ends at the highest value of the range, where all dominoes must fall. The current
+ * value must be above the range. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
