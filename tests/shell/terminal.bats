@@ -99,7 +99,7 @@ fits() { # WIDTH COMMAND...
     same "wider than $width columns" '(nothing)' "$wide"
 }
 
-answers=('chain 0.1' show 'show s' thetac rmax 'count 112' 'count 112 2' 'curve 0.1 0.9 3' barrier duration)
+answers=('chain 0.1' show 'show s' thetac rmax 'count 112' 'count 112 2' 'curve 0.1 0.9 3' barrier duration 'effect row 3; plan')
 helps=(help 'apropos barrier' 'help count' 'help curve' 'help set' 'help sweep' 'help s' 'help tol' 'help output' 'help friction')
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
 

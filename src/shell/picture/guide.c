@@ -24,10 +24,12 @@ static size_t column_width(const struct guide_table *table, int column)
     return width;
 }
 
-void guide_text(const struct guide_table *table, FILE *out)
+void guide_text(const struct guide_table *table, struct answer *a)
 {
     const int columns = columns_of(table);
-    fprintf(out, "\n%s\n%s\n", table->title, table->note);
+    FILE *out = a->out;
+    answer_say(a, "\n%s", table->title);
+    answer_say(a, "%s", table->note);
     for (size_t i = 0; i <= table->count; i++) {
         const struct guide_line *line = i > 0 ? &table->line[i - 1] : NULL;
         for (int k = 0; k < columns; k++) {

@@ -29,7 +29,7 @@ struct guide {
 };
 
 /* Writes a table as plain text. Cells that are bold on paper are followed by a '!'. */
-void guide_text(const struct guide_table *table, FILE *out);
+void guide_text(const struct guide_table *table, struct answer *a);
 
 /* Draws a guide where the answer goes: on A4 pages in a .pdf file, and otherwise on one long page. On
  * failure, sets *problem and returns false. */

@@ -222,7 +222,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         good = stage_text(&p.row.stage, look_of(a->out), TEXT_WIDTH, TEXT_HEIGHT, a->out) ||
                problem_status(problem, query->scene, DOM_NO_MEMORY);
         for (int i = 0; i < p.guide.tables; i++)
-            guide_text(&p.guide.table[i], a->out);
+            guide_text(&p.guide.table[i], a);
         answer_say(a, "\n! marks what matters most. 'plan > hall.pdf' draws this guide for printing.");
     }
     plan_free(&p);
