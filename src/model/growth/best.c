@@ -74,7 +74,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 paper_fuel is exact. It increases with s where it is positive, so its sign at hi decides. */
+    /* At r = 1 paper_fuel is exact, and increases with s where it is positive. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -90,8 +90,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/* Looks for a growth between r_max and b->r_max at which the train stops. *witness is b->r_max if there is
- * none. */
+/* Looks for a growth between r_max and b->r_max at which the train stops. Sets *witness to b->r_max if no
+ * such growth is found. */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
     real lowest = 0;
@@ -257,8 +257,7 @@ static enum dom_status search_golden(struct search *b, real tol)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* Move s to an end of the interval if r_max is larger there. Otherwise widen the interval, until r_max
-     * is lower at both ends. */
+    /* Move s to an end where r_max is larger. Otherwise widen the interval until both ends are lower. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -297,8 +296,7 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
         real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
-        /* Close to a smooth maximum the slope is small on both sides. At a kink or a jump, it is large on
-         * one. */
+        /* Close to a kink or a jump, the slope remains large on one side. */
         real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
         if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
             break;
@@ -361,8 +359,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* With twice the step, the error of the rule is 256 times as large. The absolute values of its
-         * weights add up to 1750 / (840 h). */
+        /* Twice the step makes the error 256 times as large. The absolute values of the weights add up to
+         * 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also causes an error in the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;

@@ -138,8 +138,8 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
-/* Relative distance from an approximate root at which the slope is measured. The approximate root must be
- * correct to ROOT_ASIDE squared. */
+/* The slope is measured at this relative distance from an approximate root. The relative error of that
+ * root may be at most ROOT_ASIDE^2. */
 #define ROOT_ASIDE ((real)1e-5)
 
 /* Finds the root close to `near`. A growth slightly below `near` comes first, and gives the slope. */
@@ -177,11 +177,11 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The barrier at the root is taken to be at most 1 + DOWN_SLACK times the last barrier of the search. */
+/* The barrier at the root is assumed to exceed the last barrier of the search by at most this fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns thickness / height of the flat part of a domino. Sharp-edged dominoes of these proportions have
- * nearly the same root. */
+/* Returns thickness / height of the flat part. Sharp-edged dominoes of these proportions have nearly the
+ * same root. */
 static real flat_thickness(const struct geometry *geometry)
 {
     return geometry->rounded.wide / geometry->rounded.tall;
@@ -194,8 +194,7 @@ static real root_room(const struct margin_context *c)
     return fmax(s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Estimates the root, with coefficients fitted to computed roots. For ordinary dominoes, the logarithm of
- * the estimate is correct to a few percent. */
+/* Estimates the root by a fit. For ordinary dominoes, ln of the estimate is correct to a few percent. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(flat_thickness(&c->geometry), (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -261,8 +260,7 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
 
 enum { DOWN_STRIPS = 32, DOWN_FAILS = 8 };
 
-/* Returns the width in ln r of the first strip below the root. `whole` is the width of all strips
- * together. */
+/* Returns the width of the first strip below the root, in ln r. `whole` is the width of all strips. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
@@ -318,7 +316,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Moves *lo up towards `to`, as far as a few strips show a positive margin. It must be positive at *lo. */
+/* Moves *lo, where the margin is positive, up towards `to`, as far as a few strips show a positive margin. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};

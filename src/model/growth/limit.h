@@ -33,17 +33,17 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
 
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
-/* Finds a root of the margin between lo and hi, where the margin must have opposite signs. Follows one
- * local maximum of H from growth to growth. */
+/* Finds a root of the margin between lo and hi, where it must have opposite signs. Follows one maximum of
+ * H. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root close to `near`, which must be correct to half of the digits of this arithmetic. Sets
- * *found to false if there is no root that close. */
+/* Finds the root close to `near`, which must be correct to half of the digits. *found is false if there is
+ * none. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
-/* Predicts and finds a root for an endless train without friction. It need not be the first root after
- * *from. *falls receives -d margin / dr at the root. Without a root, *root is infinity. */
+/* Finds a root for an endless train without friction, not necessarily the first after *from. *falls
+ * receives -d margin / dr at the root. Without a root, *root is infinity. */
 KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
                                      real *falls);
 

@@ -5,8 +5,7 @@
 /* About how many passes at one growth use the same series for the far tail. */
 #define FAR_PASSES 2
 
-/* Stores the barrier, found by the method c->how, in *m. `near` holds the sums at the tilt of
- * barrier_near, or is NULL. */
+/* Finds the barrier by the method c->how. `near` holds the sums at the tilt of barrier_near, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -134,8 +133,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks stops, since its energy tends to 0. It has no margin, and any negative number
-     * will do. */
+    /* A train that locks stops, since its energy tends to 0. Any negative margin will do. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -178,8 +176,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /* K and B are nearly equal here. Refine until the margin itself is correct to the tolerance. Otherwise
-     * the verdict could depend on the tolerance. */
+    /* K and B are nearly equal. Refine until the margin is correct to the tolerance. Otherwise the verdict
+     * could depend on the tolerance. */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The margin K - B of a train as a function of r: kinetic energy minus barrier. It is computed only as
- * precisely as the caller needs. */
+/* The margin K - B of a train as a function of r: kinetic energy minus barrier. */
 #ifndef DOM_MARGIN_H
 #define DOM_MARGIN_H
 
@@ -33,7 +32,7 @@ struct margin_context {
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum margin_how {
         MARGIN_SURE, /* find the barrier by a search for all local maxima of H */
-        /* may use an upper bound on the barrier, or one maximum of H, to find the sign of the margin */
+        /* may use an upper bound on the barrier, or one maximum of H */
         MARGIN_SIGN,
         /* may use one maximum of H, but no upper bound on the barrier */
         MARGIN_TOPS,

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* The margin is a smooth function of x = -sqrt(1 - r/reach) up to the reach. As a function of r, it falls
- * like sqrt(1 - r/reach) there. */
+/* The margin is a smooth function of x = -sqrt(1 - r/reach), but not of r at the reach. */
 static real probe_x(const struct margin_context *c, real r)
 {
     return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
@@ -24,8 +23,7 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The most bisections between two samples. They divide an interval from r to r e^(1/5) into parts about
- * 2e-6 r wide. */
+/* The most bisections between two samples, down to a width of about 2e-6 r. */
 #define PROBE_HALVES 17
 
 /*
@@ -86,8 +84,7 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Looks for the first sign change between `lo` and `hi`, with more samples. At `lo` the margin has the
- * same sign as at the start. */
+/* Looks for the first sign change between `lo` and `hi`. At `lo` the margin has its initial sign. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {

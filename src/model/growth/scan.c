@@ -5,7 +5,7 @@
 /* Relative errors of the barrier from margin_sign and from scan_sure. */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
-/* A root in a bracket that is narrower than this in ln r is taken to be the first root. */
+/* A root is taken to be the first if its bracket is narrower than this in ln r. */
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
 /* Follows one maximum of H to the root. If another maximum is higher there, searches for all maxima. */
@@ -87,8 +87,7 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the narrowest step. After 1500 strips it doubles every 100 strips, so that a search ends within
- * about 3,000. */
+/* Returns the narrowest step. It increases after 1500 strips, so that about 3,000 are enough. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));

@@ -2,7 +2,7 @@
 #include "growth/strip.h"
 #include "geometry/sums.h"
 
-/* Allows for the rounding errors of sums over a chain. Each term has an error of a few rounding units. */
+/* Allows for rounding errors. Each term of a sum has an error of a few rounding units. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
 #define LEAST_TOP_STEPS 4
@@ -19,7 +19,7 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
     return -geometry_height_slope(geometry, t);
 }
 
-/* A follower in a strip. Its tilt lies between `lo` and `hi`, the tilts at the ends of the strip. */
+/* A follower, whose tilt lies between `lo` and `hi`, the tilts at the ends of the strip. */
 struct between {
     struct tilt lo, hi;
     real fall_least, fall_most; /* bounds on h(0) - h */
@@ -61,8 +61,7 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* Sums over the followers, which are bounds for all trains of a strip. In a strip of separations, s takes
- * the place of ln r. */
+/* Bounds on sums over the followers. In a strip of separations, s takes the place of ln r. */
 struct strip_sums {
     real least, most;              /* lower and upper bound on the fuel */
     real advance;                  /* upper bound on d theta_i(0) / d ln r */
@@ -304,8 +303,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose. NaN if these
-         * dominoes may gain energy. */
+        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose, or NaN. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
