@@ -2,15 +2,14 @@
 /* Converts the tilts of a cycle to times and times to tilts, and tabulates the cycle. */
 #include "motion/motion.h"
 
-/* The time as a function of the tilt, with a Chebyshev series for each smooth piece. All series together cost
- * no more than the integrals for a few single times. */
+/* The time as a function of the tilt: one Chebyshev series for each smooth piece. */
 struct clock {
     int pieces;
     struct tick {
         struct num_series series;
         real begins; /* time at which the head reaches the tilt lo */
-        /* True if the train stops at the end of this piece. In this case, the variable of the series is x of
-         * slowness_before, which is 0 at the stop. */
+        /* True if the train stops at the end of this piece. The series then depends on x of slowness_before.
+         * */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
@@ -19,8 +18,8 @@ struct clock {
 
 /*
  * Returns the width of the peak of the slowness before a stop, in the variable u of slowness_before. At the
- * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The width corresponds to
- * the delta at which the two terms are equal. Returns NaN if there is no such peak.
+ * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The peak is as wide as
+ * the delta at which both terms are equal.
  */
 static real stop_width(const struct motion *m)
 {
@@ -98,8 +97,8 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
     return model_status(DOM_OK, solver);
 }
 
-/* Finds the tilt at a given time by Newton's method; the derivative is omega. Bisects where a step of
- * Newton's method would leave the bracket. *at is the first guess on entry, and the result on return. */
+/* Finds the tilt at a given time by Newton's method, with bisection outside the bracket. *at is the first
+ * guess and the result. */
 static enum dom_status tilt_search(struct motion *m, real time, real *at)
 {
     real lo = 0, hi = m->end;
@@ -129,8 +128,7 @@ static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, 
     return clock->pieces > 0 ? clock_tilt(m, clock, time, at) : tilt_search(m, time, at);
 }
 
-/* Computes the clock and the duration of the cycle. If no clock can be computed, the duration comes from an
- * integral. */
+/* Computes the clock and the duration of the cycle. Without a clock, an integral gives the duration. */
 static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *whole)
 {
     enum dom_status status = clock_make(m, clock);

@@ -101,8 +101,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
-        /* Near a stop, the remaining energy is a small difference of sums. It has the requested accuracy only
-         * if the sums are more accurate. */
+        /* Near a stop, the remaining energy is a small difference. The sums must be more accurate. */
         real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;

@@ -3,12 +3,10 @@
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 
-/* A search ends when no smooth peak between the samples can exceed the largest value found so far by more
- * than this fraction. */
+/* A search ends when no peak can exceed the largest known value by more than this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* A domino is ignored if its speed is less than this fraction of the head's. Slow dominoes may need a lot of
- * friction, but nobody would see them slip. */
+/* Dominoes below this fraction of the speed of the head are ignored. Nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -54,9 +52,8 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Bisects [lo, hi] recursively, as long as a value inside may exceed the largest one found so far. A parabola
- * through three equally spaced points exceeds the largest of their values by at most 1/8 of their second
- * difference. The test allows for the whole second difference, to be safe for other shapes.
+ * Bisects [lo, hi] as long as it may contain a larger value than the largest so far. A parabola exceeds three
+ * equally spaced values by at most 1/8 of their second difference. The test allows for all of it.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

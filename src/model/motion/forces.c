@@ -3,9 +3,8 @@
 #include <stdlib.h>
 
 /*
- * The force on the last domino shown depends on the dominoes after it, so the list is about twice as long as
- * what is shown. In a long train, this many extra dominoes are enough, because moving_push replaces all later
- * ones by a geometric series.
+ * The force on the last domino shown depends on the dominoes after it. The list has at most this many of
+ * them, because moving_push replaces all later ones by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -14,13 +13,12 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* Finds the contact forces from the tail up to the head. Part of the torque on a follower does not accelerate
- * it; the contact with its leader must balance this part. */
+/* Finds the contact forces from the tail up to the head. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
-     * momentum that the impulse of this contact must supply in the collision. */
+    /* `rest` is the torque on domino j that its contact must balance. `push` is the angular momentum that the
+     * contact must supply in the collision. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
@@ -39,7 +37,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
             push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1, the tip hits the leader at its hinge, where a force has no lever arm. */
+        /* At r s = 1, the tip hits the leader's hinge, and the force has no lever arm. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -61,8 +59,8 @@ static struct push push_on(const struct moving *k, real normal)
 
 /*
  * Finds the force of the floor from Newton's law for the centre of the block. Relative to the hinge, the
- * centre is at (x - d y, y + d x) / 2. If the edges are rounded, the centre of the lower edge replaces the
- * hinge. It moves along the floor at the height rho.
+ * centre is at (x - d y, y + d x) / 2. With rounded edges, the centre of the lower edge replaces the hinge.
+ * It moves along the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -95,8 +93,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
         hinge_load->impulse_x = (real)INFINITY;
 }
 
-/* Returns a list with room for n dominoes, or NULL if there is not enough memory. The old contents are
- * lost. */
+/* Returns a list of n dominoes, or NULL if memory runs out. The old contents are lost. */
 static struct moving *room_for(struct room *room, size_t n)
 {
     if (room->size >= n)
@@ -147,8 +144,7 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- The forces during a motion ---- */
 
-/* If T is the inertia ratio, the collision multiplies the angular velocities of the hitting chain by T / (1 +
- * T). So a domino loses 1 / T times the angular velocity that it keeps. */
+/* The collision multiplies angular velocities by T / (1 + T). So a domino loses 1 / T of what it keeps. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -209,16 +205,15 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /* ---- The smallest contact force ---- */
 
-/*
- * The state of a search for the smallest contact force, relative to the weight of the domino that the force
- * pushes. `theta` is the current tilt, and `force` is the smallest force at that tilt. `least` is the
- * smallest force found so far; it acts on domino `domino` at the tilt `least_theta`. `impulse` is the
- * smallest impulse found so far, and `dominoes` is the number of moving dominoes.
- */
+/* The state of a search for the smallest contact force. Each force is divided by the weight of the domino
+ * that it pushes. */
 struct least_context {
     const struct segment *segment;
-    real theta, force, least, least_theta, impulse;
-    size_t domino, dominoes;
+    real theta, force;       /* the current tilt, and the smallest force there */
+    real least, least_theta; /* the smallest force so far, and its tilt */
+    real impulse;            /* the smallest impulse so far */
+    size_t domino;           /* the domino on which `least` acts */
+    size_t dominoes;         /* number of moving dominoes */
     enum dom_status status;
 };
 
@@ -256,11 +251,9 @@ static real least_at(real theta, void *context)
 
 /* The number of samples in a search for the smallest force. */
 #define LEAST_SAMPLES 24
-/* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
- * enough. */
+/* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000
-/* The relative tolerance of the tilt at which the force is smallest. In a search over [0, hi], this is at
- * most 1/1000 of the distance between two samples. */
+/* The relative tolerance of the tilt at which the force is smallest. */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */
@@ -298,8 +291,7 @@ KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
     for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
         real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
-        /* If the head leans backwards at lo, rounding can put lo + (to - lo) beyond `to`, so the last tilt is
-         * `to` itself. */
+        /* The last tilt is `to` itself, because rounding can put lo + (to - lo) beyond it. */
         least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);
     }
     *least = c.least;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The forces in a moving chain, computed from the tail to the head. Part of the torque on a follower
- * accelerates it; the contact passes the rest on to its leader. The forces of the contacts, gravity and the
- * acceleration of a domino determine the force of the floor at its hinge.
+ * accelerates it. The contact passes the rest on to its leader. Newton's law then gives the force of the
+ * floor.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
@@ -13,23 +13,19 @@
 struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
-    /*
-     * `hit` is true at the start of a motion that begins with a collision. `omega` is tau times the angular
-     * velocity of the head after the collision. Follower i loses theta_i' * `omega_lost` / tau of its angular
-     * velocity.
-     */
+    /* True at the start of a motion that begins with a collision. `omega` is tau times the angular velocity
+     * of the head after it. The angular velocity of follower i decreases by theta_i' * `omega_lost` / tau. */
     bool hit;
     real omega, omega_lost;
     bool floor;        /* true if the forces of the floor are needed */
     struct room *room; /* memory for the list of dominoes, reused by later calls; may be NULL */
 };
 
-/* This tolerance gives a few digits of a force. In a long train, it halves the number of dominoes that are
- * visited. */
+/* This tolerance gives a few digits of a force. */
 #define FORCES_TOL ((real)1e-6)
 
-/* The forces on one domino, in units of m g of the head, and the impulses on it, in units of m g tau of the
- * head. x points forward and z up. */
+/* The forces on one domino, in units of m g of the head, and the impulses, in units of m g tau of the head. x
+ * points forward and z up. */
 struct hinge_load {
     const struct link *link;
     real size;                 /* height relative to the head's */
@@ -41,7 +37,7 @@ struct hinge_load {
 
 /*
  * Finds the forces on at most `shown` dominoes and visits these dominoes, beginning with the head. The
- * visitor returns false to end the walk. Returns DOM_NO_MEMORY if the list of dominoes cannot be allocated.
+ * visitor returns false to end the walk.
  */
 typedef bool hinge_load_visit(const struct hinge_load *hinge_load, void *context);
 KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
@@ -53,26 +49,24 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
                                           struct kinematics *kinematics);
 
 /*
- * Finds the part of a cycle between edge i - 1 and edge i of its barrier. The ends *lo and *hi are just
- * inside these edges, since forces jump where a domino detaches. Returns false if the cycle does not reach
- * that part.
+ * Finds the part of a cycle between edge i - 1 and edge i of its barrier. *lo and *hi are just inside these
+ * edges, where forces jump. Returns false if the cycle does not reach that part.
  */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /*
- * Lowers *least to the smallest contact force at a few tilts up to `to`, unless *least is already smaller.
- * Each force is divided by the weight of the domino that it pushes. Does nothing if segment->end.pushes
- * already shows that every contact pushes.
+ * Lowers *least to the smallest contact force at a few tilts up to `to`. Each force is divided by the weight
+ * of the domino that it pushes. Does nothing if segment->end.pushes is true.
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns the friction coefficient that a hinge needs: |x| / z, where (x, z) is the force of the floor. The
- * coefficient is infinite if the floor would have to pull the domino down. */
+/* Returns the friction coefficient |x| / z that a hinge needs for the force (x, z) of the floor. It is
+ * infinite if the floor would have to pull. */
 KERNEL real forces_needed(real x, real z);
 
 /*
- * The friction coefficient that the floor needs so that no hinge slips: the largest |R_x| / R_z, where R is
- * the force at a hinge during the motion, or the impulse at a hinge in the collision.
+ * The friction coefficient that the floor needs so that no hinge slips. It is the largest |R_x| / R_z, where
+ * R is the force at a hinge, or its impulse in the collision.
  */
 struct required_friction {
     real motion, theta; /* largest ratio during the motion, and the tilt of the head then */
@@ -81,8 +75,8 @@ struct required_friction {
     size_t hit_domino;
 };
 
-/* Raises *required to the friction needed over [lo, hi], an interval in which no domino detaches. At a smooth
- * peak, the relative error is about a millionth. */
+/* Raises *required to the friction needed over [lo, hi]. No domino may detach inside this interval. At a
+ * smooth peak, the relative error is about a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

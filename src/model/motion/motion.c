@@ -27,16 +27,14 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) makes the
- * integrand smooth: dt/du = 2 end u / (tau omega). As x goes from 0 to 1, u goes from `root` to `root` +
- * `span`. The remaining energy H(end) - H(theta) is computed from end - theta, without cancellation.
+ * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) makes it
+ * smooth: dt/du = 2 end u / (tau omega). Here u = `root` + `span` x with 0 <= x <= 1.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow. A larger u gives the same dt/du there, to
-     * within rounding errors. */
+    /* Very near the stop, the remaining energy would underflow. A larger u gives the same dt/du there. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -120,10 +118,8 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds an error bound on state->time: the tolerance of its integral, plus the integral of the error bound on
- * the slowness. If the train stops, the slowness has no such bound. Instead, an error e in the tilt of the
- * stop shifts times by at most e / omega. Early in the cycle, a better bound is (time / 2) (E / K), where E
- * is the error bound on the energy, and K is the kinetic energy.
+ * Finds an error bound on state->time. It is the tolerance of the integral plus the error of the slowness. If
+ * the train stops, an error e in the tilt of the stop shifts times by at most e / omega.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -145,8 +141,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. Theta may be the tilt at which a follower detaches.
- * The follower then counts as detached, even if rounding makes theta a little smaller. */
+/* Finds the energy that detached dominoes have released. Includes a follower that detaches at theta, in spite
+ * of rounding. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -186,8 +182,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits the head is a copy of this train at theta_c, with all sizes divided by r. So its
-     * energy has an additional factor r^-q. */
+    /* The train that hits the head is this train at theta_c, divided by r. So its energy has the factor r^-q.
+     * */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle of an endless train: its events, its times, and its state at a tilt. A cycle begins with the
- * launch. It ends with the next hit, or at the tilt where the train comes to rest. */
+/* One cycle of an endless train: its events, its times, and its state at a tilt. A cycle ends with the next
+ * hit, or where the train comes to rest. */
 #ifndef DOM_MOTION_H
 #define DOM_MOTION_H
 
@@ -13,15 +13,13 @@ struct cycle {
 };
 
 /*
- * Prepares a cycle and finds its barrier over [0, theta_c], accurately enough for the sign of the margin.
- * Finds launch_error only if `errors` is true. Returns DOM_NO_FUEL if the train has no energy for a launch.
- * Call cycle_free afterwards, even if this function fails.
+ * Prepares a cycle and finds its barrier over [0, theta_c]. Finds launch_error only if `errors` is true.
+ * Returns DOM_NO_FUEL if the train has no energy for a launch. Always call cycle_free afterwards.
  */
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
 KERNEL void cycle_free(struct cycle *cycle);
 
-/* Returns true if the train does not get over the barrier. All functions that deal with a cycle use this
- * verdict. */
+/* Returns true if the train does not get over the barrier. */
 KERNEL bool cycle_stops(const struct cycle *cycle);
 
 /* Finds the tilt at which the cycle ends: theta_c, or the tilt at which the train comes to rest. */
@@ -29,15 +27,14 @@ KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
 /*
  * Finds tau^2 omega^2 at theta, and its error bound unless error is NULL. `end` comes from cycle_end. Returns
- * DOM_STOPS if the train does not reach theta. At the tilt where the train comes to rest, the result is
- * exactly 0.
+ * DOM_STOPS if the train does not reach theta. The result is exactly 0 where the train comes to rest.
  */
 KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
                                    real *error);
 
 /*
- * Finds an error bound on theta, the tilt at which a cycle has used up its energy. *error is NaN if no bound
- * is known. If a bound is known and `energy` is not NULL, *energy is the error bound on the energy at theta.
+ * Finds error bounds on theta, where a cycle has used up its energy, and on the energy there. *error is NaN
+ * if no bound is known. *energy is then not set. `energy` may be NULL.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 
@@ -51,9 +48,8 @@ struct motion {
 };
 
 /*
- * Prepares the motion of a train up to theta_c or to the tilt at which it comes to rest. Returns
- * DOM_NO_MARGIN if the margin is too small for times to be computed. Call motion_end afterwards, even if this
- * function fails.
+ * Prepares the motion of a train up to theta_c or to its stop. Returns DOM_NO_MARGIN if the margin is too
+ * small for times. Always call motion_end afterwards.
  */
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
@@ -75,8 +71,7 @@ struct instant {
 /* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
 KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
-/* Finds the state at a tilt. `time` is the time at which the head reaches theta, or NaN if it still has to be
- * computed. */
+/* Finds the state at a tilt. `time` is the time there, or NaN if it is not known. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
                                     bool errors);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
-/* Each pass of the loop finds a domino that has detached before hi, and lowers hi to the tilt at which this
- * domino detaches. The loop goes on because another domino may have detached even earlier. */
+/* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier.
+ * */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
     const struct geometry *geometry = &st->geometry;
@@ -14,8 +14,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* The first search ends at a domino whose motion is below the rounding errors. Later searches visit
-         * every domino up to the one that detaches at hi, however little they move. */
+        /* The first search ends where motions are below the rounding errors. Later searches visit every
+         * domino up to the one that detaches at hi. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -45,8 +45,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no kinetic energy away. If one detaches at once (r s = 1), J becomes
-     * smaller, and omegasq grows in proportion. */
+    /* A domino that detaches takes no kinetic energy away. If it detaches at once (r s = 1), J decreases and
+     * omegasq grows. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
@@ -95,8 +95,7 @@ KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)
     return status == DOM_OK ? st->geometry.dynamics->braked(&st->geometry, head, braked) : status;
 }
 
-/* Returns the largest energy required on the way to theta, minus the kinetic energy at the start. This
- * difference never decreases with theta. */
+/* Returns the largest energy required up to theta, minus the kinetic energy at the start. */
 static real segment_short(real theta, void *context)
 {
     struct segment *st = context;
@@ -114,8 +113,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* Up to a rounding error, the energy is exactly what the highest point requires, so the row comes to rest
-     * there. */
+    /* Up to a rounding error, the energy just suffices for the highest point. The row comes to rest there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;
         return DOM_OK;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A segment is a part of the motion of one head, from a given state at the tilt lo to the tilt hi. In a row,
- * a segment ends where a domino detaches. The cycle of a train is a single segment; where a domino detaches,
- * only its barrier has an edge.
+ * A segment is a part of the motion of one head, from the tilt lo to the tilt hi. In a row, a segment ends
+ * where a domino detaches. The cycle of a train is a single segment.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
@@ -23,8 +22,7 @@ struct segment {
     struct start start;       /* the state at lo */
     size_t summed;            /* number of dominoes that start.J includes, or 0 if J is not known yet */
     real gain;                /* derivative of start.omegasq with respect to omegasq at the launch */
-    /* Inertia ratio of the collision that begins the segment, or 0 if the segment does not begin with a
-     * collision. */
+    /* Inertia ratio of the collision that begins the segment, or 0 if none does. */
     real inertia_ratio;
     bool locks;             /* true if friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
@@ -33,46 +31,44 @@ struct segment {
     enum dom_status status; /* status of an integrand, or of a function whose root is sought */
 };
 
-/* Lowers hi to the tilt at which a domino detaches, if one does. *stay receives the number of dominoes that
- * continue to move. */
+/* Lowers hi to the tilt at which a domino detaches, if one does. *stay is the number of dominoes that still
+ * move. */
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 
-/* Prepares a segment: finds its barrier, and J of the moving dominoes. The members geometry, lo, hi, gain and
- * start must be set. If friction locks the motion, lowers hi to the tilt at which the motion locks. */
+/* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If
+ * friction locks the motion, lowers hi to the tilt of the lock. */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Finds segment->end, the sums at hi, and sets *next to the segment that begins at hi. next->start.omegasq is
- * a linear function of omegasq at the launch. If it is negative, the energy has been used up before hi, and
- * the value shows how much is missing.
+ * Finds segment->end, the sums at hi, and the segment *next that begins at hi. next->start.omegasq is linear
+ * in omegasq at the launch. A negative value shows how much energy is missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* The segment must lock at hi. Sets *braked to true if the motion slows down before hi. In this case, no
- * motion reaches hi. */
+/* The segment must lock at hi. Sets *braked to true if the motion slows down before hi, so that it cannot
+ * reach hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/* For a motion that stops: finds the tilt at which its energy is used up. With friction, this may replace the
- * solution of the motion with one that ends near that tilt. */
+/* For a motion that stops: finds the tilt at which its energy is used up. With friction, the solution of the
+ * motion may be replaced by one that ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
-/* Integrands: the slowness 1 / (tau omega) at a tilt, and the error bound on the slowness. The context is the
- * segment. */
+/* Integrands: the slowness 1 / (tau omega) at a tilt, and its error bound. The context is the segment. */
 KERNEL real slowness(real theta, void *context);
 KERNEL real slowness_error(real theta, void *context);
 
 /*
- * Integrates f from one tilt to another, piece by piece between the edges of the barrier. f must be as smooth
- * as the slowness. If `error` is not NULL, the error bound on the integral is added to *error.
+ * Integrates f between two tilts, piece by piece between the edges of the barrier. f must be as smooth as the
+ * slowness. Unless `error` is NULL, adds the error bound to *error.
  */
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
                                         real tol, real *sum, real *error);
 
-/* Finds the duration of the segment, in tau of the head. The duration grows like ln(1/margin); the result is
- * NaN if the margin is 0 to within rounding errors. */
+/* Finds the duration of the segment, in tau of the head. It grows like ln(1/margin). It is NaN if the margin
+ * is 0 to within rounding errors. */
 KERNEL enum dom_status segment_time(struct segment *segment, real *time);
 
 #endif
