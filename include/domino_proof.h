@@ -49,7 +49,8 @@ struct dom_proof_work {
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling from `from` to 1/s; low <= 1/s <= high */
-    /* The train stops at r = 1. For a pair, no larger growth was found at which it keeps falling. */
+    /* A train with r = 1 stops. For a pair, larger growths were tried, too, and no train was found that keeps
+     * falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling from `from` to `low`, or nothing is proved if `low` is NaN. `gap` says why the
      * proof is incomplete. */

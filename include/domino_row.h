@@ -367,7 +367,7 @@ struct dom_limits {
     /* the length of the hall in m. The row must fit into it even after the last domino has fallen. May be
      * infinite. */
     dom_real hall;
-    /* For dom_row_improve: the largest mass, in kg, of a changed domino. May be infinite. */
+    /* The largest mass, in kg, that dom_row_improve may give to a domino. May be infinite. */
     dom_real heaviest;
     /* the grid in m: changed sizes and gaps are multiples of this length. 0 without a grid */
     dom_real grid;
@@ -399,7 +399,7 @@ struct dom_wish {
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;
-    /* first r^steps = height, so the row has steps + 1 dominoes */
+    /* `first` r^steps = `height`, so the row has steps + 1 dominoes */
     size_t steps;
     dom_real feet;    /* length from the first domino to the last, in m */
     dom_real length;  /* length after the last domino has fallen: `feet` + `height`, in m */

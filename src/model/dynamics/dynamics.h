@@ -50,27 +50,27 @@ struct dynamics {
      * H, and Newton's method finds it. */
     bool conservative;
 
-    /* Optional: these functions allocate and free the memory of this law. `begin` returns DOM_OK or
+    /* `begin` and `end` allocate and free the memory of this law. Both may be NULL. `begin` returns DOM_OK or
      * DOM_NO_MEMORY. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
-    /* Optional: solves the motion over a whole cycle, unless an earlier call has already done so. */
+    /* Solves the motion over a whole cycle, unless an earlier call has already done so. May be NULL. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Optional: solves the motion only over [lo, *hi]; J is the inertia at lo. If friction locks the motion
-     * at some tilt, the function returns DOM_LOCKS and stores that tilt in *hi.
+     * Solves the motion only over [lo, *hi]; J is the inertia at lo. If friction locks the motion at some
+     * tilt, the function returns DOM_LOCKS and stores that tilt in *hi. May be NULL.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: if the motion stops before *hi, lowers *hi to a tilt shortly after the stop. This makes the
+     * If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. This makes the
      * tilt of the stop easier to find. edge[0] and edge[1] are the ends of the smooth piece of the motion
-     * that contains `start`.
+     * that contains `start`. May be NULL.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional: friction locks the motion at the tilt `head`. Sets *braked to true if the motion slows down
-     * on the way to that tilt, and to false if it speeds up. */
+    /* Called if friction locks the motion at the tilt `head`. Sets *braked to true if the motion slows down
+     * on the way to that tilt, and to false if it speeds up. NULL if friction cannot lock it. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
     /* Finds the launch of a train in which each cycle repeats the one before, scaled by r (24; c6). Also
@@ -91,8 +91,8 @@ struct dynamics {
     /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
-    /* Optional: returns an estimate of the error of required energies. The error may be large compared with a
-     * small barrier, because the barrier is a difference of larger energies. */
+    /* Returns an estimate of the error of required energies. May be NULL. The error may be large compared
+     * with a small barrier, because the barrier is a difference of larger energies. */
     real (*unsure)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,

@@ -47,10 +47,12 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the beginning of a motion on narrow panels whose ends increase by factors of 8. The solution changes
- * there on two small scales. One scale is d: u changes by only d^2 up to theta ~ d, and by much more
- * afterwards. The other scale is sqrt(1 - r s). When the head reaches this tilt, followers that started near
- * pi/2 have come down. *lo becomes the tilt up to which the motion is solved.
+ * Solves the beginning of a motion on narrow panels. Each panel reaches a tilt 8 times as large as the panel
+ * before it. Near the beginning, the solution changes on two small scales:
+ * - d: u changes by only d^2 up to theta ~ d, and by much more afterwards.
+ * - sqrt(1 - r s): at this tilt of the head, followers that started near pi/2 have come down.
+ *
+ * *lo becomes the tilt up to which the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {

@@ -26,7 +26,8 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Estimates from the last coefficients a factor: times (z / radius)^order, it bounds the omitted terms. */
+/* Estimates a factor from the last coefficients. The omitted terms are at most this factor multiplied by
+ * (z / radius)^order. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -38,8 +39,8 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/* Returns a radius inside which the series converge. It ends at the branch points of f (X = 1 or X = -1), and
- * at its second fixed point (theta = -theta_inf). */
+/* Returns a radius inside which the series converge. The branch points of f (X = 1 or X = -1) and
+ * its second fixed point (theta = -theta_inf) are not inside it. */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));

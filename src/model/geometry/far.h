@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order, or infinity if z is too large. Times rest_H or rest_J, it bounds the omitted
- * terms. */
+/* Returns (z / radius)^order, or infinity if z is too large. The omitted terms of H are at most rest_H
+ * multiplied by the result, and those of J are at most rest_J multiplied by the result. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -68,7 +68,8 @@ KERNEL struct far_point far_J(const struct far *far, real z)
                               .first = one * one * (at.first - 2 * z * at.value)};
 }
 
-/* Returns H(theta_a) - H(theta_b) from z at both tilts, and t = tan((theta_a - theta_b) / 2). */
+/* Returns H(theta_a) - H(theta_b). z_a and z_b are the values of far_off at the two tilts, and t is
+ * tan((theta_a - theta_b) / 2). */
 KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 {
     real sum = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */

@@ -25,7 +25,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
                height = geometry_height(geometry, geometry->inf),
                h[] = {-height_slope / 2, height / 2, height_slope / 2};
     struct far_friction f = {.known = fabs(above[0]) < 1};
-    /* The denominator is 1 - r^-q S_1. r^q - 1 keeps its digits. */
+    /* The denominator is 1 - r^-q S_1. rq_1 is r^q - 1, computed without cancellation. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
     f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
     f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);

@@ -13,7 +13,7 @@
 #define BEST_PATIENCE 8
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* Relative width of the narrowest interval of s, until a growth above 1 is found. */
+/* Until a growth above 1 is found, no interval of s gets narrower than this fraction of s. */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {

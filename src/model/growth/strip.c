@@ -73,8 +73,8 @@ struct strip_sums {
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound on d theta_1 / d ln r, or on d theta_1 / ds in a strip of separations: the
- * derivative at hi, at the smallest tilt of the leader. */
+/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or on d theta_1 / ds in a strip of
+ * separations. The bound is the derivative at hi when the leader has its smallest tilt. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -82,7 +82,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound, in the same way: the derivative at lo, at the largest tilt of the leader. */
+/* Returns a lower bound on the derivative for which strip_advance returns an upper bound. The bound is the
+ * derivative at lo when the leader has its largest tilt. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -148,9 +149,9 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of domino 1 that is finite at the reach, or infinity. At the reach,
- * u_1(0) = tan theta_c (strip_follower) is infinite. At the maxima that matter, the head leans by at least
- * `least`, and u_1(theta) <= part u_1(0):
+ * Returns an upper bound on the terms of domino 1, or infinity if none is found. The bound is finite at the
+ * reach, although u_1(0) = tan theta_c (strip_follower) is infinite there. At the maxima that matter, the
+ * head leans by at least `least`, and u_1(theta) <= part u_1(0):
  * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
  * - After it has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
  *

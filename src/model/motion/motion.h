@@ -40,7 +40,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
 
 struct motion {
     struct cycle cycle;
-    real end; /* last tilt: theta_c, or where the train comes to rest */
+    real end; /* the last tilt: theta_c, or the tilt of rest if the train stops */
     real tol; /* tolerance of times; larger than requested if the margin is small */
     bool stops;
     real smooth, root, span; /* motion_time sets `smooth`, `root` and `span` for slowness_before */

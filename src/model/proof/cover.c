@@ -46,8 +46,8 @@ struct level {
     bool refute;
 };
 
-/* Returns the term max(M, 0) * width of bound 3 (see cover_tilts): inside the strip, K - D is at most this
- * much less than at the upper end of the strip. */
+/* Returns the term max(M, 0) * width of bound 3 (see cover_tilts). Inside the strip, K - D is at least its
+ * value at the upper end minus this term. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);

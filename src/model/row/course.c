@@ -136,8 +136,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Completes the mark of the head at which the row ends, with the deviations that do not change how it
- * ends. */
+/* Sets `below` and `above` of the mark of the last head. If omegasq deviates less than they allow, the row
+ * still ends in the same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */

@@ -260,8 +260,8 @@ static real tipping_at(const struct segment *st, real left)
                                                                                     : REAL_NAN;
 }
 
-/* For a domino with sharp edges at the angle phi beyond theta_u, tau^2 omega^2 = 2 u sin^2(phi / 2), with u =
- * sqrt(1 + d^2). So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
+/* Let theta_u + phi be the tilt of a single domino. With sharp edges, tau^2 omega^2 = 2 u sin^2(phi / 2),
+ * where u = sqrt(1 + d^2) is the reach. So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

@@ -298,7 +298,7 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
         return query_status(query, problem, status);
-    /* A tilt copied from a table may have been rounded up to 6 digits. A picture does not show the
+    /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
      * difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))
         return problem_error(problem,

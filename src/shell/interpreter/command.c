@@ -254,7 +254,7 @@ int command_values(const struct command *c, int *fewest)
     *fewest = 0;
     for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
-        /* Arguments after one that is not a value cannot be given. */
+        /* an argument can be given in an expression if it and all arguments before it are values */
         bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i;
         if (!is_value && !a->optional)
             return -1;

@@ -171,8 +171,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Commands have no options. At '--check' after a yes-or-no command, reports that 'assert' does this, and
- * returns true. */
+/* Commands have no options. If '--check' follows a yes-or-no command, reports that 'assert' fails
+ * unless the statement is true, and returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)

@@ -58,7 +58,7 @@ struct csv_file {
     /* What is known about '.', or about ',', as the decimal mark, from the numbers read so far. */
     struct csv_mark {
         bool is_used;
-        /* in some number, '.' (or ',') can only be the decimal mark */
+        /* true if at least one number can only be read with '.' (or ',') as the decimal mark */
         bool is_clear;
         /* The place of the first number in which the mark could separate thousands. at.line is 0 without such
          * a number. */

@@ -32,20 +32,20 @@ const struct ending *ending_of(const char *path);
 /* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
 bool picture_fits(const struct answer *a, const char *command, struct problem *problem);
 
-/* Returns true if a picture can be drawn where the answer goes. Otherwise sets *problem. */
+/* Returns true if a picture can be drawn in the output of the answer. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns the words that explain the marks of a picture, which depend on where the answer goes. */
+/* Returns the words that explain the marks of a picture, which depend on the output of the answer. */
 struct marks picture_marks(const struct answer *a);
 
 /* Writes the head of a gnuplot script that draws a .pdf file of the same name. */
 void script_head(const struct answer *a, const char *terminal);
 
-/* Draws a chart where the answer goes, and frees the chart. */
+/* Draws a chart in the output of the answer, and frees the chart. */
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 
-/* Draws a stage where the answer goes. */
+/* Draws a stage in the output of the answer. */
 bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

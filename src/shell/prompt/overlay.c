@@ -21,7 +21,7 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint from the history, or "": the remainder of an earlier line, which some keys insert. */
+/* The hint: the remainder of an earlier line in the history. Some keys insert it. It is "" without a hint. */
 static char rest[HINT];
 
 /* Returns true if the terminal has colours, and the screen shows only the typed line. */

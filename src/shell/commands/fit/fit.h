@@ -93,7 +93,8 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
  * all speeds then have the same relative error. */
 double fit_error(const struct fit *fit, size_t k);
 
-/* Finds the unknowns with the smallest sum of squares, their standard deviations and correlations. */
+/* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard
+ * deviations and correlations. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
 /* Fits the parameters that the query names. Call fit_free afterwards, even after a failure. */

@@ -135,8 +135,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds by interpolation when the domino of the first point first reaches an angle. Returns NaN if it never
- * does. */
+/* Finds the time at which the domino of the first point first reaches an angle, by interpolation. Returns NaN
+ * if it never does. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;

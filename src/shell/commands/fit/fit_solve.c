@@ -258,8 +258,8 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* Sets an unknown that is near a limit of its range to the limit, and returns true. `near` is a fraction of
- * the searched range. */
+/* If the distance of an unknown from a limit of its range is less than the fraction `near` of the searched
+ * range, sets the unknown to this limit and returns true. */
 static bool limit_take(struct fit *f, double near)
 {
     for (int i = 0; i < f->unknowns; i++) {
@@ -278,8 +278,8 @@ static bool limit_take(struct fit *f, double near)
     return false;
 }
 
-/* Finds the minimum. Near a limit of a range, the search would jump back and forth across it. Such an unknown
- * is set to the limit, and the others are searched again. */
+/* Finds the minimum. If an unknown is near a limit of its range, the search would jump back and forth across
+ * the limit. The unknown is then set to the limit, and the others are searched again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;

@@ -78,7 +78,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Writes into `reason` that no number of dominoes is enough, and which number is the best. */
+/* Explains in `reason` that no number of dominoes is enough, and names the best number. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {

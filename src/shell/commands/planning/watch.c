@@ -16,7 +16,7 @@
 
 enum {
     STEPS = 200, /* number of small steps in the range */
-    COARSE = 5   /* number of small steps in a large step, which separates points of the curve */
+    COARSE = 5   /* number of small steps between two points of the curve */
 };
 
 struct watch {

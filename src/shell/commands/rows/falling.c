@@ -38,7 +38,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
     enum dom_status status =
         run->fall ? domq_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
                   : DOM_NO_MEMORY;
-    run->timeless = timed && status == DOM_NO_MARGIN; /* the verdict is known, but not all times */
+    run->timeless = timed && status == DOM_NO_MARGIN; /* the verdict is known, but some times are not */
     if (status == DOM_OK || run->timeless)
         return true;
     row_run_free(run);

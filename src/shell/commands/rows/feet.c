@@ -24,7 +24,7 @@ void feet_add(struct feet *feet, const struct domq_fall *f)
     needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-/* Returns a phrase such as "while domino 3 falls". The domino of the foot is called "this domino". */
+/* Returns a phrase such as "while domino 3 falls", or "while this domino falls" if the foot is its own. */
 static struct words slip_words(const struct slip *slip, bool hit)
 {
     struct words words;

@@ -19,7 +19,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
  * are counted from 1. */
 struct slip {
     domq_real needs; /* infinite if the foot is lifted off the floor */
-    size_t domino;   /* the domino of the foot */
+    size_t domino;   /* the domino whose foot this is */
     size_t head;     /* 0 if no foot was found */
 };
 

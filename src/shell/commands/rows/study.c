@@ -156,7 +156,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Prints how precise the row must be, rounded to two digits, and how many rows then fall. */
+/* Prints how precise the row must be. Rounds this error to two digits, runs rows with the rounded error, and
+ * prints how many fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
