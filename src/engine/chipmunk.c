@@ -10,8 +10,7 @@
 static struct chipmunk functions;
 static bool loaded;
 
-/* Looks up a function and stores its address in *member. ISO C cannot convert void * to a function pointer,
- * so the bytes of the address are copied. */
+/* Looks up a function. ISO C cannot convert void * to a function pointer, so the bytes are copied. */
 static bool find(void *library, const char *name, void *member)
 {
     void *address = dlsym(library, name);
@@ -20,9 +19,8 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Chipmunk prints its name when a process creates its first space. So a space is created while the variable
- * `stdout` refers to /dev/null. The file descriptor is left alone, since a signal handler or another thread
- * may write to it.
+ * Chipmunk prints its name when a process creates its first space, so `stdout` refers to /dev/null meanwhile.
+ * The file descriptor stays as it is, since a signal handler or another thread may write to it.
  */
 static void make_first(void)
 {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Ends the iterations of Chipmunk's solver when they have converged. Chipmunk makes a fixed number of
- * iterations per step. But in each one, it calls a function of every constraint and reads the number of
- * iterations again. So a constraint without impulses is added. It observes the changes of the velocities, and
- * ends the loop by lowering the number.
+ * Ends the iterations of Chipmunk's solver when they have converged. In each iteration, Chipmunk calls a
+ * function of every constraint and reads the number of iterations again. So a constraint without impulses is
+ * added. It observes the velocities, and ends the loop by lowering the number.
  */
 #include "world.h"
 #include <math.h>
@@ -27,8 +26,8 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Called in each iteration. Estimates the change of the velocities in all further iterations as a geometric
- * series. Ends the loop if it is a small fraction of the change in the whole step.
+ * Estimates the change of the velocities in all further iterations as a geometric series. Ends the loop if it
+ * is a small fraction of the whole step's change.
  */
 static void each(cpConstraint *watch, double dt)
 {

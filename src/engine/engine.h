@@ -26,8 +26,8 @@ struct engine_row {
     double slope;  /* angle by which the floor descends in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
-    /* Friction coefficient of the floor. If it is infinite, feet with sharp edges turn on hinges, and rounded
-     * feet roll. */
+    /* Friction coefficient of the floor. If infinite, feet with sharp edges turn on hinges, and rounded feet
+     * roll. */
     double feet;
     double radius; /* radius of rounded edges, relative to the height */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
@@ -52,11 +52,9 @@ struct engine_grain {
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push, or from the first hit if there is no push. NaN for a box that
-     * is let go. */
+    /* Time of the hit, measured from the push or else from the first hit. NaN if the box is let go. */
     double time;
-    /* Time at which the box hits the next one or comes to rest on the floor. NaN if it does neither, or was
-     * let go. */
+    /* Time at which the box hits the next one or rests on the floor. NaN if it does neither, or is let go. */
     double until;
     double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes after the hit */
@@ -107,8 +105,7 @@ enum engine_status engine_load(void);
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
 
-/* The state of a row during a run. For k < count, tilt[k] is the tilt of box k, and foot[k] how far its foot
- * has slid. */
+/* The state of a row during a run. tilt[k] is the tilt of box k, and foot[k] how far its foot has slid. */
 struct engine_moment {
     double time;
     size_t head;  /* index of the foremost box that was hit */
@@ -119,8 +116,8 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
- * each step, and returns false to end the run. If both are NULL, the run ends as soon as the verdict is
- * certain. fall->seconds is then the time of this end.
+ * each step, and returns false to end the run. If both are NULL, the run ends with the first certain verdict,
+ * at fall->seconds.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Chipmunk crashes if an allocation fails. So a space is created only if there is memory for all that it and
- * the other spaces may allocate.
+ * Chipmunk crashes if an allocation fails. So a space is created only if the memory suffices for all spaces.
  */
 #ifndef ENGINE_ROOM_H
 #define ENGINE_ROOM_H

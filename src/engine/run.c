@@ -5,13 +5,13 @@
 #include <stdlib.h>
 
 /*
- * The engine integrates with the symplectic Euler method, which is of first order, and iterates to find
- * impulses. Penetrating boxes are not pushed apart, since this would move them off their hinges. A box that
- * has drifted from its hinge keeps the velocity with which it is pulled back. So it is pulled back slowly.
+ * The engine uses the symplectic Euler method, which is of first order, and iterates to find impulses.
+ * Penetrating boxes are not pushed apart, since this would move them off their hinges. A box that has drifted
+ * from its hinge keeps the velocity with which it is pulled back. So it is pulled back slowly.
  *
- * Before a hit, the steps become short, to detect the hit on time and with little penetration. They stay
- * short for a while. Each step starts from the impulses of the previous step, scaled by the ratio of the step
- * lengths, so a long step would act like another hit.
+ * Before a hit, the steps become short, to detect it on time and with little penetration. They stay short for
+ * a while. Each step starts from the impulses of the previous one, scaled by the ratio of the lengths. So a
+ * long step would act like another hit.
  */
 /* rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box */
 static const double hinge_rate = 50;
@@ -22,8 +22,8 @@ static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 /* A box counts as stopped after it has rested for this time, in sqrt(height / g). */
 static const double hinged_rest = 0.1, any_rest = 3;
-/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need a
- * twentieth of this. */
+/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps, twenty times as many as
+ * most need. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
@@ -39,8 +39,7 @@ struct run {
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
-/* Returns the time until the front face of the head reaches `edge`, the upper back edge of the next box, or
- * INFINITY. */
+/* Returns the time until the front face of the head reaches the next box's upper back edge, or INFINITY. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -178,8 +177,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Fills in the times at which boxes hit the next one, and the distances that feet have slid. Without a push,
- * shifts all times so that the first hit is at 0. */
+/* Fills in when boxes hit the next one, and how far feet have slid. Without a push, times are measured from
+ * the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

@@ -165,8 +165,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deeply box `front` and the box behind it penetrate each other, and whether their contact is
- * outside the model. */
+/* Records how deeply box `front` and the box behind it penetrate, and whether their contact is outside the
+ * model. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;
@@ -183,8 +183,7 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     }
 }
 
-/* Sets friction and restitution of a contact. The box in front of the head counts as hit at its first
- * contact. */
+/* Sets friction and restitution. The box in front of the head counts as hit when it is first touched. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;

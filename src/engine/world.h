@@ -52,8 +52,8 @@ void world_free(struct world *world);
 void world_stand(struct world *world);
 
 /*
- * These functions make the solver iterate until its impulses have converged. Call converge_begin after the
- * first box has been added, converge_step before each step, and converge_end before the boxes are freed.
+ * Call converge_begin after the first box has been added, converge_step before each step, and converge_end
+ * before the boxes are freed. The solver then iterates until its impulses have converged.
  */
 void converge_begin(struct world *world);
 void converge_step(struct world *world);

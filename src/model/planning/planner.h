@@ -67,14 +67,14 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
  * does not fall. If `times` is false, the run ends at the first ratio that is too small. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length of the standing row with the separation s, from the first back to the last front.
- * Ignores rounding. */
+/* Returns the length of the standing row with the separation s, from the back of the first domino to the
+ * front of the last. Ignores rounding. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
 /* Returns the length of the row after the last domino has fallen forwards, without rounding to a grid. */
 dom_real length_of(const struct planner *p, struct choice c);
 
-/* Returns the length of the row that row_write wrote last, from the first back to the last front. */
+/* Returns the length of the standing row that row_write wrote last. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
 /* Returns the largest k for which a row with the separation k/GRID fits into the hall, or a number below

@@ -31,8 +31,8 @@
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The state of the unchanged row when a head is hit, and how far a trial may deviate from it without a change
- * of the verdict. */
+/* The state of the unchanged row when a head is hit, and the deviations from it that do not change the
+ * verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
@@ -71,8 +71,8 @@ struct course {
 /* Changes at successive heads count as decaying if each is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force during the fall of head k from the given omegasq. Returns a negative
- * number if the row ends at this head. */
+/* Returns the smallest contact force while head k falls from this omegasq, or a negative number if the row
+ * ends there. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -120,8 +120,7 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Reduces the deviations in the marks from `from` to `to` - 1 to those that no later head changes into
- * another verdict. */
+/* Reduces the deviations in the marks `from` to `to` - 1 to what later heads also allow. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -166,8 +165,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from`. Dominoes after `last` are those of the unchanged row. Also makes marks of
- * heads that no earlier run has reached. */
+/* Runs the row from head `from`, and makes the marks that are missing. Dominoes after `last` are
+ * unchanged. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Describes a finite row as a chain in which each domino has its own size, weight and gap. Two neighbours
- * form a joint, which has the geometry of a train with their r, s and d. The unit of length is the height of
- * the domino, and the unit of energy is its m g h / 2.
+ * Describes a finite row as a chain. Two neighbours form a joint, which has the geometry of a train with
+ * their r, s and d. The unit of length is the height of the domino, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
 #include "dynamics/walls.h"
 #include <string.h>
 
-/* Returns the thickness of the walls of domino k divided by its height, or 0 if the domino is solid. */
+/* Returns the walls' thickness divided by the height of domino k, or 0 if it is solid. */
 static dom_real row_walls(const struct row_request *row, size_t k)
 {
     const dom_real height = row->domino[k].height;
@@ -44,8 +43,8 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Fills in the geometry of the joint between domino k and its follower k - 1. Includes bounds that tell when
- * a sum along the chain may end at domino k. */
+/* Fills in the geometry of domino k and its follower k - 1. Its bounds tell when a sum along the chain may
+ * end here. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -117,7 +116,7 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects for domino k. The walls and the radius of the edges are relative to its height. */
+/* Turns on the effects for domino k. Walls and edges are relative to its height. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -197,7 +196,7 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Checks that the sizes of a domino, and what is computed from them, are in the range of the precision. */
+/* Checks that sizes, and what is computed from them, are in the range of the precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

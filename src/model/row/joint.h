@@ -7,9 +7,9 @@
 #include "dynamics/choose.h"
 
 /*
- * The gap may exceed the height of a head by this fraction, because of rounding errors. In a row from a train
- * with r = 1/s, the two would be equal. Errors of at most one unit in the last place come from r, two powers,
- * four products and rounding to the precision of the kernel.
+ * The gap may exceed the height of a head by this fraction. The two are equal in a row from a train with r =
+ * 1/s, except for rounding. The errors come from r, two powers, four products and rounding to the kernel's
+ * precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
@@ -37,9 +37,9 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /*
- * Finds the contact of dominoes k and k + 1, one of which leans, and the tilt of domino k at this contact.
- * Returns false if the upper edge of domino k does not touch the back face of domino k + 1, or if they touch
- * before domino k moves.
+ * Finds the contact of dominoes k and k + 1, one of which leans, and the tilt of domino k there. Returns
+ * false if the upper edge of domino k does not touch the back face of domino k + 1, or if they touch before
+ * any motion.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the state of a row at given times. Passages divide the motion of a head. A new one begins when a
  * domino detaches, which then keeps its tilt. In each passage, time is a Chebyshev series in the tilt of the
- * head, which determines the tilts of all followers. */
+ * head. */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -21,8 +21,7 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and angular velocities of all moving dominoes. The head has the tilt theta and the angular
- * velocity omega in rad/s. */
+/* Sets the tilts and angular velocities of all moving dominoes from those of the head, in rad and rad/s. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -64,17 +63,15 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the scale of the tilts in a passage: the last tilt, or the range of tilts if the head leans
- * backwards at first. */
+/* Returns the scale of the tilts: the last one, or their range if the head leans backwards at first. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
 /*
- * Returns the integrand at x of the time until the head rests. Let b be the tilt `to` at which it rests. Near
- * b, the slowness 1/omega grows like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth
- * function of x.
+ * Returns the integrand at x of the time until the head rests at the tilt b = `to`. Near b, 1/omega grows
+ * like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is smooth.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -117,8 +114,7 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 
 /*
  * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
- * rest, `at` is the variable x of slowness_to_rest. The result is then the time from x to the rest, minus
- * s->into.
+ * rest, `at` is the x of slowness_to_rest, and the time is that until the rest.
  */
 static real passage_over(real at, void *context)
 {
@@ -167,8 +163,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is needed if a requested time falls in this passage, or if the duration is unknown. An
-     * unknown duration means that the run ends with this passage, and watch_rest reports when. */
+    /* The series is needed for requested times in this passage, and for an unknown duration. The latter means
+     * that the run ends here, and watch_rest reports when. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -248,13 +244,13 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u of a domino with rounded edges at the time `left`, in tau, before it
- * hits the next one. */
+/* Returns the angle phi beyond theta_u of a domino with rounded edges, `left` (in tau) before it hits the
+ * next one. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The moment of inertia is at least a quarter of that of a block with sharp edges. So p grows by at most
-     * sqrt(2 R) per tau, where R is the reach, and was at least `first`. */
+    /* The moment of inertia is at least a quarter of that with sharp edges. So p grows by at most sqrt(2 R)
+     * per tau, where R is the reach, and is at least `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

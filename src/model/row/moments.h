@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* A passage begins at the time `begins` + `passed` * `tau` in s. The head was hit at `begins` in s. `tau` is
- * the tau of the head in s, and `passed` is a time in tau. */
+/* A passage begins at `begins` + `passed` * `tau`. The head was hit at `begins` in s. `tau` is in s, and
+ * `passed` in tau. */
 struct since {
     real begins, tau, passed;
 };
@@ -21,8 +21,7 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if the passage ends at rest */
-    /* the time for which the tilt is sought, in tau from the beginning, or before the end if the passage ends
-     * at rest */
+    /* the time sought in tau from the beginning, or before the end if the passage ends at rest */
     real into;
     struct num_series series;
 };

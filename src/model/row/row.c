@@ -11,8 +11,8 @@
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends in this segment. If `used_up` is true, kinetic energy is lacking
- * there. Otherwise friction brings the head to rest or locks it. */
+/* Finds the tilt at which the motion ends. If `used_up` is true, energy is lacking. Otherwise friction stops
+ * or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -52,8 +52,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes one segment and prepares the next. If the head has already stopped, only finds how much more
- * energy this segment would have needed. */
+/* Computes one segment and prepares the next. For a stopped head, only finds the energy that the segment
+ * would need. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -90,9 +90,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /*
- * Finds the inertia J of all moving dominoes after head k has been hit. If contacts have no closed form, sums
- * along the chain are slow, and J is computed from the inertia ratio. Friction changes the ratio, so the sum
- * is needed.
+ * Finds the inertia J of all moving dominoes after head k is hit. Without a closed form, sums along the chain
+ * are slow. The inertia ratio then gives J, unless friction has changed this ratio.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
@@ -155,8 +154,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is the potential energy
- * that it loses (9; b5). */
+/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is its lost potential
+ * energy (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -192,8 +191,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the row ends when head k touches the next domino and one of them leans. DOM_ROW_FALLS means
- * that it does not end. */
+/* Returns how the row ends when head k touches the next domino and one of them leans, or DOM_ROW_FALLS. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;

@@ -42,14 +42,14 @@ struct descent {
 /* Sets the state in which the first domino begins to move. */
 KERNEL void row_launch(struct run *run);
 
-/* Runs head k from the hit, or from the start if it is the first domino. Updates the verdict of the run. */
+/* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
 /* Runs head k from its first to its last tilt, without updating the verdict. *d receives the final state. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Computes the collision of head k, whose state is *at, with domino k + 1, which becomes the head. `hitting`
- * is the geometry of head k. If the row ends here, sets run->verdict.end to the reason. */
+/* Computes the collision of head k, whose state is *at and whose geometry is *hitting, with domino k + 1,
+ * which becomes the head. If the row ends here, sets run->verdict.end. */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
 

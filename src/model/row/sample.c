@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
- * the head keeps falling: its energy exceeds the barrier, and all contacts push. One pass down the chain then
- * gives the energy of the next head. This pass needs the tilts when the head is hit, and when it hits the
- * next domino. The former are known from the previous pass. If the bounds do not suffice, or if a domino
- * detaches, row_head runs the head.
+ * the energy exceeds the barrier, and that all contacts push. One pass down the chain then gives the energy
+ * of the next head. It needs the tilts when the head is hit (known from the previous pass), and when it hits.
+ * If the bounds do not suffice, or if a domino detaches, row_head runs the head.
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -31,9 +30,9 @@ struct random_row {
 };
 
 /*
- * Sums along a chain between two tilts of its head. A few digits suffice for the sign of a margin, so
- * rounding errors are not compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2
- * / 2, so the barrier is at most a^2 / (2 b).
+ * Sums along a chain between two tilts of its head. Only the sign of a margin matters, so rounding errors are
+ * not compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier
+ * is at most a^2 / (2 b).
  */
 struct glide {
     real J, dH;
@@ -60,8 +59,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Computes the bound `curve` for the next domino. While the domino moves from *b to *a, X and theta_1'
- * decrease, and Y is smallest at one of the two. */
+/* Computes the bound `curve` for the next domino. Between *b and *a, X and theta_1' decrease, and Y is
+ * smallest at one end. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -70,8 +69,7 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The energy must exceed the bound on the barrier by this factor, since the bound ignores the chain's last
- * dominoes. */
+/* The bound on the barrier ignores the chain's last dominoes, so the energy must exceed it by this factor. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
 /* Returns true if the kinetic energy certainly exceeds the barrier. */
@@ -114,8 +112,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* Returns true if head k certainly keeps falling, and sets *at to the state in which it hits the next domino.
- * Stores the chain of that moment in s->link. Dominoes must be plumb and have sharp edges. */
+/* Returns true if head k certainly keeps falling. Sets *at to its state when it hits the next domino, and
+ * s->link to the chain. Dominoes must be plumb and have sharp edges. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -194,11 +192,11 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A rough run trusts the sign of a contact force above this fraction of the weight of the pushed domino. */
+/* A rough run trusts the sign of a contact force above this fraction of the pushed domino's weight. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. The error in omegasq at the hit is at most s->slide.off. Sets s->doubt if
- * it may change the verdict. */
+/* Runs head k as in any other row. Sets s->doubt if an error of s->slide.off in omegasq may change the
+ * verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;

@@ -73,8 +73,8 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
     return found;
 }
 
-/* Returns the omegasq that the head needs to pass every tilt: the maximum of -num_rough_v, from samples and
- * parabolas through them. */
+/* Returns the omegasq that the head needs: the maximum of -num_rough_v, from samples and parabolas through
+ * them. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rough computation of the motion of a head with friction. Eight evaluations of the equation of motion give
- * a few digits and an error estimate. Most verdicts need no more. */
+/* A rough computation of a head's motion with friction. Eight evaluations of the equation of motion give a
+ * few digits and an error estimate, which suffice for most verdicts. */
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 
@@ -21,8 +21,8 @@ KERNEL real slide_error(const struct geometry *head);
  * push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/* Sets *after to omegasq at the end of the head's motion, and *after_off to a bound on its error. Returns
- * false if the head may come to rest earlier. Dominoes must be plumb, and contacts must push. */
+/* Sets *after to omegasq at the end of the motion, and *after_off to a bound on its error. Returns false if
+ * the head may come to rest earlier. Dominoes must be plumb, and contacts must push. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A head repeats the previous motion only if all dominoes that matter are equal. The number of equal dominoes
- * must exceed the longest pass along a chain by STEADY_MORE. */
+/* A head repeats the previous motion only if STEADY_MORE more dominoes are equal than the longest pass along
+ * a chain visits. */
 enum { STEADY_MORE = 2 };
 
 /* number of equal dominoes at the end of a row whose geometry is filled in before the run */
