@@ -2,8 +2,7 @@
 #include "dynamics/choose.h"
 #include "geometry/far.h"
 
-/* Each effect in DOM_DYNAMICS has a source file of the same name, with a function that switches the effect
- * on. */
+/* Each effect in DOM_DYNAMICS has a source file and a function that switches it on. */
 #define DYNAMICS_DECLARE(effect, member, status)                                                             \
     KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(DYNAMICS_DECLARE)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of motion of a train, as a table of functions. energy_balance.c and friction.c each define such a
- * table. README.md in this folder explains how to add an effect.
+ * The law of motion of a train, as a table of functions. README.md in this folder explains how to add an
+ * effect.
  */
 #ifndef DOM_DYNAMICS_H
 #define DOM_DYNAMICS_H
@@ -9,9 +9,8 @@
 #include "geometry/chain.h"
 
 /*
- * The collision (22; c4), derived as in (59; e8). The struck domino, which is upright, and the chain that
- * hits it move on together. The contacts transmit angular momentum along the chain, and the collision
- * conserves it:
+ * The collision (22; c4), derived as in (59; e8). The struck domino is upright. It moves on together with the
+ * chain that hits it. The collision conserves the angular momentum that the contacts transmit:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  *
@@ -46,8 +45,7 @@ struct start {
 };
 
 struct dynamics {
-    /* True if the motion conserves energy. In that case, the barrier is the maximum of the potential energy
-     * H, and Newton's method finds it. */
+    /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. */
     bool conservative;
 
     /* `begin` and `end` allocate and free the memory of this law. Both may be NULL. `begin` returns DOM_OK or
@@ -58,60 +56,59 @@ struct dynamics {
     /* Solves the motion over a whole cycle, unless an earlier call has already done so. May be NULL. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Solves the motion only over [lo, *hi]; J is the inertia at lo. If friction locks the motion at some
-     * tilt, the function returns DOM_LOCKS and stores that tilt in *hi. May be NULL.
+     * Solves the motion over [lo, *hi]. J is the inertia at lo. If friction locks the motion, returns
+     * DOM_LOCKS and stores the tilt of the lock in *hi. May be NULL.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. This makes the
-     * tilt of the stop easier to find. edge[0] and edge[1] are the ends of the smooth piece of the motion
-     * that contains `start`. May be NULL.
+     * If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. edge[0] and edge[1] are
+     * the ends of the smooth piece that contains `start`. May be NULL.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
     /* Called if friction locks the motion at the tilt `head`. Sets *braked to true if the motion slows down
-     * on the way to that tilt, and to false if it speeds up. NULL if friction cannot lock it. */
+     * before it, and to false if it speeds up. NULL if friction cannot lock it. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
-    /* Finds the launch of a train in which each cycle repeats the one before, scaled by r (24; c6). Also
-     * finds error bounds unless error is NULL. */
+    /* Finds the launch of a train whose cycles repeat, scaled by r (24; c6). Finds error bounds unless error
+     * is NULL. */
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
      * Finds the inertia ratio of a collision. The chain `hitting` has the inertia J, and its head has the
-     * tilt `at`. It hits the domino of `next`, which is at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if the
-     * ratio is not positive.
+     * tilt `at`. It hits the domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not
+     * positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds dH/dtheta at a tilt of the head or, with friction, a quantity with the sign of the derivative of
-     * the required energy. If `rough` is true, only the sign of the result is reliable. */
+    /* Finds dH/dtheta at a tilt of the head. With friction, the result only has the sign of the derivative of
+     * the required energy. If `rough` is true, only its sign is reliable. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
     /* Returns an estimate of the error of required energies. May be NULL. The error may be large compared
-     * with a small barrier, because the barrier is a difference of larger energies. */
+     * with a small barrier. */
     real (*unsure)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
-    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by`, where `end` is the tilt at which the energy is used
-     * up. *slowness is NaN if the energy does not suffice to reach `end - by`. */
+    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by`. The energy is used up at `end`. *slowness is NaN if
+     * it does not suffice for `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
-     * receives the number of dominoes that contribute. */
+    /* Finds tau^2 times the angular acceleration of the head, where w = tau^2 omega^2. Unless n is NULL, *n
+     * is the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* Returns the derivative of omegasq at the tilt theta with respect to omegasq at the launch. `gain` is
-     * the corresponding derivative at the start of this motion, and J_at is the inertia at theta. */
+    /* Returns the derivative of omegasq at theta with respect to omegasq at the launch. `gain` is this
+     * derivative at the start of the motion, and J_at is the inertia at theta. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };
 
-/* Returns true if error bounds are known, and if the search for a limit can bound the margin between two
- * samples. Otherwise error bounds are NaN, and searches rely on samples alone. */
+/* Returns true if error bounds are known, also for the margin between two samples. Otherwise they are NaN,
+ * and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

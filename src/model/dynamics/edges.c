@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rounded edges. geometry/rounded.h has the equations of one contact, and geometry/rolling.c the sums over
- * the chain. The law of motion is the one in energy_balance.c or friction.c. The inertia i(theta) of a
- * rolling domino changes with its tilt, so the inertia of the chain and the collision are
+ * the chain. The inertia i(theta) of a rolling domino depends on its tilt. So the inertia of the chain and
+ * the collision are
  *
  *     J = sum r^-(q+1)i i(theta_i) theta_i'^2,
  *     J(0) omega(0) = (J(0) - i(0)) omega_1.
@@ -14,8 +14,7 @@ KERNEL enum dom_status edges_apply(struct geometry *geometry, real value)
 {
     enum dom_status status = rounded_make(geometry, value);
     const struct rounded *of = &geometry->rounded;
-    /* Upright dominoes must be stable, as in slope.c. With rounded edges, this means that the centre of the
-     * block is above the flat part of the foot. */
+    /* Upright dominoes must be stable: their centre must be above the flat part of the foot. */
     bool stands = geometry->g.along == 0 ||
                   (fabs(geometry->g.along) < of->wide * geometry->g.down && geometry->h.y > 0);
     return status == DOM_OK && !stands ? DOM_NO_STAND : status;

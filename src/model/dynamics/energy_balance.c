@@ -3,8 +3,8 @@
 
 /* ---- Fuel ---- */
 
-/* Returns the error bound on the paper's fuel. The fuel is the difference of two terms, so the bound covers
- * the rounding errors of both terms and the error of theta_f. */
+/* Returns the error bound on the paper's fuel. It covers the rounding errors of two terms and the error of
+ * theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {
     real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
@@ -44,8 +44,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
     real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = geometry->upright * (1 + f->inertia_ratio);
-    /* This is (24; c6). Its denominator r^q J(0) - J(0) + 1 is written as r^q + T (r^q - 1), in which all
-     * terms have the same sign. */
+    /* (24; c6), with the denominator r^q J(0) - J(0) + 1 written as r^q + T (r^q - 1), whose terms have one
+     * sign */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
                            .J0 = J0,
@@ -142,8 +142,7 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    /* At the start of the motion, rounding may put the tilt `end - by` slightly below the initial tilt of the
-     * head. */
+    /* At the start, rounding may put `end - by` slightly below the initial tilt. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);

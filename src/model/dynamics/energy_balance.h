@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The paper's law of motion: contacts without friction dissipate no energy. So the sum of kinetic and
- * potential energy is constant in a cycle (21; c3) and (51; d9). With w = tau^2 omega^2,
+ * The paper's law of motion: contacts without friction dissipate no energy. So the total energy is constant
+ * in a cycle (21; c3) and (51; d9). With w = tau^2 omega^2,
  *
  *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
  *
@@ -24,8 +24,7 @@ struct fuel {
     real inertia_ratio; /* inertia ratio J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
 };
 
-/* Returns true if the paper's closed form of the fuel is valid, that is, on a level floor and with sharp
- * edges. */
+/* Returns true if the paper's closed form of the fuel is valid: on a level floor, with sharp edges. */
 KERNEL bool energy_paper_holds(const struct geometry *geometry)
 {
     return geometry->g.along == 0 && geometry->law->closed_form;
@@ -40,8 +39,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 /* Returns the launch (24; c6) of a train with the fuel and the inertia ratio in *f. */
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f);
 
-/* Finds the acceleration as half of dw/dtheta, from the derivative of the energy balance (21; c3). The
- * arguments are those of `acceleration` in struct dynamics. */
+/* Finds the acceleration as half of dw/dtheta, from the derivative of (21; c3). The arguments are
+ * those of `acceleration` in struct dynamics. */
 KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n);
 

@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* A solution takes about a hundred passes down the chain. All these passes together may visit at most this
- * many dominoes. In double precision, this takes half a second. */
+/* The largest number of dominoes that all passes of a solution may visit. In double precision, this takes
+ * half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -84,9 +84,8 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 #define FLOW_FINER 64
 
 /*
- * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain may
- * include one domino fewer at one tilt than at the next, which makes the sum jump. With the finer tolerance,
- * the jump is too small to disturb a Chebyshev series.
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. Sums jump where they
+ * include one domino fewer. The finer tolerance makes these jumps too small to disturb a Chebyshev series.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -97,8 +96,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Sets inertia_ratio, J0 and J_c of *flow. The hitting chain consists of all dominoes except the new head,
- * which is upright. */
+/* Sets inertia_ratio, J0 and J_c of *flow. All dominoes except the upright new head form the hitting
+ * chain. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;
@@ -127,8 +126,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes, but rounding can put the tilt at which a domino
-     * detaches inside the piece. So the number of dominoes is fixed for each piece. */
+    /* All sums over one piece must include the same dominoes. So their number is fixed, in spite of
+     * rounding. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -146,9 +145,8 @@ static real flow_end(const struct flow *flow, real lo)
 }
 
 /*
- * Friction locks the motion at the tilt where A vanishes. Solves the motion up to that tilt, to within the
- * tolerance. Each step covers half of the distance to a tilt that is known to be locked, because panels must
- * be short near the pole of 2 B / A.
+ * Friction locks the motion at the tilt where A vanishes. Solves the motion up to that tilt. Each step covers
+ * half of the distance to a locked tilt, because panels must be short near the pole of 2 B / A.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -195,8 +193,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/* If the motion uses up its energy soon after lo, solves a short piece that contains the stop, and lowers *hi
- * to the end of that piece. The panels of the whole piece may be too wide to locate the stop. */
+/* If the motion stops soon after lo, solves a short piece that contains the stop. Lowers *hi to its end. Wide
+ * panels might not locate the stop. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {
@@ -237,9 +235,9 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 /* ---- Functions of a law of motion ---- */
 
 /*
- * Finds the launch of a train in which each cycle repeats the one before. A cycle that begins with w(0) ends
- * with w(theta_c) = G (w(0) - u). The collision and the change of units multiply w(theta_c) by kappa = r (T /
- * (1 + T))^2, and the result must again be w(0).
+ * Finds the launch of a train whose cycles repeat. A cycle begins with w(0) and ends with w(theta_c) = G
+ * (w(0) - u). The collision and the change of units multiply w(theta_c) by kappa = r (T / (1 + T))^2. The
+ * result must again be w(0).
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                     struct launch *launch, struct launch *error)
@@ -283,8 +281,7 @@ KERNEL real flow_rises(const struct geometry *geometry, real theta)
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
-/* Returns the error of required energies. It is the error of the solution, plus the tail of the chain, which
- * the sums leave out. */
+/* Returns the error of required energies: the error of the solution, plus the omitted tail of the chain. */
 KERNEL real flow_unsure(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;
@@ -329,8 +326,7 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* Determines whether the motion slows down before it locks. This depends on the sign of C, because w' = 2 (C
- * - B w) / A and A -> 0. */
+/* Near the lock, the motion slows down if C < 0, because w' = 2 (C - B w) / A and A -> 0. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};

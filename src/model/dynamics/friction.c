@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)). The tip of a
- * follower slides down the face of its leader, and the Coulomb force mu N along the face brakes both
- * dominoes. The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1). Energy is
- * not conserved, so an equation of motion replaces the energy balance (21; c3). Multiplied by the factors S_0
- * = 1 and S_{i+1} = S_i a_i / b_i (55; e4), the equations for the torques on all dominoes add up to one
- * equation without contact forces. It determines w = tau^2 omega^2:
+ * follower slides down the face of its leader. The Coulomb force mu N along the face brakes both dominoes.
+ * The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
+ *
+ * An equation of motion replaces the energy balance (21; c3). It is the sum of the torques on all dominoes,
+ * multiplied by the factors S_0 = 1 and S_{i+1} = S_i a_i / b_i (55; e4). The contact forces cancel. With w =
+ * tau^2 omega^2,
  *
  *     (A/2) dw/dtheta + B w = C,
  *     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
@@ -38,8 +39,8 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 /* ---- The law ---- */
 
 /*
- * Sets *slope to -2 C, which has the sign of the derivative of the required energy. (Without friction, it is
- * that derivative, dH/dtheta.) If `rough` is true, sets *slope to du/dtheta instead, which has the same sign.
+ * Sets *slope to -2 C, or to du/dtheta if `rough` is true. Both have the sign of the derivative of the
+ * required energy.
  */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)

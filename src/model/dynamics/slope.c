@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Slope: the floor descends by the angle alpha in the direction of the train. A negative alpha means uphill.
- * Tilts are measured from the normal of the floor. Contacts and inertia are the same as on a level floor;
- * only the direction of gravity differs. The potential energy of a domino is
+ * Tilts are measured from the normal of the floor. Only the direction of gravity differs from a level floor.
+ * The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
  *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha.
  *
  * A domino tips over at theta_u, where tan theta_u = h.x / h.y. This is smaller by alpha than on a level
- * floor. Upright dominoes are stable only if |alpha| is less than atan d, the theta_u of a level floor.
+ * floor. Upright dominoes are stable only if |alpha| < atan d.
  */
 #include "geometry/law.h"
 
@@ -18,8 +18,7 @@ KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
     geometry_gravity(geometry, sin(value), cos(value));
     if (geometry->work)
         geometry->work->entered[DOM_EFFECT_slope]++;
-    /* The domino must be able to stand on this slope and on the opposite slope, and must tip over before it
-     * lies flat. */
+    /* The domino must stand on this slope and on the opposite one, and tip over before it lies flat. */
     bool stands = tan(fabs(value)) < geometry->d && geometry->h.y > 0;
     return stands ? DOM_OK : DOM_NO_STAND;
 }

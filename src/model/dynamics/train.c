@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, physical units, and rows with the proportions of a train. All are computed in dom_real, whatever
- * precision a request has. */
+/* Defaults, physical units, and rows with the proportions of a train, always in dom_real. */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -57,8 +56,8 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
     return (train->s + train->d) * train->r * scale->h / seconds;
 }
 
-/* The smallest tolerance of each precision is about five times its rounding error, since a smaller tolerance
- * could not be met. On some machines, the widest type is a long double with a 64-bit mantissa. */
+/* The smallest tolerance of each precision is about five rounding errors. The widest type may be a long
+ * double with a 64-bit mantissa. */
 #define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
 
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
@@ -84,8 +83,8 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
                       struct dom_domino *domino, size_t count)
 {
     /*
-     * In quad precision, computing a power takes as long as running a domino. So height and mass are computed
-     * from those of the domino before. The rounding errors of these products are too small to affect a row.
+     * In quad precision, computing a power takes as long as running a domino. So each domino is computed
+     * from the one before. The rounding errors are too small to affect a row.
      */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Walls: a domino is a hollow box with six walls rather than a solid block of the same mass. The moment of
- * inertia of the box is larger (walls.h), and its centre of mass is the same. In a train, walls multiply all
- * moments of inertia by the same factor. tau^2 includes this factor, so in units of tau, a train moves
- * exactly as without walls. Only the force of the floor depends on the factor. In a row, two dominoes have
- * different factors if their shapes differ, or if their sizes differ but their walls are equally thick.
+ * Walls: a domino is a hollow box with six walls and the mass of a solid block. Its moment of inertia is
+ * larger (walls.h), and its centre of mass is the same.
+ *
+ * In a train, walls multiply all moments of inertia by the same factor. tau^2 includes it, so in units of
+ * tau, a train moves as without walls. Only the force of the floor changes. In a row, the factors of two
+ * dominoes may differ.
  */
 #include "dynamics/walls.h"
 #include "geometry/geometry.h"

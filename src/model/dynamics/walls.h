@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A hollow box whose six walls have the same thickness. Let d be the thickness of the domino, w its width and
- * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fraction a
- * of the height, b of the thickness and c of the width:
+ * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by these
+ * fractions of the height, the thickness and the width:
  *
  *     a = 2 t,   b = 2 t / d,   c = 2 t / w.
  *
- * So its volume is the fraction v = (1 - a) (1 - b) (1 - c) of the box's volume. The hollow and the box have
- * the same centre. The parallel axis theorem gives the moment of inertia about the lower edge, relative to
- * that of a solid block of the same mass:
+ * Its volume is the fraction v = (1 - a) (1 - b) (1 - c) of the box. By the parallel axis theorem, the moment
+ * of inertia about the lower edge, relative to a solid block of the same mass, is
  *
  *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
  */
@@ -22,8 +21,8 @@ struct box {
     real inertia; /* moment of inertia relative to that of a solid block of the same mass */
 };
 
-/* Returns the properties of a box; all arguments are relative to the height. If the walls meet in one of the
- * three dimensions, there is no hollow. The formulas avoid cancellation. */
+/* Returns the properties of a box. All arguments are relative to the height. If walls meet, there is no
+ * hollow. The formulas avoid cancellation. */
 KERNEL inline struct box walls_box(real d, real width, real walls)
 {
     real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);
@@ -33,8 +32,7 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
     return (struct box){filled, 1 + v * smaller / (4 * filled)};
 }
 
-/* Returns true if two walls fit into the thickness. They may fill it completely, with an allowance for the
- * rounding errors of both numbers. */
+/* Returns true if two walls fit into the thickness, or fill it, up to rounding errors. */
 KERNEL inline bool walls_fit(real d, real walls)
 {
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The search for the barrier, the global maximum of H over a cycle. H may decrease first and increase again
- * after a pushing follower has detached, so the first maximum need not be the highest. H and H' are
- * continuous; H'' jumps where a domino detaches. In each smooth piece of the cycle, the search brackets the
- * sign changes of H', and then compares all maxima.
+ * The search for the barrier, the global maximum of H over a cycle. H may increase again after a pushing
+ * follower has detached, so the first maximum need not be the highest. H and H' are continuous. H'' jumps
+ * where a domino detaches. So the search brackets the sign changes of H' in each smooth piece, and compares
+ * all maxima.
  */
 #include "energy/barrier.h"
 
 /*
- * The number of samples in each smooth piece (see barrier_scan). In a test with 1,000,000 random trains, 8
- * samples found every maximum that 150 samples found. tests/hard/test_sweep.c compares barriers with
- * computations in 400 bits.
+ * The number of samples in each smooth piece. In 1,000,000 random trains, 8 samples found every maximum that
+ * 150 samples found. See tests/hard/test_sweep.c.
  */
 #define BARRIER_SAMPLES 8
 
@@ -54,25 +53,22 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return status;
 }
 
-/* The state of the search for one top (a local maximum of H), where p = tan(theta / 2) is in the bracket [lo,
- * hi]. */
+/* The state of the search for one top, a local maximum of H. p = tan(theta / 2) is in [lo, hi]. */
 struct top {
     real lo, hi;
-    /* `rises` is true if H is known to increase at lo, and `falls` is true if H is known to decrease at hi.
-     * Otherwise the top may lie at that end of the bracket. */
+    /* `rises` is true if H is known to increase at lo. `falls` is true if H is known to decrease at hi. */
     bool rises, falls;
     real p; /* the next p to try */
-    /* tan of half the angle by which the head leans backwards at the start. Because p may be 0 inside the
-     * bracket, changes of p are measured relative to |p| plus this value. */
+    /* tan of half the initial backward lean of the head. Changes of p are relative to |p| plus this value,
+     * because p may be 0. */
     real backwards;
     real height; /* estimated height of the top; its error is of third order in the last step */
     real moved;  /* relative change of p in the last step of the search */
 };
 
 /*
- * Makes one Newton step towards H1 = 0 from the sums at p. If the step would leave the bracket, or if H is
- * not concave at p, moves p to an end of the bracket where the sign of the slope is not yet known. If there
- * is no such end, bisects the bracket.
+ * Makes one Newton step towards H1 = 0 from the sums at p. If it fails, moves p to an end of the bracket
+ * where the sign of the slope is unknown, and otherwise bisects.
  */
 static void top_step(struct top *top, struct sums at)
 {
@@ -97,8 +93,7 @@ static void top_step(struct top *top, struct sums at)
 
 #define TOP_STEPS 200
 
-/* Searches for a top by Newton's method, starting at top->p. `at` holds the sums at top->p, or is NULL if
- * these are not known. */
+/* Searches for a top by Newton's method, starting at top->p. `at` holds the sums there, or is NULL. */
 static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
                                      real tol)
 {
@@ -127,8 +122,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
     return DOM_NOT_CONVERGED;
 }
 
-/* A sample of the slope of H. A maximum of H lies between two samples if H increases at the first and
- * decreases at the second. */
+/* A sample of the slope of H. */
 struct sample {
     real p, slope;
 };
@@ -156,8 +150,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H certainly decreases at all tilts above theta_u (6; b2). There the head loses height, and
- * so do its followers, which lean even more. */
+/* Returns true if H certainly decreases above theta_u (6; b2). The head loses height there, and its followers
+ * lean more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -194,9 +188,9 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 }
 
 /*
- * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, which is dense near the
- * ends, where dominoes detach. `begins` is true for the piece in which the head begins to move. This piece
- * has further samples close to its beginning, at tilts that are small even compared with d and sqrt(1 - r s).
+ * Finds all maxima of H inside one smooth piece. The Chebyshev spacing is dense near the ends, where dominoes
+ * detach. `begins` is true if the head begins to move in this piece. Further samples then lie at tilts that
+ * are small compared with d and sqrt(1 - r s).
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -223,8 +217,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) of an upper bound on the
- * tilt of the top. */
+/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) above the top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -233,8 +226,7 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
 }
 
 /* Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
- * which is the tilt of the first edge. If *b already holds a top, `known` is tan(theta / 2) of this top, and
- * otherwise -1. */
+ * the first edge. `known` is tan(theta / 2) of the top that *b holds, or -1. */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {
@@ -333,9 +325,8 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 KERNEL real barrier_most(const struct geometry *geometry)
 {
     /*
-     * No domino moves beyond the tilt at which its follower begins the cycle, and no domino weighs less than
-     * its follower. So all dominoes together rise by less than h(theta_u) - h(0), the rise of one domino up
-     * to theta_u.
+     * No domino moves beyond the initial tilt of its follower, and none weighs less than its follower. So the
+     * total rise is less than h(theta_u) - h(0), the rise of one domino.
      */
     return geometry_rise_u(geometry);
 }
@@ -377,8 +368,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* Finds the sign of H' at a tilt, and an upper bound on |H'|. The sign is 0 if it is uncertain because of
- * rounding errors. */
+/* Finds the sign of H' at a tilt, or 0 if rounding errors hide it, and an upper bound on |H'|. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -391,10 +381,9 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. Begins
- * with a distance that follows from H'' at theta. Doubles it until H' is certainly positive this far below
- * theta, and certainly negative this far above theta. Tilts outside the cycle need no test. Sets *steepest to
- * an upper bound on |H'| at the tilts that were tried.
+ * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The first
+ * distance follows from H''. It is doubled until H' is certainly positive below and negative above theta.
+ * Tilts outside the cycle need no test. *steepest is an upper bound on |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -6,9 +6,8 @@
 #include "numerics/numerics.h"
 
 /*
- * The barrier over the tilts [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ...,
- * edge[edges - 1] = end. If a domino detaches, there are three edges, and edge[1] is the tilt of the head at
- * that moment.
+ * The barrier over [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ..., edge[edges
+ * - 1] = end. If a domino detaches, it does so when the head has the tilt edge[1].
  */
 struct barrier {
     real theta_m, height;
@@ -18,33 +17,30 @@ struct barrier {
 };
 
 /*
- * Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The error in
- * the height is of third order in the last step of the search, so the cube root of the tolerance is enough.
- * In most trains, the error is only a hundredth of the third power of this step, so TOP_TOL_ROUGH usually
- * suffices as well. It is used for heights that are not part of a result.
+ * Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The height
+ * has an error of third order, so the cube root of the tolerance is enough. TOP_TOL_ROUGH usually suffices.
+ * It is used for heights that are not part of a result.
  */
 #define TOP_TOL(geometry)       (cbrt((geometry)->tol) / 4)
 #define TOP_TOL_ROUGH(geometry) (4 * cbrt((geometry)->tol))
 
-/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the
- * height is needed. */
+/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m. TOP_TOL suffices for the
+ * height. */
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
                                       struct barrier *barrier);
 
 /*
  * barrier_follow finds one top by Newton's method, and stores it in *b. tol is the relative tolerance of its
- * tilt. Returns false if it finds no top. It does not check whether the top is the highest; barrier_tops
- * does.
+ * tilt. Returns false if it finds no top. A higher top may exist (barrier_tops).
  *
- * The search starts at the tilt that barrier_near returns, which is close to the top if *b holds the top of a
- * similar train. If the caller has already computed the sums at this tilt (with PASS_SECOND_DERIVATIVE), `at`
- * points to them; otherwise it is NULL.
+ * The search starts at the tilt that barrier_near returns, close to the top in *b. `at` holds the sums at
+ * this tilt (with PASS_SECOND_DERIVATIVE), or is NULL.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
                            struct barrier *b);
 
-/* Searches [0, theta_c] for tops of H that are higher than the top in *b, and stores the highest in *b. */
+/* Searches [0, theta_c] for tops of H that are higher than *b, and stores the highest in *b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);
 
 /* Returns true only if it is proved that H has a single top. */
@@ -53,46 +49,43 @@ KERNEL bool barrier_single(const struct geometry *geometry);
 /* Returns an upper bound on the barrier. The bound holds for trains of any length, if r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
-/* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at lo, and `from` is lo
- * as a struct tilt. */
+/* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at `from`, the tilt
+ * lo. */
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
-/* Finds the barrier over the tilts from whole->edge[0] to `end`. The edges of `whole` that are below `end`
- * become edges of the result. Heights are relative to H at `from`. */
+/* Finds the barrier from whole->edge[0] to `end`, with the edges of `whole` below `end`. Heights are relative
+ * to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
 
 /*
- * Finds the launch of an endless train and its barrier over [0, end]. Also finds error bounds on the launch,
- * unless `error` is NULL. If the kinetic energy and the barrier are nearly equal, their difference loses
- * digits by cancellation. Both energies are then computed again with a finer tolerance, if the arithmetic
- * allows one, and geometry->tol is set to this tolerance.
+ * Finds the launch of an endless train and its barrier over [0, end]. Finds error bounds on the launch unless
+ * `error` is NULL. If the kinetic energy and the barrier are nearly equal, computes both again with a finer
+ * tolerance. geometry->tol is then set to this tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
 
 /*
- * Decides from the results of barrier_balance for a whole cycle whether a train keeps falling (26; c8).
- * Returns DOM_OK if it does, and otherwise DOM_STOPS or DOM_NO_FUEL. Every result about a train uses this
- * verdict.
+ * Decides from barrier_balance for a whole cycle whether a train keeps falling (26; c8). Returns DOM_OK,
+ * DOM_STOPS or DOM_NO_FUEL. Every result about a train uses this verdict.
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* Two terms of magnitude `whole` have a difference of magnitude `left`. Returns the relative tolerance that
- * the terms need so that their difference has the relative tolerance tol. */
+/* Two terms of magnitude `whole` differ by `left`. Returns the relative tolerance of the terms with which
+ * their difference has the relative tolerance tol. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*
- * Returns the width of the peak of 1/omega at a top inside a cycle. `margin` is the kinetic energy that is
- * left at the top, and heights are relative to H at `from`. Near the top, the kinetic energy is (width^2 +
- * (theta - theta_m)^2) |H2| / 2. Returns NaN if the top is at an end of the cycle, or if H2 is unknown.
+ * Returns the width of the peak of 1/omega at a top inside a cycle. `margin` is the kinetic energy at the
+ * top, and heights are relative to H at `from`. The kinetic energy near the top is (width^2 + (theta -
+ * theta_m)^2) |H2| / 2. Returns NaN if the top is at an end of the cycle, or if H2 is unknown.
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
 
-/* Finds error bounds on theta_m and on the height of the barrier. The bounds are NaN if none are known for
- * this train. */
+/* Finds error bounds on theta_m and on the height of the barrier. Unknown bounds are NaN. */
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *barrier,
                                      struct barrier *error);
 

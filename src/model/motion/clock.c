@@ -8,8 +8,8 @@ struct clock {
     struct tick {
         struct num_series series;
         real begins; /* time at which the head reaches the tilt lo */
-        /* True if the train stops at the end of this piece. The series then depends on x of slowness_before.
-         * */
+        /* True if the train stops at the end of this piece. The series then depends on x of
+         * slowness_before. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];

@@ -182,8 +182,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits the head is this train at theta_c, divided by r. So its energy has the factor r^-q.
-     * */
+    /* The train that hits the head is this train at theta_c, divided by r. So its energy has the factor
+     * r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,
