@@ -105,7 +105,8 @@ enum engine_status engine_load(void);
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
 
-/* The state of a row during a run. tilt[k] is the tilt of box k, and foot[k] how far its foot has slid. */
+/* The state of a row during a run. For k < count, tilt[k] is the tilt of box k, and foot[k] is how far its
+ * foot has slid. */
 struct engine_moment {
     double time;
     size_t head;  /* index of the foremost box that was hit */

@@ -99,8 +99,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation that can be reached from `good` in safety. Separations are in units of
- * 1/GRID. The row must be safe enough at `good`. */
+/* Returns the smallest separation that can be reached from `good` through safe rows. The row must be safe at
+ * `good`. Separations are in units of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;

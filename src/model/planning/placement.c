@@ -48,7 +48,7 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i, and for causes, also without each kind of error. Adds the results to the counts. */
+/* Runs row number i. For causes, runs it again without each kind of error. Adds the results to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;

@@ -27,7 +27,8 @@ bool shape_from_board(const struct shape *shape, dom_real height);
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
 /* Writes the dominoes for the variables x. Narrows gaps that are too wide for the hall or for a domino's
- * reach. If `final` is true, rounds lengths to the grid. Returns false if the hall is too short. */
+ * reach. If `final` is true, rounds lengths to the grid. Returns false if the hall is too short even without
+ * gaps. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
 /* Rounds the dimensions of a row to the grid and to the boards. The first domino keeps its sizes, and the

@@ -71,7 +71,7 @@ static real passage_size(const struct passage *s)
 
 /*
  * Returns the integrand at x of the time until the head rests at the tilt b = `to`. Near b, 1/omega grows
- * like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is smooth.
+ * like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth function of x.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -250,7 +250,7 @@ static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /* The moment of inertia is at least a quarter of that with sharp edges. So p grows by at most sqrt(2 R)
-     * per tau, where R is the reach, and is at least `first`. */
+     * per tau, where R is the reach. The p that is sought is at least `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

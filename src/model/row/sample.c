@@ -30,9 +30,9 @@ struct random_row {
 };
 
 /*
- * Sums along a chain between two tilts of its head. Only the sign of a margin matters, so rounding errors are
- * not compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier
- * is at most a^2 / (2 b).
+ * Sums along a chain between two tilts of its head. A few digits suffice, so rounding errors are not
+ * compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier is
+ * at most a^2 / (2 b).
  */
 struct glide {
     real J, dH;
