@@ -63,7 +63,7 @@ struct dom_proof {
     double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */
-    int decimals; /* with DOM_PROVED_BARRIER, the number of decimal places of low and high */
+    int decimals; /* with DOM_PROVED_BARRIER, the number of decimal places of `low` and `high` */
     enum dom_proof_gap gap;
     struct dom_proof_work work;
 };

@@ -327,28 +327,29 @@ struct dom_window {
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
- * - heights from 1/100 to 4 times the current one, if the domino can stand on the slope,
- * - thicknesses from 1/100 to 4 times the current one, if walls and rounded edges fit, too,
- * - frictions from 0 to 2 or to 4 times the current one, whichever is larger, but at most DOM_MU_HIGHEST,
+ * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope,
+ * - thicknesses from 1/100 to 4 times the current thickness, if walls and rounded edges fit, too,
+ * - frictions from 0 to 2 or to 4 times the current friction, whichever is larger, but at most
+ *   DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
  * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
  * of its wood.
  *
- * The search makes the same steps as dom_row_mend. All dominoes fall with low and with high, but an interval
- * narrower than a step, in which the row does not fall, can be missed. With an engine, a window has three
- * digits and is searched in a quarter of the steps. A value at which the engine cannot decide how the row
- * ends is outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
- * dom_row_run.
+ * The search makes the same steps as dom_row_mend. All dominoes fall with `low` and with `high`, but an
+ * interval narrower than a step, in which the row does not fall, can be missed. With an engine, a window has
+ * three digits and is searched in a quarter of the steps. A value at which the engine cannot decide how the
+ * row ends is outside the window. Calls progress, which may be NULL, for each window. The statuses are those
+ * of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
                                 struct dom_window *windows);
 
 /*
- * Finds the weakest push in rad/s that makes all dominoes of a row fall, rounded up to four digits. Starts
- * from the push that turns the first domino over its edge, or from row->push if that is larger. Doubles the
- * push until all dominoes fall, and then bisects.
+ * Finds the weakest push in rad/s that makes all dominoes of a row fall. The result is rounded upwards to
+ * four digits. Starts from the push that turns the first domino over its edge, or from row->push if that is
+ * larger. Doubles the push until all dominoes fall, and then bisects.
  *
  * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes fall already. The statuses
  * are those of dom_row_run, and DOM_BAD_PUSH if `strongest` is not a finite number > 0.

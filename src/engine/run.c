@@ -22,8 +22,8 @@ static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 /* A box counts as stopped after it has rested for this time, in sqrt(height / g). */
 static const double hinged_rest = 0.1, any_rest = 3;
-/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps, twenty times as many as
- * most need. */
+/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need a
+ * twentieth of these steps. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 

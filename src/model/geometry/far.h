@@ -62,7 +62,7 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    /* The series is that of J / one^2. d one / d theta is -z one. */
+    /* The series is that of J / `one`^2. The derivative of `one` with respect to theta is -z * `one`. */
     real one = 1 + z * z;
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};

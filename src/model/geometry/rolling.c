@@ -207,8 +207,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns true if rolling_pushes_between succeeds from b to a, or on both halves, halving up to `halvings`
- * times. */
+/* Returns true if rolling_pushes_between succeeds from b to a. If it fails, tries both halves, with at most
+ * `halvings` successive halvings. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))

@@ -127,7 +127,8 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between succeeds from b to a, or on both halves, halving up to `halvings` times. */
+/* Returns true if pushes_between succeeds from b to a. If it fails, tries both halves, with at most
+ * `halvings` successive halvings. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))

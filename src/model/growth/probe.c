@@ -15,7 +15,7 @@ static real probe_r(const struct margin_context *c, real x)
 /* Samples for each factor of e in r, up to 0.9 of the reach. One more is at the reach. */
 #define PROBE_PER_E 5
 
-/* Returns the growth of sample k. Beyond the last sample, this is the reach. */
+/* Returns the growth of sample k. Beyond the last sample, the result is the reach. */
 static real probe_place(const struct margin_context *c, int k)
 {
     const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
@@ -79,7 +79,7 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
                width = probe_x(p->c, hi->r) - x, before = probe_x(p->c, third->r) - x;
-    /* if `third` is lo, this is NaN, and the result is false */
+    /* if `third` is lo, `bend` is NaN, and the result is false */
     const real bend = (at_hi - at_lo - (at_third - at_lo) / before * width) * width / (width - before);
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }

@@ -91,8 +91,8 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends at terms below this fraction of the sum. The terms decrease faster than a geometric series,
-     * so the remainder is negligible. */
+    /* A sum ends when its terms are below this fraction of it. The terms decrease faster than a geometric
+     * series, so the remainder is negligible. */
     real cut;
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */

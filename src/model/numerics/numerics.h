@@ -116,7 +116,7 @@ struct num_linear {
 };
 
 /* Extends the solution over [lo, hi], where p and c must be smooth. lo must be the end of the solution so
- * far. The relative error of G is about tol, and the error of v about tol times its range. */
+ * far. The relative error of G is about tol, and the error of v is about tol times the range of v. */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 

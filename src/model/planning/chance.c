@@ -34,8 +34,8 @@
 /* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* A changed gap or size affects later dominoes less and less. A run ends at changes below this fraction of
- * the largest. */
+/* A changed gap or size affects later dominoes less and less. A run ends when the changes are
+ * below this fraction of the largest change. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -234,7 +234,8 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. Writes their margins to `margin`, or if this is NULL, their sums to *total. */
+/* Runs all random rows. Writes their margins to `margin`. If `margin` is NULL, writes sums of the margins
+ * to *total instead. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

@@ -11,8 +11,8 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations are multiples of height / GRID (0.05 mm for the standard domino). The search begins with COARSE
- * times this. */
+/* A separation is k * height / GRID, where k is an integer. For the standard domino, height / GRID is 0.05
+ * mm. In the first search, k is a multiple of COARSE. */
 enum { GRID = 1000, COARSE = 20 };
 
 /* The state of a search for a design. After an error, `status` is not DOM_OK, nothing more is computed, and

@@ -4,8 +4,8 @@
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current one, and friction up to
- * FRICTION_MOST, or four times the current one. */
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction is tried up to
+ * FRICTION_MOST or four times the current friction, whichever is larger. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2

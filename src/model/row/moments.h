@@ -20,8 +20,9 @@ struct passage {
     real lasts;      /* duration of the passage in tau */
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
-    real span;       /* sqrt((to - lo) / passage_size), if the passage ends at rest */
-    /* the time sought in tau from the beginning, or before the end if the passage ends at rest */
+    real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
+    /* the time for which the tilt is sought, in tau from the beginning of the passage. If `rests` is true, it
+     * counts backwards from the end. */
     real into;
     struct num_series series;
 };

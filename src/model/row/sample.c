@@ -43,7 +43,7 @@ struct glide {
     bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds a domino to the sums. Its state is *b at the first tilt of the head, and *a at the last. */
+/* Adds a domino to the sums. Its state is *b at the first tilt of the head, and *a at the last tilt. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;

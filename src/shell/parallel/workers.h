@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The thread pool, which computes points of curves and sweeps, and tasks of the library. A worker takes one
- * block of consecutive points after another, and the only lock about once per millisecond. The output does
- * not depend on the number of workers, since blocks are written in order. */
+ * block of consecutive points after another. About once per millisecond, it takes the only lock. The output
+ * does not depend on the number of workers, since blocks are written in order. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 

@@ -16,7 +16,7 @@ enum chart_kind {
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN without a range */
+    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN without a range */
 };
 
 struct chart_curve {
@@ -124,7 +124,7 @@ const char *chart_dress(struct chart *chart);
 /* Returns the sizes of the picture and of its font, with usual values for those not chosen. */
 struct chart_look chart_size(const struct chart *chart);
 
-/* Returns the position of a value on its axis: 0 is the lower end, and 1 the upper end. */
+/* Returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end. */
 double axis_place(const struct chart_axis *axis, double value);
 
 /* Returns the value at a position. */

@@ -323,7 +323,8 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes to `missing` how many rows of the study are missing, or "". Fails if a row occurs twice. */
+/* Counts the missing rows of the study and writes the result into `missing`. Writes "" if no row is missing.
+ * Fails if a row occurs twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

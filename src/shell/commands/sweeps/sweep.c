@@ -166,7 +166,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     return points_answer(w->query, problem, a, workers, &by_point) || (by_point && point_failed(w, problem));
 }
 
-/* Prints at how many points a value is missing, and the reason at the first of them. */
+/* Prints the number of points at which a value is missing, and the reason at the first of these points. */
 static void tally_say(struct sweeper *w, struct answer *a)
 {
     const struct tally *t = &w->tally;
