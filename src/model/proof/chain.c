@@ -8,7 +8,7 @@ struct shape shape_make(double s, double d, double q)
     shape.q = q == floor(q) && q <= 64 ? span_of(q) : span_around(q);
     shape.L = span_add(shape.s, shape.d);
     shape.v_inf = span_over(shape.s, shape.L);
-    /* sqrt(1 + d^2) - 1 = d^2/(1 + sqrt(1 + d^2)). Divided by sqrt(1 + d^2), this is 1 - cos theta_u. */
+    /* 1 - cos theta_u = [sqrt(1 + d^2) - 1]/sqrt(1 + d^2), where the numerator is d^2/(1 + sqrt(1 + d^2)). */
     struct span square = span_square(shape.d), root = span_sqrt(span_add(span_of(1), square));
     shape.steepest = root.hi;
     shape.g_top = span_over(square, span_add(span_of(1), root));
@@ -16,9 +16,8 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/* sine_below and sine_above return bounds on the sine of a tilt. The product v (2 - v) and its square root
- * together have a relative error below 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding error
- * of its own multiplication. */
+/* sine_below and sine_above return bounds on the sine of a tilt. The computed root has a relative error below
+ * 2^-52. The factor 1 -+ 2^-51 covers it and its own rounding error. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));
@@ -57,8 +56,7 @@ struct span tilt_rise(const struct shape *shape, struct span v)
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }
 
-/* Sine X and cosine Y of the angle theta_1 - theta between a domino and its follower, at one tilt and one
- * growth. If v increases, X decreases and Y increases. */
+/* Sine X and cosine Y of theta_1 - theta, at one tilt and one growth. X decreases with v, and Y increases. */
 struct turn {
     struct span X, Y;
 };
@@ -71,14 +69,14 @@ static struct turn corner_turn(const struct corner *c, double v)
     t.X.hi = most_1(up(c->rs.hi - less));
     if (!(t.X.hi >= 0))
         t.X.hi = 0;
-    /* Y^2 = (1 - X) (1 + X). The first factor is computed as (1 - r s) + r L v, without cancellation. */
+    /* Y^2 = (1 - X) (1 + X), where 1 - X = (1 - r s) + r L v avoids cancellation. */
     t.Y.lo = least_0(down(sqrt(least_0(down(down(c->short_of.lo + less) * down(1 + t.X.lo))))));
     t.Y.hi = most_1(up(sqrt(up(up(c->short_of.hi + more) * up(1 + t.X.hi)))));
     return t;
 }
 
 /*
- * turned_below and turned_above return bounds on v of the follower, which is a sum of terms >= 0:
+ * turned_below and turned_above return bounds on v of the follower, a sum of terms >= 0:
  *
  *     1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta.
  */
@@ -94,8 +92,8 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Returns a lower bound on v of the follower, from the lower corner of a box: v of theta_1(t) for some t <=
- * theta. It cannot exceed v of the running maximum F (chain.h). */
+/* Returns a lower bound on v of the follower, from the lower corner of a box. It is v of theta_1(t) for some
+ * t <= theta, so it cannot exceed v of F (chain.h). */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
@@ -170,8 +168,7 @@ struct contact chain_contact(const struct growth *growth, struct span v)
                            most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)
         c.step = span_of(0);
-    /* dF/dr = d asin(X)/dr = (X/r)/Y, where X/r = L cos theta - d. It decreases with theta and increases with
-     * r. */
+    /* dF/dr = (X/r)/Y, where X/r = L cos theta - d. It decreases with theta and increases with r. */
     c.shift =
         (struct span){down(down(c.X.lo / growth->r.lo) / c.Y.hi), up(up(c.X.hi / growth->r.hi) / c.Y.lo)};
     c.shift.lo = least_0(c.shift.lo);

@@ -2,15 +2,15 @@
 /*
  * Describes a train for all growths in an interval, and its dominoes for all tilts in an interval.
  *
- * A tilt theta is represented by v = 1 - cos theta, which is 0 for an upright domino and increases with
- * theta. The sine is sqrt(v (2 - v)), so no function of libm is needed.
+ * A tilt theta is represented by v = 1 - cos theta, which increases with theta. The sine is sqrt(v (2 - v)),
+ * so no function of libm is needed.
  *
- * If a domino has the tilt theta, its follower leans on it at the tilt
+ * The follower of a domino with the tilt theta leans on it at the tilt
  *
  *     theta_1(theta, r) = theta + asin X,   X = r (L cos theta - d).
  *
- * theta_1 increases with theta up to min(theta_leave, theta_inf). At larger theta, the follower has detached
- * and keeps its tilt. So the tilt of the follower is F(theta, r), the maximum of theta_1(t, r) over all t <=
+ * theta_1 increases with theta up to min(theta_leave, theta_inf). Beyond that, the follower has detached and
+ * keeps its tilt. So the tilt of the follower is F(theta, r), the maximum of theta_1(t, r) over all t <=
  * theta.
  *
  * F increases with theta, because it is a running maximum. F also increases with r, because theta_1(t, r)
@@ -18,15 +18,15 @@
  * and r.
  *
  * A box consists of an interval of tilts and an interval of growths. Every chain in a box lies between the
- * chain at the lower corner of the box and the chain at its upper corner.
+ * chains at its lower and its upper corner.
  */
 #ifndef DOM_PROOF_CHAIN_H
 #define DOM_PROOF_CHAIN_H
 
 #include "proof/span.h"
 
-/* All parameters of a train except its growth. They are intervals around the given doubles, so that they also
- * contain the decimal numbers that were rounded to these doubles. */
+/* All parameters of a train except its growth. The intervals contain all decimal numbers that round to the
+ * given doubles. */
 struct shape {
     struct span s, d, L, q;
     struct span v_inf; /* v of the tilt theta_inf, which is s/L because cos theta_inf = d/L (40; A16) */
@@ -82,16 +82,15 @@ struct growth growth_make(const struct shape *shape, double r_low, double r_high
 /* Returns sin theta for all tilts theta with 1 - cos theta in v. */
 struct span tilt_sine(struct span v);
 
-/* For all tilts theta with 1 - cos theta in v: tilt_height returns g = h(theta) - 1, and tilt_rise returns
- * dh/dtheta. g is d sin theta - (1 - cos theta). */
+/* For all tilts theta with 1 - cos theta in v: tilt_height returns g = d sin theta - (1 - cos theta) =
+ * h(theta) - 1, and tilt_rise returns dh/dtheta. */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 
 /* Given 1 - cos theta of a domino, returns 1 - cos theta of its follower. */
 struct span chain_follow(const struct growth *growth, struct span v);
 
-/* Returns the contact of a domino with its follower, including derivatives. v is 1 - cos theta of the domino.
- */
+/* Returns the contact of a domino with its follower. v is 1 - cos theta of the domino. */
 struct contact chain_contact(const struct growth *growth, struct span v);
 
 /* Returns the follower of `leader`, including derivatives. */
@@ -99,10 +98,11 @@ struct domino chain_next(const struct growth *growth, const struct domino *leade
                          const struct contact *contact);
 
 /* Returns a domino at theta_last, the largest tilt that any follower reaches (theta_f or theta_inf). Its
- * `shift` is the derivative of theta_last with respect to r. */
+ * `shift` is dtheta_last/dr. */
 struct domino chain_last(const struct growth *growth);
 
-/* Returns 1 - cos theta_c. theta_c is the tilt of domino 1 while the head is upright; sin theta_c = r s. */
+/* Returns 1 - cos theta_c, where sin theta_c = r s. Domino 1 has the tilt theta_c while the head is
+ * upright. */
 struct span chain_hit(const struct growth *growth);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the energy D = H(theta) - H(0) that a train must climb, for all tilts and growths in a box. */
+/* Computes the energy D = H(theta) - H(0) that a train must climb. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
@@ -12,10 +12,10 @@ static struct span everything(void)
  * Adds bounds on the contribution of domino n and all later dominoes to D. These dominoes are beyond theta_u,
  * where h decreases. Let theta_i0 be the tilt of domino i while the head is upright.
  *
- * Upper bound: the tilt of domino i is at least theta_i0, so the contribution is at most 0.
+ * Upper bound: domino i is at theta_i0 or beyond, so the contribution is at most 0.
  *
- * Lower bound: for theta <= theta_c, the tilt of domino i is at most the tilt of domino i + 1 while the head
- * is upright. The sum of the differences telescopes as in rest_of_fuel, so the contribution is at least
+ * Lower bound: for theta <= theta_c, the tilt of domino i is at most theta_(i+1)0. The sum telescopes as in
+ * rest_of_fuel, so the contribution is at least
  *
  *     -r^(-q n) (h(theta_n0) - h(theta_last)).
  */
@@ -37,7 +37,7 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
 {
     const struct growth *g = &u->growth;
     const struct shape *shape = g->shape;
-    /* `low` and `high` are values of sigma = 2 sin(theta/2). So v = sigma^2/2, and dtheta/dsigma = 1/sqrt(1 -
+    /* `low` and `high` are values of sigma = 2 sin(theta/2): v = sigma^2/2, dtheta/dsigma = 1/sqrt(1 -
      * sigma^2/4). */
     struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
                             .slope = {1, 1}};

@@ -35,19 +35,15 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
     return climb_find(upright, low, high, derivatives);
 }
 
-/*
- * The level that D must stay below in a strip of growths: the kinetic energy K, or a constant. `box` is the
- * level in the whole strip, `point` is the level at the upper end of the strip, and `by_r` is the derivative
- * of the level with respect to r. If `refute` is true, the outcome is OUTCOME_REFUTED as soon as D exceeds
- * the level at the upper end of the strip.
- */
+/* The level that D must stay below in a strip of growths: the kinetic energy K, or a constant. */
 struct level {
-    struct span box, point, by_r;
-    bool refute;
+    struct span box;   /* the level in the whole strip */
+    struct span point; /* the level at the upper end of the strip */
+    struct span by_r;  /* derivative of the level with respect to r */
+    bool refute;       /* if true, the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
 };
 
-/* Returns the term max(M, 0) * width of bound 3 (see cover_tilts). Inside the strip, K - D is at least its
- * value at the upper end minus this term. */
+/* Returns max(M, 0) * width of bound 3 (see cover_tilts). */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);
@@ -55,19 +51,19 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It is enough if
- * one of three lower bounds on K - D is positive.
+ * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It suffices that
+ * one of three lower bounds is positive.
  *
  * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
  *
  * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. Here `at` is
- * the middle of the tilts or, if D is monotonic in the box, the end of the box where D is largest.
+ * the middle of the tilts. If D is monotonic in the box, it is the end where D is largest.
  *
  * Bound 3, by the mean value theorem in r: if d(K - D)/dr <= M, then K - D is at least its value at the upper
  * end of the strip, minus max(M, 0) times the width of the strip.
  *
- * If all three bounds fail, the interval of tilts is halved. If the bounds fail even for the single tilt
- * `at`, halving cannot help, and the strip is too wide.
+ * If all three bounds fail, the interval of tilts is halved. If they fail even for the tilt `at`, the strip
+ * is too wide.
  */
 static enum outcome cover_tilts(struct proof *proof, const struct level *level, double low, double high,
                                 int depth, size_t *left)
@@ -85,9 +81,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* The bounds on D hold only for tilts of the cycle, so move `at` down if it may be above theta_c. The
-     * lower bound on theta_c is a tilt of the cycle at every growth. If the box contains any tilt of the
-     * cycle, `low` is such a tilt. */
+    /* The bounds on D hold only for tilts of the cycle, so `at` may not exceed theta_c. If any tilt in the
+     * box belongs to the cycle, `low` does. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));
@@ -114,8 +109,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Computes the train with an upright head for the whole strip of growths, and for the upper end of the strip.
- * Sums of energies may have remainders up to `rest`. */
+/* Computes the train with an upright head for the whole strip, and for its upper end. `rest` bounds the
+ * remainders of sums of energies. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;

@@ -30,32 +30,29 @@ struct proof {
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
-/* Returns true after an interrupt. Call this function often, since one pass along a long train takes a few
- * milliseconds. */
+/* Returns true after an interrupt. One pass along a long train takes a few milliseconds, so call this
+ * often. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Tries to prove that the train keeps falling at every growth from r_low to r_high, that is, K > D for every
- * tilt of the cycle. */
+/* Tries to prove that the train keeps falling (K > D at every tilt of the cycle) for r_low <= r <= r_high. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
- * Tries to prove that the train keeps falling at all growths from *done to r_high. Goes upwards in strips
- * (intervals of growths), and sets *done to the largest growth up to which the proof succeeded. If the proof
- * of a strip fails, a strip wider than `finest` is halved. Otherwise the proof ends, and *stop is set to the
- * upper end of the strip.
+ * Tries to prove that the train keeps falling from *done to r_high. Goes upwards in strips (intervals of
+ * growths), and moves *done up. Halves a strip whose proof fails, unless it is narrower than `finest`. Then
+ * the proof ends, and *stop is the upper end of the strip.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Tries to prove that the train stops at every growth from r_low to r_high, because it has too little kinetic
- * energy to reach a certain tilt. `top` is 2 sin(theta/2) of this tilt. Returns false if the proof fails. */
+/* Tries to prove that the train stops for r_low <= r <= r_high, because its kinetic energy does not suffice
+ * for a certain tilt. `top` is 2 sin(theta/2) of this tilt. Returns false if the proof fails. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Tries to prove that D < level for all tilts and for all growths from r_low to r_high. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, where B is the barrier. Sets *top to an estimate of 2 sin(theta/2)
- * for the tilt at the top of the barrier. These estimates prove nothing. Returns NaN if the train cannot be
- * computed, or after an interrupt. */
+/* Returns an estimate of the margin K - B, where B is the barrier. *top is an estimate of 2 sin(theta/2) at
+ * its top. Both prove nothing. Returns NaN if the train cannot be computed, or after an interrupt. */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes energies of a train for all growths and tilts in a box. The unit of energy is m g h / 2 of the
- * head. */
+/* Computes energies for all growths and tilts in a box. The unit of energy is m g h / 2 of the head. */
 #ifndef DOM_PROOF_ENERGY_H
 #define DOM_PROOF_ENERGY_H
 
@@ -16,8 +15,7 @@ struct link {
     struct span weight; /* r^(-q i) */
 };
 
-/* The train while its head is upright, at the beginning of a cycle. All energies are relative to those of
- * this state. */
+/* The train while its head is upright, at the beginning of a cycle. Energies are relative to this state. */
 struct upright {
     struct growth growth;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
@@ -33,14 +31,13 @@ struct upright {
     bool by_r;                         /* true if the derivatives with respect to r are finite */
 };
 
-/* Computes the train with an upright head for all growths from r_low to r_high. Dominoes are added until the
- * bound on the remainder of the energy is at most `rest`, or until it no longer decreases. Returns false if
- * more dominoes would be needed than the array has room for. */
+/* Computes the train with an upright head for r_low <= r <= r_high. Adds dominoes until the remainder of the
+ * energy is at most `rest`, or no longer decreases. Returns false if the array has too little room. */
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
 
-/* D = H(theta) - H(0) for tilts of the head with `low` <= 2 sin(theta/2) <= `high`, and for all growths of
- * the train. */
+/* D = H(theta) - H(0) for all growths, and for `low` <= 2 sin(theta/2) <= `high`, where theta is the tilt of
+ * the head. */
 struct climb {
     struct span height;
     struct span by_tilt; /* derivative of D with respect to 2 sin(theta/2) */
@@ -49,8 +46,7 @@ struct climb {
 
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
-/* These two functions return an upper and a lower bound on 2 sin(theta_c/2) that hold for all growths of the
- * train. */
+/* Upper and lower bound on 2 sin(theta_c/2) that hold for all growths of the train. */
 double upright_hit_above(const struct upright *upright);
 double upright_hit_below(const struct upright *upright);
 

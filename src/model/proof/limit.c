@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves that the train
- * keeps falling in one strip (an interval of growths) after another. If a proof succeeds, the next strip is
- * twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper end
- * of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers close to the
- * root, one below and one above it. A wrong estimate makes these proofs fail, but does no other harm.
+ * Encloses the smallest growth at which a train stops. From r = 1 on, the program proves for one strip (an
+ * interval of growths) after another that the train keeps falling. The next strip is twice as wide after a
+ * success, and half as wide after a failure. If the train seems to stop at the upper end of a strip, the root
+ * of the margin is estimated. Proofs are then tried for a decimal number below and one above it. A wrong
+ * estimate can only make these proofs fail.
  */
 #include "proof/limit.h"
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth at which the margin is 0. The train keeps falling at the growth `low`, and stops at
- * the growth `high`. */
+/* Estimates the growth at which the margin is 0. The train keeps falling at `low`, and stops at `high`. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -33,7 +32,7 @@ static double root_between(struct proof *proof, double low, double high, double 
     return low;
 }
 
-/* Proofs are tried for growths that are decimal numbers n / unit with an integer n and unit = 10^decimals. */
+/* Proofs are tried for decimal numbers n / unit, where n is an integer and unit = 10^decimals. */
 struct grid {
     double unit;
     int decimals;
@@ -49,9 +48,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a growth above n / unit, as a decimal number, at which the train certainly stops. A decimal number
- * lies between the two neighbours of the double that is nearest to it, so the proof covers the interval
- * between these two neighbours. */
+/* Finds a decimal number above n / unit at which the train certainly stops. It lies between two neighbours of
+ * its nearest double, so the proof covers the interval between them. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -64,8 +62,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train keeps falling at every growth up to the decimal number n / unit. If this fails, tries
- * smaller decimal numbers, the closest first. */
+/* Proves that the train keeps falling up to n / unit. If this fails, tries smaller decimal numbers, the
+ * closest first. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -84,10 +82,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling at
- * all growths up to a number slightly below the root, and that it stops at a number slightly above the root.
- * Returns false if a proof fails; limit->outcome is the reason. If the reason is OUTCOME_REFUTED, the train
- * stops at a smaller growth, which is stored in *stop.
+ * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling up
+ * to slightly below the root, and stops slightly above it. Returns false if a proof fails, with the reason in
+ * limit->outcome. If that is OUTCOME_REFUTED, *stop is a smaller growth at which the train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
@@ -100,8 +97,7 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
         limit->outcome = OUTCOME_INTERRUPTED;
         return false;
     }
-    /* If the proof fails, try again with more decimal places, since a number with too few places may lie
-     * beyond the next root, or beyond 1/s. */
+    /* Try again with more decimal places: the number may lie beyond the next root, or beyond 1/s. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);
@@ -153,9 +149,8 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Called for a pair that stops at r = 1. Finds the lowest root of the margin from samples, and returns a
- * growth above it at which the pair provably keeps falling: if possible, a decimal number slightly above the
- * root. Returns NaN if no proof succeeds.
+ * Called for a pair that stops at r = 1. Estimates the lowest root of the margin, and returns a growth above
+ * it at which the pair provably keeps falling. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)
 {

@@ -23,8 +23,8 @@ struct limit_proof {
     enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Encloses the smallest growth at which the train stops. If the proof succeeds, the relative width of the
- * enclosure is about `tol`. */
+/* Encloses the smallest growth at which the train stops. The relative width of the enclosure is about
+ * `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

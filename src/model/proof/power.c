@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes powers, logarithms and exponentials with + - * / alone, since the functions of libm have no
- * guaranteed error bounds. */
+/* Computes powers, logarithms and exponentials with + - * / alone. The functions of libm have no error
+ * bounds. */
 #include "proof/power.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
@@ -36,8 +36,8 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for a double x >= 1. If x = 2^(n-1) m with 1 <= m < 2, then ln x = (n - 1) ln 2 + 2 atanh((m -
- * 1)/(m + 1)). */
+/* Returns ln x for x >= 1. If x = 2^(n-1) m with 1 <= m < 2, ln x = (n - 1) ln 2 + 2 atanh((m - 1)/(m +
+ * 1)). */
 static struct span log_of(double x)
 {
     int n;
@@ -52,10 +52,10 @@ struct span span_log(struct span x)
 }
 
 /*
- * Returns e^x = 2^n e^y for a double x in [0, 700], where x = n ln 2 + y with |y| < 1/2.
+ * Returns e^x = 2^n e^y for 0 <= x <= 700, where x = n ln 2 + y with |y| < 1/2.
  *
- * The series of e^y ends with the term y^N/N!, N = TERMS. Each further term would be less than 1/4 of the one
- * before it. So the remainder is at most
+ * The series of e^y ends with y^N/N!, N = TERMS. Each further term is less than 1/4 of the one before it. So
+ * the remainder is at most
  *
  *     |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)! < 2^-63   for N = 16.
  */

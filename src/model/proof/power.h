@@ -4,7 +4,7 @@
 
 #include "proof/span.h"
 
-/* Returns x^q for x >= 1 and q > 0. If q is exactly an integer up to 64, uses only multiplications. */
+/* Returns x^q for x >= 1 and q > 0. Integers q up to 64 need only multiplications. */
 struct span span_power(struct span x, struct span q);
 
 /* Returns ln x for x >= 1. */

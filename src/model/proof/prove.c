@@ -45,8 +45,7 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
-/* The default tolerance is not taken from dom_compute_default, because a program that uses only
- * <domino_quad.h> does not link the part of the library that contains this function. */
+/* dom_compute_default is not called, because a program that uses only <domino_quad.h> does not link it. */
 static double tolerance_of(const struct dom_compute *compute)
 {
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
@@ -144,8 +143,7 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Encloses the barrier. The lower bound is D at one tilt. The upper bound is a level that D provably never
- * exceeds. */
+/* Encloses the barrier between D at one tilt and a level that D provably never exceeds. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {
@@ -226,8 +224,7 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     return DOM_OK;
 }
 
-/* Returns a * b. A bound that has no rounding error is not moved outwards, so the interval stays a single
- * number as long as products are exact. fma computes the rounding error. */
+/* Returns a * b. An exact bound is not moved outwards, so an exact product stays a single number. */
 static struct span times_exactly(struct span a, double b)
 {
     const double least = 0x1p-960; /* below this, the rounding error of a product may underflow to 0 */
@@ -239,9 +236,8 @@ static struct span times_exactly(struct span a, double b)
 enum { POWERS_MOST = 100000 };
 
 /*
- * Only bounds on first * r^n are known. If `surely` is true, returns the smallest n for which first * r^n is
- * certainly at least `height`. Otherwise returns the smallest n for which first * r^n may be at least
- * `height`. Returns INFINITY if no such n is below POWERS_MOST.
+ * Returns the smallest n for which first * r^n >= `height`: certainly if `surely` is true, and possibly
+ * otherwise. Returns INFINITY if no such n is below POWERS_MOST.
  */
 static double count_until(struct span first, double r, double height, bool surely)
 {
@@ -256,8 +252,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Finds bounds on the number of dominoes from ln(height/first)/ln r, for numbers that are too large for
- * repeated multiplication. `height` must be larger than `first`. */
+/* Finds bounds on the number of dominoes, ln(height/first)/ln r rounded up, if it is large. `height` must be
+ * larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},
@@ -285,7 +281,7 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         return DOM_OK;
     }
     /* If all products are exact, the arguments are taken literally. Otherwise the bounds hold for all numbers
-     * that round to the arguments, such as the decimal numbers that a user typed. */
+     * that round to them. */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
     struct span last = exact;

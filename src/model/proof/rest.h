@@ -35,8 +35,8 @@ struct rest {
     double shift;  /* upper bound on every dtheta_i/dr */
 };
 
-/* Finds the bounds. `domino` and `contact` are domino n and its contact with its follower, `power` is r^(-q
- * n), and `fall` is an upper bound on h(theta_n) - h(theta_last). */
+/* Finds the bounds. `domino` and `contact` belong to domino n. `power` is r^(-q n), and `fall` is an upper
+ * bound on h(theta_n) - h(theta_last). */
 struct rest rest_find(const struct growth *growth, const struct domino *domino, const struct contact *contact,
                       double power, double fall, int n);
 

@@ -3,12 +3,10 @@
  * Interval arithmetic: each result is an interval that certainly contains the true value. Its bounds are
  * computed in double with + - * / and sqrt, and are then moved outwards by one step.
  *
- * IEEE 754 rounds the results of these five operations to the nearest double. If z is such a rounded result,
- * up(z) and down(z) are at or beyond the neighbours of z, so the exact result lies between them (Rump,
- * Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419).
- * The rounding mode is never changed, so the compiler needs no special option, and threads do not disturb
- * each other. If a caller has set a rounding mode other than to nearest, the functions dom_prove_... prove
- * nothing.
+ * IEEE 754 rounds these five operations to the nearest double. If z is a rounded result, up(z) and down(z)
+ * are at or beyond the neighbours of z, so the exact result lies between them (Rump, Zimmermann, Boldo,
+ * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). The rounding mode is
+ * never changed. If a caller has set another one, the functions dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H
@@ -23,9 +21,8 @@
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/* PROOF_BOUND marks a bound that a proof depends on, and supplies a wrong expression for it.
- * tests/unit/test_proof.c replaces one bound at a time by its wrong expression, and checks that this makes
- * its tests fail. */
+/* PROOF_BOUND marks a bound that a proof depends on, and a wrong expression for it. tests/unit/test_proof.c
+ * tries each wrong expression, and checks that its tests then fail. */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -34,8 +31,7 @@ struct span {
     double lo, hi;
 };
 
-/* up returns a double above, and down a double below, every real number that rounds to z. Adding DBL_MIN
- * covers results that underflow. */
+/* up and down return doubles above and below every real number that rounds to z. DBL_MIN covers underflow. */
 static inline double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
@@ -46,8 +42,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* For a number that is known to be >= 0, least_0 raises a negative lower bound to 0. For a number that is
- * known to be <= 1, most_1 lowers a larger upper bound to 1. NaN becomes 0 in least_0, and 1 in most_1. */
+/* least_0 raises a negative lower bound to 0, for a number known to be >= 0. most_1 lowers an upper bound to
+ * 1, for a number known to be <= 1. NaN becomes 0 in least_0, and 1 in most_1. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
@@ -73,8 +69,7 @@ static inline struct span span_of(double x)
     return (struct span){x, x};
 }
 
-/* Returns an interval that contains all numbers that round to x, including the decimal number or fraction
- * that was converted to x. */
+/* Returns an interval that contains all numbers that round to x. */
 static inline struct span span_around(double x)
 {
     return (struct span){down(x), up(x)};
@@ -119,7 +114,7 @@ static inline struct span span_square(struct span a)
     return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
 }
 
-/* Returns the square root of a number that is known to be >= 0, even if a.lo is below 0. */
+/* Returns the square root of a number >= 0, even if a.lo is below 0. */
 static inline struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the train while its head is upright: the fuel, the inertia, and the kinetic energy with which a
- * cycle begins. */
+/* Computes the train while its head is upright: its fuel, its inertia, and its initial kinetic energy. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
@@ -17,8 +16,7 @@ static struct span least_zero(struct span a)
     return (struct span){least_0(a.lo), a.hi};
 }
 
-/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r. It takes into account that the tilt
- * theta_i also changes with r: dtheta_i/dr = shift. */
+/* Returns the total derivative of dF/dtheta = 1 - r L x / Y with respect to r, where dtheta_i/dr = shift. */
 static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
                              struct span shift)
 {
@@ -42,8 +40,7 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
-/* Adds the contribution of domino i to T, which is r^(-(q+1) i) slope^2, and the derivative of this
- * contribution with respect to r. */
+/* Adds r^(-(q+1) i) slope^2 of domino i to T, and its derivative to dT/dr. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
@@ -54,8 +51,7 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_times(w->share, change));
 }
 
-/* Adds the contribution of domino i to P, which is r^(-q i) (h(theta_i) - h(theta_i+1)), and the derivative
- * of this contribution with respect to r. */
+/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)) of domino i to P, and its derivative to dP/dr. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -109,7 +105,7 @@ static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, c
     w->fuel_by_r = span_add(w->fuel_by_r, change);
 }
 
-/* Finds K from (24; c6): if P > 0, then K = P / E with E = r^q (1 + 1/T) - 1. */
+/* Finds K from (24; c6): K = P / E with E = r^q (1 + 1/T) - 1, if P > 0. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -218,10 +214,9 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
         /*
-         * Stop when the tilts hardly grow any more from domino to domino, since further dominoes would not
-         * make the remainder smaller. But if equal dominoes stand close together, their tilts approach the
-         * limit slowly. So if the interval of growths is narrow, stop only when the increase of the tilts is
-         * lost in rounding.
+         * Stop when the tilts hardly grow from domino to domino, since more dominoes do not help. But if
+         * equal dominoes stand close together, their tilts approach the limit slowly. So for a narrow
+         * interval, stop only when rounding hides the increase.
          */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
