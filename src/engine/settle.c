@@ -20,23 +20,19 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
 }
 
 /*
- * Returns true if the verdict of the first run is certain. If all boxes fall, none may have slowed down to
- * half of its largest angular velocity. Otherwise, the foremost box must have stopped far short of its
- * balance point.
+ * Returns true if the verdict of the first run is certain.
  *
- * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges, which
+ * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges. They
  * were run again with finer steps:
  * - If all boxes fell and none slowed down below 0.41 times its largest angular velocity, all fell again.
- * - In 1,400 rows, the foremost box stopped less than a quarter of the way to its balance point. Only one of
- *   these rows fell with finer steps.
- *
- * On hinges, a stop is never certain. The run ends soon after the foremost box has turned back, but the box
- * behind it may push it over later.
+ * - In 1,400 rows, the foremost box stopped less than a quarter of the way to its balance point. One of them
+ *   fell with finer steps.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {
     if (fall->all)
         return fall->slowest > 0.5;
+    /* On hinges, the run ends soon after a box turns back, but the box behind it may push it over later. */
     return isfinite(row->feet) && !fall->lies && fall->climbed < 0.2;
 }
 

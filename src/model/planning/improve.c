@@ -100,9 +100,8 @@ static void level_set(struct search *s, const struct level *level)
 /* ---- The function that is minimized ---- */
 
 /*
- * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Unlike p, this has
- * a slope even if almost all rows fall, or almost none. Returns infinity when no evaluations are left, which
- * ends a line search.
+ * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. This has a slope
+ * even where p is nearly 0 or 1. Returns infinity to end a line search.
  */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {

@@ -11,10 +11,8 @@
 
 /*
  * Returns the probability that at least k, or at most k, of n rows fall if each falls with the probability p.
- *
- * Divides the sum over the tail of the binomial distribution by the sum over all terms. Term k is set to 1.
- * Each other term is a simple ratio times its neighbour, so that no factorials are needed. gsl_cdf_beta_P
- * does not converge for some p if n is a million or more.
+ * Divides the sum over the tail by the sum over all terms. gsl_cdf_beta_P does not converge for some p if n
+ * is a million or more.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -22,7 +20,7 @@ static double binomial_tail(double k, double n, double p, bool at_least)
     double above = 0, below = 0;
     if (!(p > 0 && p < 1))
         return (p >= 1) == at_least;
-    double term = 1;
+    double term = 1; /* the term k of the distribution; each other term is a ratio times its neighbour */
     for (double i = k; i < n && above < most && (term > enough * above || i < n * p); i++)
         above += term *= (n - i) / (i + 1) * odds;
     term = 1;

@@ -67,12 +67,11 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * Returns true if the first START dominoes of a train decide whether the whole row falls. Runs only these.
+ * Runs the first START dominoes of a train. Returns true if these decide whether the whole row falls.
  *
- * Each domino can spare a share of its kinetic energy. From domino to domino, this share changes less and
- * less. To be safe, the latest change is assumed to repeat at every remaining domino. The row falls if half
- * of the share would still be left at its end. The last of the START dominoes falls to the floor, so its
- * share is tested as well.
+ * From domino to domino, the share of the kinetic energy that is spare changes less and less. Suppose that
+ * each remaining domino repeats the latest change. The row falls if half of the share is then left at its
+ * end.
  */
 static bool start_decides(struct trial *t)
 {
@@ -83,6 +82,7 @@ static bool start_decides(struct trial *t)
     trial_run(t, START, &recent);
     if (t->status != DOM_OK || t->verdict.end != DOM_ROW_FALLS)
         return t->status != DOM_OK || t->verdict.domino < START;
+    /* The last of the START dominoes falls to the floor, so its share is tested as well. */
     const dom_real *share = recent.share, change = fabs(share[1] - share[2]);
     return change <= fabs(share[2] - share[3]) &&
            (dom_real)(t->row.count - START) * change < fmin(share[0], share[1]) / 2;
@@ -131,12 +131,11 @@ void trial_end(struct trial *t)
 }
 
 /*
- * num_root and the solvers of GSL cannot be used. Not every test yields a number to interpolate, the result
- * must be a tested point, and GSL computes only in double.
+ * num_root and the solvers of GSL cannot be used: some tests yield no number, the result must be a tested
+ * point, and GSL has only double.
  *
  * Bisection alternates with the secant method if the spare energies at both ends are known and differ in
- * sign. The secant's point is moved away from the nearer end by half of the tolerance. Otherwise only that
- * end would approach the edge.
+ * sign.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -148,6 +147,7 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real ba
             break;
         if (!halve && of_good > 0 && of_bad < 0) {
             x = good + (bad - good) * (of_good / (of_good - of_bad));
+            /* Without this shift, only the nearer end would approach the edge. */
             x += (fabs(x - good) < fabs(bad - x)) == (bad > good) ? near / 2 : -near / 2;
         }
         if (!(x > fmin(good, bad) && x < fmax(good, bad)))

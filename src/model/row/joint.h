@@ -7,9 +7,8 @@
 #include "dynamics/choose.h"
 
 /*
- * The gap may exceed the height of a head by this fraction. The two are equal in a row from a train with r =
- * 1/s, except for rounding. The errors come from r, two powers, four products and rounding to the kernel's
- * precision.
+ * The gap may exceed the height of a head by this fraction, since both are equal in a row from a train with r
+ * = 1/s. Rounding errors come from r, two powers, four products and the kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
@@ -38,8 +37,7 @@ KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /*
  * Finds the contact of dominoes k and k + 1, one of which leans, and the tilt of domino k there. Returns
- * false if the upper edge of domino k does not touch the back face of domino k + 1, or if they touch before
- * any motion.
+ * false if the edge of domino k misses the back face, or if the dominoes touch at the start.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
