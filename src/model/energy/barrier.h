@@ -68,8 +68,8 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
 
 /*
- * Decides from barrier_balance for a whole cycle whether a train keeps falling (26; c8). Returns DOM_OK,
- * DOM_STOPS or DOM_NO_FUEL. Every result about a train uses this verdict.
+ * Decides whether a train keeps falling (26; c8). Both arguments come from barrier_balance for a whole cycle.
+ * Returns DOM_OK, DOM_STOPS or DOM_NO_FUEL. Every result about a train uses this verdict.
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 

@@ -18,7 +18,7 @@
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
  * omegasq, so no force is negative in an interval of omegasq. Two runs of the head show how far this interval
- * reaches: one barely fast enough, and one with FAST times the omegasq.
+ * reaches. One run is barely fast enough, and the other has FAST times the omegasq.
  *
  * The deviations of omegasq (`below` and `above`) that do not change the verdict are found from the last head
  * to the first:

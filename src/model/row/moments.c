@@ -113,8 +113,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 }
 
 /*
- * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If the passage ends at
- * rest, `at` is the x of slowness_to_rest, and the time is that until the rest.
+ * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If s->rests is true,
+ * `at` is the x of slowness_to_rest, and the time is that until the rest.
  */
 static real passage_over(real at, void *context)
 {

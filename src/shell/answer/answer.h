@@ -48,8 +48,8 @@ struct csv_layout {
     bool units;       /* column names include the units, so that the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
     char *last_head;  /* the last header line that was written to this file, or NULL */
-    /* Texts to append, each with a NUL byte: the first to the header line, the others to the rows. May be
-     * NULL. */
+    /* Texts to append, each with a NUL byte. The first is appended to the header line, and the others are
+     * appended to the rows. May be NULL. */
     const char *extra;
 };
 

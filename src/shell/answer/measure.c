@@ -45,7 +45,7 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* A number that is rounded up to 100 needs more digits, or it would be printed as 1e+02. */
+    /* A number that becomes 100 by rounding needs more digits, or it would be printed as 1e+02. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",

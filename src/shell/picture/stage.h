@@ -143,7 +143,7 @@ extern const struct marks script_marks;
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
 
-/* Shows another part of the stage: the position `at` near the middle, and heights up to `tall`. */
+/* Shows another part of the stage. The position `at` is near its middle, and heights up to `tall` fit in. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
 
 /* Writes the gnuplot terminal setting for a file with this extension. */

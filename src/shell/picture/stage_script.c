@@ -304,7 +304,7 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push on the back of a domino: an arrow perpendicular to it, and the size at the tail. */
+/* Draws the push as an arrow perpendicular to the back of a domino. Writes its size at the tail. */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,

@@ -20,7 +20,8 @@ static void free_find(struct fit *f)
     }
 }
 
-/* Returns how many numbers are fitted: the free unknowns and, for angles, the start time of each run. */
+/* Returns the number of fitted numbers. These are the free unknowns and, for angles, the start time of
+ * each run. */
 static size_t numbers_of(const struct fit *f)
 {
     return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
@@ -324,7 +325,7 @@ static int fit_once(struct fit *f)
     int status = !clock || !residual               ? GSL_ENOMEM
                  : !start_find(f, clock, residual) ? GSL_EDOM
                                                    : minimum_find(f, clock, residual);
-    /* If the gaps are not all equal, the times of hits drift away from the times of the model. */
+    /* If the gaps differ, the times of hits drift away from the times of the model. */
     const bool drifts = status == GSL_SUCCESS && f->data.kind == FIT_HITS && !f->data.has_errors &&
                         !f->data.intervals && f->freedom >= 8 && drift_of(f, residual) < 1;
     gsl_vector_free(residual);
