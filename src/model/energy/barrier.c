@@ -217,7 +217,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) above the top. */
+/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) of a tilt above
+ * the top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};

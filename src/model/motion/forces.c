@@ -253,7 +253,8 @@ static real least_at(real theta, void *context)
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000
-/* The relative tolerance of the tilt at which the force is smallest. */
+/* The relative tolerance of the tilt at which the force is smallest. Over [0, hi], it is at most 1/1000 of
+ * the distance between two samples. */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */

@@ -118,8 +118,9 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds an error bound on state->time. It is the tolerance of the integral plus the error of the slowness. If
- * the train stops, an error e in the tilt of the stop shifts times by at most e / omega.
+ * Finds an error bound on state->time. It is the tolerance of the integral plus the integral of the error
+ * bound on the slowness. If the train stops, an error e in the tilt of the stop shifts times by at most e /
+ * omega.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -132,7 +133,7 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
         if (status != DOM_OK)
             return status;
         of_speed = (real)of_end / sqrt(w + fabs((real)state->acceleration) * (real)of_end);
-        if (w > 0)
+        if (w > 0) /* early in the cycle, this bound is better */
             of_speed = fmin(of_speed, time * energy / (2 * (real)state->kinetic));
     }
     if (!m->stops && theta > 0)

@@ -37,8 +37,8 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
 {
     const struct growth *g = &u->growth;
     const struct shape *shape = g->shape;
-    /* `low` and `high` are values of sigma = 2 sin(theta/2): v = sigma^2/2, dtheta/dsigma = 1/sqrt(1 -
-     * sigma^2/4). */
+    /* `low` and `high` are values of sigma = 2 sin(theta/2). So v = sigma^2/2, and
+     * dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
     struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
                             .slope = {1, 1}};
     struct climb climb = {.height = {0, 0}};

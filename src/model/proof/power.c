@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes powers, logarithms and exponentials with + - * / alone. The functions of libm have no error
- * bounds. */
+/* Computes powers, logarithms and exponentials with + - * / alone. The functions of libm have no guaranteed
+ * error bounds. */
 #include "proof/power.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
@@ -36,8 +36,8 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for x >= 1. If x = 2^(n-1) m with 1 <= m < 2, ln x = (n - 1) ln 2 + 2 atanh((m - 1)/(m +
- * 1)). */
+/* Returns ln x for x >= 1. If x = 2^(n-1) m with 1 <= m < 2, then
+ * ln x = (n - 1) ln 2 + 2 atanh((m - 1)/(m + 1)). */
 static struct span log_of(double x)
 {
     int n;
