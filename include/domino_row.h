@@ -390,8 +390,9 @@ struct dom_wish {
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train. Masses
-     * are then those of blocks, and of boxes half as wide as they are tall. */
+    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train. Solid
+     * dominoes then have the masses of blocks, and taller ones those of boxes half as wide as they are tall.
+     */
     dom_real walls, boxes_above;
 };
 

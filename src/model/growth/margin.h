@@ -67,7 +67,7 @@ KERNEL real margin_at(real r, void *context);
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */
 KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 
-/* Returns the margin, as precisely as its sign requires. */
+/* Returns the margin, computed precisely enough to be sure of its sign. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
 /* Like margin_sign, but the barrier of a positive margin is correct to the tolerance. */

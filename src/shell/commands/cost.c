@@ -66,7 +66,7 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 double seconds_of(bool (*answer)(void *context), void *context)
 {
     const double shortest = 2e-4; /* in s; the clock cannot measure a shorter batch */
-    const double slow = 0.1;      /* in s; no batch follows one that takes longer */
+    const double slow = 0.1;      /* in s; measuring stops after the first batch that takes longer */
     const int batches = 7;
     double least = HUGE_VAL;
     long repeats = 1;

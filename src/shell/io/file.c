@@ -30,8 +30,8 @@ struct file {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target. If only an existing target can be written, uses the
- * usual folder. */
+/* Opens the temporary file in the folder of the target. If the target can be written but its folder cannot,
+ * uses the usual folder for temporary files. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));

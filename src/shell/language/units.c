@@ -68,7 +68,7 @@ const char *unit_write(struct quantity q, const char *between, char text[UNIT_TE
     return text;
 }
 
-/* Kinds of quantities. Without a name, messages show the unit, which is shorter. */
+/* Kinds of quantities. If a kind has no name, messages show its unit. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;

@@ -15,7 +15,7 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads the reply of the terminal, which ends with 'c', until a time limit. */
+/* Reads the reply of the terminal, which ends with 'c'. Gives up after a time limit. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
     enum { WAIT = 1000 /* the time limit in ms, long enough even for a slow connection */ };

@@ -69,7 +69,8 @@ struct fit {
     int unknowns;
     int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
     size_t free_count;
-    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlations of two unknowns, or NaN at a limit */
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlation between each pair of unknowns, or NaN
+                                                       if one is at a limit */
     double spread;          /* the sum of (residual / error)^2, divided by the degrees of freedom */
     size_t freedom;         /* the number of residuals minus the number of fitted values */
     double *computed;       /* the model's result for each measurement, at the best values of the unknowns */

@@ -14,7 +14,7 @@ enum { DOMINOES_MOST = 200, MORE = 40 };
 /* The table also shows designs with up to this many dominoes more than needed, as a choice. */
 enum { BEYOND = 2 };
 
-/* The results for one number of dominoes. */
+/* The results for a given number of dominoes. */
 struct tried {
     size_t count;
     domq_real length, mass;

@@ -155,7 +155,8 @@ static int compare(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Computes and sorts the thicknesses of the boards. A number without a unit is in mm, as boards are sold. */
+/* Computes and sorts the thicknesses of the boards. A number without a unit is in mm, the usual unit for
+ * boards. */
 static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
                         struct problem *problem)
 {

@@ -156,8 +156,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Prints how precise the row must be. Rounds this error to two digits, runs rows with the rounded error, and
- * prints how many fall. */
+/* Prints the largest error that the row may have. Rounds it to two digits, runs rows with the rounded error,
+ * and prints how many fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
