@@ -90,8 +90,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/* Looks for a growth between r_max and b->r_max at which the train stops. Sets *witness to b->r_max if no
- * such growth is found. */
+/* Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the one with the
+ * most negative margin, or to b->r_max if there is none. */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
     real lowest = 0;

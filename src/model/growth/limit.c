@@ -83,7 +83,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1, K = P T, and P has a closed form. T is at least its first term, `own`. */
+    /* At r = 1, K = P T, and P has a closed form. T is at least its first term, `own`, which is 1
+     * with sharp edges. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),

@@ -84,7 +84,8 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Looks for the first sign change between `lo` and `hi`. At `lo` the margin has its initial sign. */
+/* Looks for the first sign change between `lo` and `hi`, unless it comes after p->root. At `lo` the margin
+ * has its initial sign. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {
