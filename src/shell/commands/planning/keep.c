@@ -18,14 +18,6 @@ static bool is_near(domq_real a, domq_real b)
     return quad(fabs)(a - b) <= (domq_real)1e-12 * quad(fabs)(b);
 }
 
-/* Scales the width of domino k with its height. */
-static bool width_keep(struct scene *scene, size_t k, domq_real width, const struct domq_domino *from,
-                       const struct domq_domino *to, struct problem *problem)
-{
-    const domq_real scaled = width / from->height * to->height;
-    return is_near(scaled, width) || change_to(scene, k, MEASURE_WIDTH, false, scaled, problem);
-}
-
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem)
 {
@@ -39,7 +31,8 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
             (is_near(a->gap, b->gap) || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
             (is_near(a->height, b->height) ||
              change_to(scene, k, MEASURE_HEIGHT, false, b->height, problem)) &&
-            (!sizes || width_keep(scene, k, a->width, a, b, problem)) &&
+            (!sizes || is_near(a->width, b->width) ||
+             change_to(scene, k, MEASURE_WIDTH, false, b->width, problem)) &&
             (is_near(a->thickness, b->thickness) ||
              change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));

@@ -78,7 +78,7 @@ bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 /* ---- The row of 'design' and 'improve' ---- */
 
 /* Copies gaps, heights, thicknesses and radii from `to` to the scene's row. If `sizes` is true, also copies
- * mass ratios, and scales widths with heights. Both rows have `count` dominoes. */
+ * widths and mass ratios. Both rows have `count` dominoes. */
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 
