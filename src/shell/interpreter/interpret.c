@@ -6,6 +6,7 @@
 #include "picture/show.h"
 #include "session/engine.h"
 #include "session/undo.h"
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -185,6 +186,24 @@ static bool run_into(struct session *session, const struct command *c, const str
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
+/* After a wrong command such as 'draw row.png', adds to the message that '>' is missing. */
+static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
+{
+    const char *end = text_end(begin, ";>");
+    while (end > begin && isblank((unsigned char)end[-1]))
+        end--;
+    const char *word = end;
+    while (word > begin && !isblank((unsigned char)word[-1]))
+        word--;
+    char path[64];
+    snprintf(path, sizeof path, "%.*s", (int)(end - word), word);
+    const enum ending_kind kind = ending_of(path)->kind;
+    const size_t length = strlen(problem->text);
+    if (*skip_blanks(end) != '>' && kind >= ENDING_TEXT && (c->columns || is_picture(c)) && !c->files)
+        snprintf(problem->text + length, sizeof problem->text - length,
+                 "; to write the answer into a file, put '>' before its name: '> %s'", names_shown(path));
+}
+
 /* Runs a command that is followed by '>' or '>>' and the path of a file. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
                            const struct query *query)
@@ -252,7 +271,8 @@ static void run_command_at(struct session *session, struct reader *line)
         if (is_step)
             undo_keep(&session->undo, &session->state, before, line->at,
                       (size_t)(text_end(line->at, ";") - line->at));
-    }
+    } else if (q.command)
+        redirect_hint(q.command, line->at, &problem);
     if (problem.kind != PROBLEM_NONE)
         session_problem(session, &problem);
     session->command = NULL;
