@@ -42,8 +42,8 @@ END
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
 6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
 1|mu 0.2|^unknown command 'mu'; did you mean 'effect friction MU'\?$
-1|separation 0.3|^unknown command 'separation'; did you mean 's'\? 's = VALUE' gives it a value$
-1|height|^unknown command 'height'; did you mean 'h'\?
+1|separation 0.3|^unknown command 'separation'; did you mean the parameter 's'\? 's = VALUE' sets it$
+1|height|^unknown command 'height'; did you mean the parameter 'h'\?
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
 6|help zzz|^help: unknown topic 'zzz'$
 8|effect mu 0.2|^effect: unknown effect 'mu'; did you mean 'friction'\?$

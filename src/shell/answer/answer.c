@@ -136,8 +136,9 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties cells whose numbers are too large for the precision. Returns `reason` or, without one, an
- * explanation. In a table for people, the explanation is below the rows. */
+/* Empties cells whose numbers are too large for the precision. Returns the reason for the row: `reason` or,
+ * if this is empty and the format is for programs, an explanation. People see the explanation below the last
+ * row. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {

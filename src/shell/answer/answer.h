@@ -30,14 +30,14 @@ struct layout {
     bool letters; /* the terminal can show Greek letters */
     bool bold;    /* the terminal has colours */
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
-    /* Bit i is set if column i has error bounds. In csv and json, these are a separate column. */
+    /* Bit i is set if column i has error bounds. In csv and json, the bounds have a column of their own. */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
     /* In a table for people: */
     int digits;
     int column[ANSWER_COLUMNS]; /* the widths of the columns */
-    int words; /* where a last column of words begins, or -1 if the words are below each row */
+    int words;                  /* where the last column begins, or -1 if its words go below each row */
     /* the terminal is too narrow for a table, so a row is written as one line for each column */
     bool is_stacked;
     /* A row with the usual kinds of cells, in case the first row has other kinds. May be NULL. */
@@ -61,7 +61,7 @@ struct answer {
     const char *command;                /* the name of the command, for programs that read the answer */
     const char *note;                   /* a remark for programs that read the answer, or NULL */
     const struct column *columns;       /* the columns of each row; the key of the last element is NULL */
-    struct column copy[ANSWER_COLUMNS]; /* memory for `columns` if they differ from those of the command */
+    struct column copy[ANSWER_COLUMNS]; /* memory for `columns` that the command has changed */
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
@@ -97,7 +97,7 @@ struct failure {
 struct format {
     bool for_people; /* the format is for people, with sentences and units; otherwise it is for programs */
     bool escapes;    /* the format escapes control characters itself, in a way that programs can decode */
-    /* Writes the lines before the first row. `cells` and `reason` are those of the first row. */
+    /* Writes the lines before the first row. `cells` and `reason` belong to the first row. */
     void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
     void (*sentence)(struct answer *answer, const char *format, va_list arguments);
@@ -125,21 +125,24 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes columns, whose keys are separated by blanks in `keys`. Rows for answer_row must still have their
- * cells. */
+/* Removes the columns whose keys are listed in `keys`, separated by blanks. A row for answer_row still has a
+ * cell for each removed column. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
-/* Changes the unit or the explanation of a column in this answer. NULL leaves it as it is. */
+/* Changes the unit or the explanation of a column in this answer. If `unit` or `meaning` is NULL, it stays
+ * unchanged. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/* Announces a number of a column. The unit of a column in a table of rows depends on the first row and on the
- * announced numbers. Does nothing if there is no such column. */
+/* Announces that a column will contain a number. In a table of rows, each column has the unit that suits its
+ * largest number, among the announced numbers and the number in the first row. Does nothing if there is no
+ * such column. */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/* Writes a row, and returns true. `reason` says why a cell has no value. If only other rows may have a
- * reason, pass ""; if no row has one, pass NULL. Programs get the reason in a column "reason". */
+/* Writes a row, and returns true. `reason` says why a cell has no value. If this row has no reason, but
+ * another row may have one, pass "". If no row can have a reason, pass NULL. Programs get the reasons in a
+ * column "reason". */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */

@@ -153,11 +153,11 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* About half of the computed numbers need `all` digits, and most others one fewer. If zeros at the end
-     * have been removed, the text is the shortest. Otherwise fewer digits are tried. */
+    /* About half of the computed numbers need `all` digits, and most others need one digit fewer. */
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];
+    /* If trailing zeros have been removed, the text is already as short as possible. */
     for (int n = all < 15 ? all - 2 : 15; n < all - 1 && strlen(text) + 1 >= (size_t)all;
          n = n < all - 2 ? all - 2 : all)
         if (read_back(style, quad_write(cell.number, n, fewer)) == cell.number)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: each row is an object on one line. So are an error and a command without rows. */
+/* The format json: each row is an object on one line. An error, or a command without rows, also gives an
+ * object. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "io/escape.h"

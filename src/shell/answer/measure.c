@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Units apply to numbers below a limit, which is in the base unit. The smallest limit comes first. */
+/* Each unit applies to numbers below its limit, which is given in the base unit. The smallest limit comes
+ * first. */
 static const struct {
     const char *base;
     domq_real below;
@@ -45,7 +46,7 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* A number that becomes 100 by rounding needs more digits, or it would be printed as 1e+02. */
+    /* With two digits, a number that rounds to 100 would be printed as 1e+02, so it gets more digits. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",

@@ -39,14 +39,15 @@ static int number_width(const struct answer *a, int digits)
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Returns how many digits are shown at most. If error bounds are shown, only these limit the digits. */
+/* Returns the maximum number of digits to show. If error bounds are shown, they limit the digits instead of
+ * 'set digits'. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell in the unit of the measure. A known error bound limits its digits; otherwise the
- * style and the tolerance do. */
+/* Returns the text of a cell in the unit of the measure. If the error bound is known and shown, it limits the
+ * digits. Otherwise, the style and the tolerance limit them. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {
@@ -261,7 +262,7 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_line(a, cells, VALUES);
 }
 
-/* Writes a sentence. A '\n' at either end of the format adds a blank line, but one in an argument does
+/* Writes a sentence. A '\n' at either end of the format adds a blank line, but a '\n' in an argument does
  * not. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {

@@ -64,7 +64,7 @@ void write_wrapped(FILE *out, const char *text, int left, int right)
 {
     enum { BELOW = 4 };
     text += strspn(text, " ");
-    /* If a piece does not fit, the text goes below, with less indentation. */
+    /* If a piece does not fit, the text begins on the next line, with less indentation. */
     if (right && left > BELOW && left + longest_piece(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");

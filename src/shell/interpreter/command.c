@@ -9,7 +9,7 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* The commands of all groups. Those with the same first letter form a linked list. `first` and `next` hold
+/* The commands of all groups. Commands with the same first letter form a linked list. `first` and `next` hold
  * indices plus 1; 0 ends a list. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];

@@ -23,7 +23,7 @@ enum argument_kind {
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable, if no ARGUMENT_VALUE follows */
+    ARGUMENT_PARAMETER, /* the name of a parameter or, without an ARGUMENT_VALUE next, a variable */
     ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
@@ -92,7 +92,8 @@ struct command {
     /* The name of a parameter whose value the answer repeats in a column. A sweep over this parameter omits
      * the column, unless an argument replaces the parameter. */
     const char *echo;
-    /* The key of a last column that takes long to compute. Sweeps and expressions omit it. */
+    /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions omit
+     * the column. */
     const char *alone;
     /* The reason why 'sweep' refuses this command, or NULL. Also NULL for commands that compute nothing. */
     const char *unswept;
@@ -137,7 +138,7 @@ const struct command_group *command_groups(void);
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);  /* all commands and parameters */
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
-const char *command_keys(const void *command, int k); /* those that a sweep or an expression can ask for */
+const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
 /* A names_list of the names that have a value in the state `context` or, if it is NULL, in every state. */
 const char *value_names(const void *context, int k);
@@ -155,8 +156,9 @@ bool command_is_print(const struct command *command);
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/* Returns the maximum number of arguments in an expression, or -1 if the command cannot be used there. Stores
- * the minimum in *fewest. Only values can be arguments in an expression. */
+/* Returns the maximum number of arguments that the command takes in an expression, or -1 if an expression
+ * cannot contain the command. Stores the minimum in *fewest. Only values can be arguments in an
+ * expression. */
 int command_values(const struct command *command, int *fewest);
 
 /* Returns a text such as "rmax [S]". It lives until the end of the block that contains the call. */
@@ -176,7 +178,7 @@ static inline bool command_allowed(const struct means *means, const struct comma
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit of an argument, with the value 1. A plain number has the unit 1. */
+/* Returns the unit of an argument as a quantity, such as 1 m. The unit of a plain number is 1. */
 struct quantity argument_unit(const struct argument *argument);
 
 /* Checks the unit and the value of an argument, and stores the value in SI units. On failure, sets *problem

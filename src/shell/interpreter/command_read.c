@@ -220,8 +220,9 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, "unknown command '%s'; did you mean 'effect %s'?", shown,
                       effect_usage(p->which));
     else if (p)
-        problem_error(r->problem, "unknown command '%s'; did you mean '%s'? '%s = VALUE' gives it a value",
-                      shown, p->name, p->name);
+        problem_error(r->problem,
+                      "unknown command '%s'; did you mean the parameter '%s'? '%s = VALUE' sets it", shown,
+                      p->name, p->name);
     else if (command)
         problem_error(r->problem, "%s; did you mean '%s'?", message, command);
     else
@@ -251,8 +252,8 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         if (p && !p->effect && (!command || !command->argument[0].kind)) {
             command = NULL;
             k = NAMES_CLOSE;
-            snprintf(message, sizeof message,
-                     "'%s' is a parameter; '%s = VALUE' gives it a value, '%s' shows it", name, name, name);
+            snprintf(message, sizeof message, "'%s' is a parameter; '%s = VALUE' sets it, '%s' shows it",
+                     name, name, name);
         }
         if (!command)
             command_unknown(r, name, k, message);

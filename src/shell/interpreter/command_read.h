@@ -13,8 +13,8 @@
  */
 const struct command *command_read(struct reader *reader);
 
-/* Finds the command inside another command, such as 'sweep'. Expressions are the only shorthands here.
- * Completion offers the list `offered`. */
+/* Finds the command inside another command, such as 'sweep'. An expression stands for 'print'; no other
+ * shorthand is allowed here. Completion offers the names in `offered`. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
 /* Returns true if there is an operator or 'to' at c. The word before c then begins an expression. */

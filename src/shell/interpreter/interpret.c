@@ -122,7 +122,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* If the user closes the pager before the end of the answer, this is not a write error. */
+        /* It is not a write error if the user closes the pager before the end of the answer. */
         end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -229,7 +229,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 /* ---- Commands ---- */
 
 /* Returns true if the command has written nothing. A JSON object is then written for programs that wait for
- * an answer. With --shard, only part 1 writes it, because all outputs are concatenated. */
+ * an answer. With --shard, only part 1 writes the object, because all outputs are concatenated. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
@@ -283,20 +283,20 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if the current line is logged. Of a sourced file, only the 'source' command is logged. */
+/* Returns true if the current line is logged. For a sourced file, only the 'source' command is logged. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a line. If one of them opens a log, the later ones are logged. */
+/* Runs the commands of a line. If a command opens a log, the commands after it are logged. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* Several commands are logged at once, because some may run before another fails. A single command is
-     * logged when its result is known. */
+    /* If the line has several commands, it is logged before they run, because some may succeed before another
+     * fails. A single command is logged when its result is known. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {

@@ -14,7 +14,7 @@
 #include "session/session.h"
 
 /* Runs the commands in a text of one or several lines. ';' separates commands, and '#' begins a comment.
- * After a command, '>' and a name replace a file, and '>>' appends to it. */
+ * After a command, '> NAME' writes the answer to a file, and '>> NAME' appends it. */
 void command_run_text(struct session *session, const char *text);
 
 /* Runs the commands of a stream line by line. Messages call the stream `name`. */

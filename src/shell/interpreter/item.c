@@ -162,8 +162,9 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /* ---- Words for values ---- */
 
-/* Returns the index of the next word in a list, or a negative number without moving the reader. The word may
- * be abbreviated, unless it may be an expression, as h in 'set q h'. In that case `message` is empty. */
+/* Returns the index of the next word in a list. If the list does not have the word, returns a negative number
+ * and does not move the reader. Abbreviations are accepted, except for a word that could be an expression,
+ * like h in 'set q h'. For such a word, `message` is empty. */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
@@ -299,7 +300,7 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    /* In "r 2 s 0.3 g 1.6", s and g are parameters, not second and gram. After a mass, g is gram. */
+    /* In "r 2 s 0.3 g 1.6", s and g are parameters, not seconds and grams. After a mass, g means grams. */
     r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;

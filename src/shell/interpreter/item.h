@@ -26,8 +26,8 @@ bool item_parse_choice(struct reader *reader, const struct argument *argument, s
 /* Parses an angle or one of the argument's choices. For choice k, the item's number is -1 - k. */
 bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses the name of an effect or parameter of the model. Error messages end with `form`, which shows what
- * the command takes. */
+/* Parses the name of an effect or parameter of the model. Some error messages end with `form`, which shows
+ * what the command takes. */
 const struct parameter *parameter_parse(struct reader *reader, const char *form);
 
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */

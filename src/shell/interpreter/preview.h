@@ -16,9 +16,9 @@ enum preview {
 };
 
 /*
- * Parses `length` bytes of a line and then `tail`, and judges the last command. If `offer` is not NULL,
- * `tail` ends in the cursor, and *offer records what may be typed there. Otherwise, values are also computed
- * and checked.
+ * Parses `length` bytes of a line and then `tail`, and judges the last command. If `offer` is NULL, values
+ * are also computed and checked. Otherwise, *offer records where command names are and, if `tail` ends with
+ * PREVIEW_CURSOR, what may be typed at the cursor.
  */
 enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
                           struct offer *offer);

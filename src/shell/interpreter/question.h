@@ -43,7 +43,7 @@ const char *question_names(const void *context, int k);
 /* Returns a copy of the text from `begin` to `end`, without trailing blanks, for messages. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* A bound question: the values of its arguments, and the query that its command answers. */
+/* The result of question_bind: the values of the arguments, and the query that the command answers. */
 struct call {
     struct query query;
     struct arguments given;

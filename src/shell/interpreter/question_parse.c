@@ -59,7 +59,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* If the word belongs to a later value, this value has been omitted. */
+    /* If the word belongs to a later argument, argument i has been omitted. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
@@ -171,8 +171,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Commands have no options. If '--check' follows a yes-or-no command, reports that 'assert' fails
- * unless the statement is true, and returns true. */
+/* If '--check' follows a yes-or-no command, reports that commands have no options, suggests 'assert', and
+ * returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
@@ -259,7 +259,7 @@ bool command_parse(struct reader *r, struct question *q)
     return question_parse(r, q);
 }
 
-/* ---- Questions inside of other commands ---- */
+/* ---- Questions inside other commands ---- */
 
 /* Returns the command of COMMAND or COMMAND.KEY, or NULL if it computes nothing. Stores the column KEY or,
  * without a KEY, the principal column. *key is -1 if there is no such column. */

@@ -12,8 +12,9 @@ enum { OFFER_LISTS = 8 };
 /* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
-/* What may be typed next, for completion, hints and colours. Typed text is parsed with a cursor at its end,
- * which no parser accepts. A function that fails there records what it would accept. */
+/* What may be typed next, for completion, hints and colours. The typed text is parsed with a cursor character
+ * at the end. No parser accepts this character, so the functions that fail there record what they would
+ * accept. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
@@ -37,7 +38,7 @@ struct reader {
     const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
-    /* More characters that end a word or value, such as ','. May be NULL. */
+    /* Additional characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
     bool unresolved;     /* names in expressions are left to be resolved later */
@@ -61,7 +62,7 @@ void offer_value(const struct reader *reader, const struct argument *argument, b
 /* Records that the text from `begin` to `end` is a command's name. */
 void reader_named(const struct reader *reader, const char *begin, const char *end);
 
-/* Sets the column of the next problem to that of the character at `at`. */
+/* Sets the place of the next problem to the column of `at`. */
 void reader_place(const struct reader *reader, const char *at);
 
 /* Returns true if a command ends at c. */
@@ -86,7 +87,7 @@ void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
 /* Reads a word up to a blank, into the arena. If `quotes` is true, also reads text in double quotes, where
- * '""' stands for one '"'. Without a closing quote, sets the reader's problem and returns NULL. */
+ * '""' stands for one '"'. If the closing quote is missing, sets the reader's problem and returns NULL. */
 char *read_word(struct reader *reader, bool quotes);
 
 /* Reads a word or quoted text as it was typed, without replacing Greek letters. */

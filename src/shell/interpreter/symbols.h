@@ -58,7 +58,8 @@ struct resolver {
     int depth; /* the nesting depth of the function whose body is being resolved */
 };
 
-/* Resolves all names of a tree. Returns its height, or sets *resolver->error and returns -1. */
+/* Resolves all names of a tree. Returns the height of the tree. On failure, sets *resolver->error and returns
+ * -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
 /* Adds the name of a function to the message about an error in its body. `at` is the place of the call. */

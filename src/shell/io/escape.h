@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes text from outside, such as file names, safe to show. Escapes replace control and invisible
- * characters, characters that break lines or change the direction of writing, and bytes that are not
- * UTF-8. */
+/* Makes text from outside, such as file names, safe to show. Escape sequences replace control and
+ * invisible characters, characters that break lines or change the direction of writing, and bytes that are
+ * not UTF-8. */
 #ifndef SHELL_ESCAPE_H
 #define SHELL_ESCAPE_H
 

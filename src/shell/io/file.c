@@ -6,7 +6,8 @@
  *   target.
  * - '>>' locks the target and appends the text.
  * - A target with several hard links or another owner is locked and overwritten in place, because a rename
- *   would change more than its contents. So is a target in whose folder no file can be created.
+ *   would change more than its contents. A target is also overwritten in place if no file can be created in
+ *   its folder.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"

@@ -17,8 +17,9 @@
  * close-on-exec. Returns -1 on failure. */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/* Locks a file with flock(2) until it is closed. Only programs that also use flock(2) are kept out. Without
- * locks in the file system, does nothing. Returns false after `seconds` seconds or an interrupt. */
+/* Locks a file with flock(2) until it is closed. Only programs that also use flock(2) are kept out. Returns
+ * false if `seconds` seconds were not enough, or after an interrupt. If the file system does not support
+ * locks, returns true without a lock. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
 /* Waits until a file can be read, or written if `to_write` is true. If `file` is -1, waits for the time
@@ -38,14 +39,15 @@ void io_begin(void);
 
 /* ---- Streams ---- */
 
-/* Makes a stream from an open file, which fclose closes. On failure, closes the file and returns NULL. */
+/* Makes a stream from an open file. Closing the stream also closes the file. On failure, closes the file and
+ * returns NULL. */
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
 
-/* Opens a file for reading.  A directory is an error.  Returns NULL on failure. */
+/* Opens a file for reading. A directory is an error. Returns NULL on failure. */
 FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 
-/* Returns the stream for standard input, which must not be closed. Only `interrupt` of the first call takes
- * effect. */
+/* Returns the stream for standard input, which must not be closed. Only the `interrupt` of the first call
+ * takes effect. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
@@ -68,8 +70,9 @@ FILE *io_temporary(const char *folder);
 /* Copies a whole stream. On failure, one of the streams has its error flag set. */
 void io_copy(FILE *from, FILE *to);
 
-/* Makes a stream into memory. After fclose, *text holds *size bytes without a NUL byte, for the caller to
- * free. Unlike open_memstream, sets the error flag if memory runs out. Returns NULL on failure. */
+/* Opens a stream that writes to memory. After fflush or fclose, *text holds *size bytes, without a NUL byte
+ * at the end. The caller frees *text. Unlike open_memstream, sets the error flag if memory runs out. Returns
+ * NULL on failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

@@ -32,11 +32,11 @@ struct output {
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_head)(const char *line);
-    /* Frees everything except the struct itself. If `keep` is true, first writes the text of a file to its
-     * target. Returns NULL, or why this failed. */
+    /* Frees everything except the struct itself. If `keep` is true, the level of a file first writes the
+     * collected text to the file. Returns NULL or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* The members below are only used at the level that finally receives the text (see OUTPUT_END). */
+    /* The members below are only used at the level that does not pass the text on (see OUTPUT_END). */
     char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
     bool answered;          /* an answer was written, so the next one needs a blank line above it */
     int error;              /* errno of the first answer that could not be written, or 0 */
@@ -52,7 +52,8 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* OUTPUT_END: the kinds that finally receive text. OUTPUT_BASE: the kinds below all files and pagers. */
+/* OUTPUT_END: the kinds that do not pass their text on to the level below. OUTPUT_BASE: the kinds that are
+ * always below files and pagers. */
 enum { OUTPUT_END = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE };
 
 /* Returns the address of the pointer to the highest level of these kinds, or NULL. */
@@ -73,8 +74,8 @@ const char *file_push(struct output **top, const char *path, bool append,
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 
-/* Begins a log, which appends to its file, or a tee, which replaces its file. Ends an earlier one. Returns
- * NULL, or why the file cannot be written. */
+/* Begins a log, which appends to its file, or a tee, which replaces its file. Ends an earlier log or tee.
+ * Returns NULL, or why the file cannot be written. */
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
@@ -82,8 +83,8 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
  * reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
-/* Passes commands to the log, if there is one. Unless `at_once` is true, they wait until it is known whether
- * they fail. */
+/* Passes commands to the log, if there is one. Unless `at_once` is true, the commands wait for an answer or
+ * an error, because failed commands become comments. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
 /* Writes an error or a note into the log, as a comment. If `failed` is true, the waiting commands also become

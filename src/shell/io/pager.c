@@ -20,8 +20,8 @@
 /* The prompt of 'less'. In its syntax, '?e' tests for the end of the text, and ':' means "else". */
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
-/* Signals with other handlers while a pager program runs. SIGQUIT is ignored. Unlike in system(3), ^Z stops
- * both programs. ^C ends the computation, and is ignored afterwards. */
+/* The handlers of these signals change while a pager program runs. SIGQUIT is ignored. ^Z stops both
+ * programs. ^C ends the computation, and is ignored once the computation has ended. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
@@ -43,7 +43,7 @@ struct pager {
     struct termios modes; /* the terminal modes before the pager program was started */
 };
 
-/* Returns how many rows of the terminal a line occupies.  Escape sequences for colours take no columns. */
+/* Returns how many rows of the terminal a line occupies. Escape sequences for colours take no columns. */
 static int line_rows(const char *line, const char *end, int width)
 {
     int columns = 0;
@@ -136,8 +136,8 @@ static void program_close(struct pager *p)
             kill(p->child, SIGTERM);
         nanosleep(&moment, NULL);
     }
-    /* A killed program does not restore the terminal. In the background, the terminal belongs to
-     * another job. */
+    /* A killed pager has not restored the terminal modes. If the session is in the background, the terminal
+     * belongs to another job, and its modes must not be changed. */
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
     for (int i = 0; i < SIGNALS; i++)

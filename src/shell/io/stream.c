@@ -156,8 +156,8 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may wait. Regular files never wait. Output that is stuck in a terminal
- * does not count, because ^C discards it. */
+/* Returns true if reading or writing may block. Regular files never block. Writing to a stopped terminal does
+ * not count, because ^C discards the output. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

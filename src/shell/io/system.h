@@ -19,8 +19,8 @@ struct system_stream {
 /* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Reserves disk space for the bytes `from` to `to` of a file, which may grow even on failure. On success, it
- * has at least `to` bytes. Returns 0 or an error number. */
+/* Reserves disk space for the bytes `from` to `to` of a file, which may grow even on failure. On success, the
+ * file has at least `to` bytes. Returns 0 or an error number. */
 int system_reserve(int file, off_t from, off_t to);
 
 /* Opens a new file without a name in a folder. Returns -1 if this is not supported. */

@@ -15,9 +15,9 @@ struct target {
 };
 
 /*
- * Registers a file that will be written. Returns NULL, or a message on failure. Files that the session writes
- * already are refused, except the target `except`, which may be NULL. Standard output is refused unless
- * `may_be_standard` is true.
+ * Registers a file that will be written. Returns NULL, or a message on failure. Refuses a file that the
+ * session is already writing, except for the target `except`, which may be NULL. Refuses standard output
+ * unless `may_be_standard` is true.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);

@@ -19,8 +19,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If `from` has stood for standard output, `to` does so from now on. Text written to `to` then counts as
- * shown on the terminal. 'log', 'tee' and the pager use such streams. */
+/* If `from` stands for standard output, `to` takes its place. The streams of 'log', 'tee' and the pager pass
+ * text on to standard output, so the functions above treat them like standard output. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
@@ -29,7 +29,7 @@ bool terminal_utf8(void);
 /* Returns true if the locale uses a comma as the decimal separator. */
 bool terminal_decimal_comma(void);
 
-/* Returns the number of terminal columns of a UTF-8 text.  Wide characters count as one column. */
+/* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
 int terminal_columns(const char *text);
 
 /* Returns the time of a monotonic clock in seconds. */
@@ -48,8 +48,8 @@ void progress_show(double fraction);
 /* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores progress_show from now on. Threads that compute a part of the work
- * are muted, or the progress of this part would be shown. Returns the previous setting. */
+/* If `mute` is true, this thread ignores progress_show from now on. A thread that computes only a part of the
+ * work is muted, because it knows only the progress of this part. Returns the previous setting. */
 bool progress_mute(bool mute);
 
 #endif
