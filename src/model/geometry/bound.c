@@ -15,7 +15,7 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    /* geometry_contact then computes the slope as 1 - r L x / Y, and an error of Y matters little. */
+    /* geometry_contact computes this slope as 1 - r L x / Y, so an error of Y hardly matters. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;

@@ -19,7 +19,7 @@ struct bound {
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
-/* Turns *bound from the bounds on the leader into those on its follower. */
+/* Replaces the bounds on the leader in *bound by the bounds on its follower. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
@@ -27,13 +27,13 @@ KERNEL void bound_next(const struct geometry *geometry, const struct link *leade
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
-/* Returns an error bound on h(A) - h(B) of one domino at the tilts a and b. A and B are their angles, with
- * the bounds angle_a and angle_b; t = tan((A - B)/2), with the bound t_error. */
+/* Returns an error bound on h(A) - h(B) for one domino. A and B are the angles of the tilts a and b, and t is
+ * tan((A - B)/2). The error bounds on A, B and t are angle_a, angle_b and t_error. */
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound on tan((A - B)/2) of the followers of a and b, where A and B are their angles. t is
- * this tangent of a and b themselves, with the bound t_error (energy_change_between). */
+/* Returns an error bound on tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
+ * the same tangent for a and b themselves, and t_error its error bound (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 

@@ -24,20 +24,20 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of a torque that reaches the head. Without friction it is the slope. */
+    /* The part of the torque on domino b->i that reaches the head; the slope if there is no friction. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* A domino that contributes less than the rounding errors may detach or not. */
+        /* A domino that contributes less than the rounding errors does not matter, even if it detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* Domino b->i has lost its follower even while the head is upright. It is the next to detach, when its
+    /* Even while the head is upright, domino b->i has no follower. Domino b->i itself detaches when its
      * leader reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)

@@ -19,9 +19,9 @@ KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real the
                                        struct sums *error);
 
 /*
- * Finds the tilt of the head at which a domino detaches, and its number unless `domino` is NULL. *leaves is
- * false if none detaches. At most one does, since the train at theta_c is the train at 0 shifted by one
- * domino.
+ * Finds the tilt of the head at which a domino detaches. Unless `domino` is NULL, *domino receives the number
+ * of this domino. *leaves is false if no domino detaches. At most one domino does, since the train at theta_c
+ * is the train at 0 shifted by one domino.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
@@ -29,8 +29,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
 /*
  * Divides the motion up to the tilt `end` into smooth pieces:
  * - edge[0] is 0, or just above 0 if r s = 1.
- * - If a domino detaches before `end`, the head's tilt at that moment is an edge. One domino fewer moves
- *   after it.
+ * - If a domino detaches before `end`, the head's tilt at that moment is an edge. From this edge on, one
+ *   domino fewer moves.
  * - The last edge is `end`.
  *
  * *edges is the number of edges. Unless `moving` is NULL, *moving is the number of dominoes that move up to
@@ -40,8 +40,8 @@ enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns `self`, the status of the evaluated function, if it is an error, otherwise the status of the
- * solver. */
+/* Returns `self`, the status of the evaluated function, if this status is an error. Otherwise returns the
+ * status of the solver. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

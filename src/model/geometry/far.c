@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2) of its
- * head. The follower of a domino at z is at f(z), another power series. So
+ * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
+ * theta is the tilt of its head. The follower of a domino at z is at f(z), another power series. So
  *
  *     H(z) = h(z) + r^-q H(f(z)),
  *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
@@ -53,8 +53,8 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order with which `passes` passes down this train take the least time, or 0 if no series saves
- * time. */
+/* Returns the order of the fastest series, if the series is made once and serves for `passes` passes down the
+ * train. Returns 0 if no series saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
@@ -135,8 +135,9 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* At step j, `power` is f^j, and `squares` is f'^2 f^(j-1). H[j] and J[j - 1] still lack the term with
-     * the unknown coefficient itself, which gives the divisors. */
+    /* At step j, `power` is f^j, and `squares` is f'^2 f^(j-1). H[j] and J[j - 1] already contain the terms
+     * of all earlier coefficients. Each unknown coefficient also occurs on the right side of its own
+     * equation. Its factor there gives the divisor. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

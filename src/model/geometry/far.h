@@ -29,8 +29,8 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. `tail`, the value of the
- * series, counts, since it may cancel the sum so far. */
+/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. The tolerance is relative to
+ * the whole sum, including `tail`, the value of the series, since the tail may cancel the sum so far. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
@@ -53,7 +53,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* These two functions return H (up to a constant) and J of the part of a train from a domino at z on. */
+/* These two functions return H (up to a constant) and J of a domino at z and all dominoes behind it. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);

@@ -162,9 +162,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns a tilt of the head below which nothing matters at the beginning of a cycle. It is the smaller of
- * theta_u, unless theta_u is 0 (edges of radius d/2), and the tilt at which a follower that starts near pi/2
- * has clearly left pi/2.
+ * Returns the smallest tilt of the head that matters at the beginning of a cycle. Two tilts matter: theta_u,
+ * and the tilt at which a follower that started near pi/2 has clearly left pi/2. If theta_u is 0 (edges of
+ * radius d/2), only the second one matters.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -219,7 +219,8 @@ KERNEL real half_of_tilt(struct tilt t)
     return t.x / (1 + t.y);
 }
 
-/* Returns the tangent of half the angle between two tilts. No digits cancel if `from` is upright. */
+/* Returns the tangent of half the angle between two tilts. If `from` is upright, no digits are lost to
+ * cancellation. */
 KERNEL real half_turn(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The law of contact: how two dominoes touch, and how a chain moves. There is a table of functions for sharp
- * edges (sharp.c) and one for rounded edges (rounded.c). geometry->law points to the table that applies.
- * Other code never asks for the kind of edges.
+ * edges (sharp.c) and one for rounded edges (rounded.c). geometry->law points to the table that applies, so
+ * that other code works with both kinds of edges.
  */
 #ifndef DOM_LAW_H
 #define DOM_LAW_H
@@ -44,7 +44,7 @@ struct moving {
 enum pass {
     PASS_PLAIN = 0,
     PASS_ERROR = 1, /* bounds on the errors */
-    /* the head is at theta_c; each domino began the cycle with its follower's tilt */
+    /* the head is at theta_c; each follower began the cycle at the tilt that its leader has now */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
     PASS_PUSHES = 8,            /* tries to prove that all contacts push */
@@ -73,7 +73,7 @@ struct contact_law {
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns r s of the smallest growth at which domino 1 tips over before it hits (5; b0). */
+    /* Returns r s for the smallest growth at which domino 1 tips over before it hits a domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), or 0 if domino 1 has not tipped over. */
     real (*push)(const struct geometry *geometry);
@@ -103,17 +103,19 @@ struct contact_law {
     /*
      * Finds J, H1 and H(head) - H(from), and what `pass` selects. Finds error bounds (bound.h) unless `error`
      * is NULL.
-     * - t is the tangent of half the angle from `from` to `head`, which may round to the same tilt.
+     * - t is the tangent of half the angle from `from` to `head`. The two tilts may be too close for their
+     *   difference to give t.
      * - If `from` is not upright, `error` must be NULL, and no domino may detach between the two tilts.
      * - PASS_SHIFT halves the work for an endless train from upright to theta_c.
      */
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);
-    /* Finds the sums at `head`, with H2, and those at theta_c. The train is endless, and no domino detaches.
-     * NULL if two calls of `change` are as fast. */
+    /* Finds the sums at `head`, with H2, and the sums at theta_c, faster than two calls of `change`. The
+     * train is endless, and no domino detaches. May be NULL. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
                             struct sums *at_c);
-    /* Finds J, H1 and half of dJ/dtheta. With `every`, no series replaces the far tail. */
+    /* Finds J, H1 and half of dJ/dtheta. If `every` is true, visits the dominoes of the far tail instead of
+     * using the far series. */
     enum dom_status (*rates)(const struct geometry *geometry, struct tilt head, bool every, struct sums *sums,
                              real *half_J1);
     /* Finds the equation of motion with friction. */
@@ -131,11 +133,11 @@ static const struct contact_law sharp_edges, rounded_edges;
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
-/* Sets gravity, and so h of a domino with sharp edges. geometry->d must be set. */
+/* Sets gravity, and gives the dominoes sharp edges. geometry->d must be set. */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
-/* Gives the dominoes edges of radius rho, divided by the height. geometry->d and gravity must be set. Returns
- * DOM_NO_ROUND if rho > d/2. */
+/* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. geometry->d and
+ * gravity must be set. Returns DOM_NO_ROUND if rho > d/2. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* Members of `sharp_edges` that are not defined in sharp.c. */

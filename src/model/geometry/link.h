@@ -52,8 +52,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower, by the derivative of (14; b10). The follower's cosine Y y - X x is avoided,
- * since its digits cancel near pi/2. */
+/* Returns theta'' of a follower, from the derivative of (14; b10). The formula avoids the follower's cosine
+ * Y y - X x, which loses digits to cancellation near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
@@ -64,9 +64,9 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* A domino has the tilt theta_a in one chain and theta_b in another; t = tan((theta_a - theta_b) / 2).
- * Returns t of its follower / t = (1 - G) / (1 + t^2 G), as in energy_change_between. The arms give 1 - G
- * with all digits. */
+/* A domino has the tilt theta_a in one chain and theta_b in another. Let t = tan((theta_a - theta_b) / 2).
+ * Returns the factor by which t of the follower differs from t of this domino. By energy_change_between, the
+ * factor is (1 - G) / (1 + t^2 G). The arms give 1 - G with all digits. */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;

@@ -33,7 +33,7 @@ struct row_request {
     dom_real effect[DOM_DYNAMICS_COUNT];
     dom_real boxes_above; /* as in struct dom_row */
     bool floor;
-    /* true to give a domino that stops the energy that it needs, and go on */
+    /* If true, a domino that would stop gets the energy that it needs, and the run goes on. */
     bool carries_on;
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_precision precision;

@@ -26,8 +26,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. done_J is safe, too, since rounding never increases the
- * inertia. */
+/* Returns true when the tail of H1 can be left out. done_J is safe for rounded edges, too, since they
+ * never increase the inertia. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -35,7 +35,7 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-/* Finds J, H1 and half of dJ/dtheta. With `sign`, finds only H1, as precisely as its sign requires. */
+/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, as precisely as its sign requires. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums, real *half_J1)
 {
@@ -90,13 +90,13 @@ struct apart {
     real by, t;
 };
 
-/* Returns the difference with the tangent t of half the angle. */
+/* Returns the difference between two tilts. t is the tangent of half the angle between them. */
 static struct apart apart_by(real t)
 {
     return (struct apart){2 * atan(t), t};
 }
 
-/* Returns h(A) - h(B) of a domino, as energy_change in sharp_change.c does. */
+/* Returns h(A) - h(B) of a domino, like energy_change in sharp_change.c. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
     return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
@@ -119,13 +119,14 @@ KERNEL_LOOP real tangent_excess(real D)
 }
 
 /*
- * Returns the difference between the tilts of the followers of a and b. `apart` is that of a and b
- * themselves. Let D be the difference between their turns. Subtracting the contact equations gives
+ * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
+ * tilts of a and b, and D the difference between the turns to their followers. Subtracting the contact
+ * equations gives
  *
- *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
+ *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R.
  *
- * where every term of R has the small factor apart.by. So even the smallest differences keep their digits. D
- * itself is inaccurate, and is used only for the small term 2 tan(D/2) - D.
+ * Every term of R has the small factor apart.by, so even the smallest differences keep their digits. D itself
+ * is inaccurate, and is used only for the small term 2 tan(D/2) - D.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -232,7 +233,7 @@ struct rolling_pair {
     real H2;
 };
 
-/* Starts chain a at `head`, and chain b at `from`. t is the tangent of half the angle between them. */
+/* Starts chain a at `head`, and chain b at `from`. t is the tangent of half the angle between these tilts. */
 static void rolling_begin(struct rolling_pair *p, const struct geometry *geometry, struct tilt from,
                           struct tilt head, real t)
 {
@@ -268,7 +269,7 @@ static bool rolling_near(const struct rolling_pair *p, const struct walk *b)
     return far_near(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
 }
 
-/* Adds the current domino and all dominoes behind it, by the far series. */
+/* Adds the current domino and all dominoes behind it, using the far series. */
 static void rolling_add_far(struct rolling_pair *p, const struct walk *b)
 {
     const struct far_point rest = far_add(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
@@ -330,8 +331,8 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     return status;
 }
 
-/* The two passes run side by side, as in sharp_both. Each domino of the upright chain has its leader's tilt
- * in the chain at theta_c. */
+/* The two passes run side by side, as in sharp_both. The upright chain is the chain at theta_c shifted by one
+ * domino, so its tilts need no computation of their own. */
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c)
 {

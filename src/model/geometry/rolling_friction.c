@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction between dominoes with rounded edges (rounded.h). The arms are those of rounded_arms. Since the
+/* Friction between dominoes with rounded edges (rounded.h). rounded_arms gives the lever arms. Since the
  * inertia i changes with the tilt, A contains i theta_i', and B contains i theta_i'' + i' theta_i'^2 / 2. */
 #include "geometry/rounded.h"
 

@@ -23,7 +23,7 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The most steps of an iteration. One to four are enough if there is a solution. */
+/* The maximum number of steps of an iteration. One to four are enough if there is a solution. */
 enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
@@ -75,9 +75,9 @@ KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
     };
 }
 
-/* Solves l sin u + c u = G near u = pi/2, from E = l + c pi/2 - G. Returns NaN if there is no solution.
- * e = pi/2 - u obeys l (1 - cos e) + c e = E, where no digits cancel. turn_solve would lose those of cos
- * u. */
+/* Solves l sin u + c u = G near u = pi/2, where turn_solve would lose digits of cos u. The argument is
+ * E = l + c pi/2 - G. Then e = pi/2 - u obeys l (1 - cos e) + c e = E. Returns NaN if there is no
+ * solution. */
 static struct turn turn_near_reach(real l, real c, real E)
 {
     real e = E > 0 ? 2 * E / (c + sqrt(c * c + 2 * l * E)) : E;
@@ -122,7 +122,7 @@ static real tilt_theta(struct tilt t)
     return t.v < (real)0.5 ? asin(t.x) : PI / 2 - asin(t.y);
 }
 
-/* turn_near_reach finds turns near pi/2: G is at least this fraction of l + c. */
+/* If G is at least this fraction of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
 /* Returns E of turn_near_reach for a contact. It is 0 for a follower perpendicular to its leader. */
@@ -281,7 +281,7 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
  * Returns theta_inf, the tilt at which a follower leans as much as its leader, so that the right side of the
  * contact equation is 0. Also finds theta_inf as an angle, and the slope there. The right side is a
  * decreasing, concave function of 1 - cos theta up to pi/2, so Newton's method converges. It starts from
- * sharp edges.
+ * the solution for sharp edges.
  */
 static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {
@@ -292,7 +292,7 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
     *theta = 0;
     for (int i = 0; i < TURN_STEPS; i++) {
         t = (struct tilt){.x = sqrt(t.v * (2 - t.v)), .y = 1 - t.v, .v = t.v};
-        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* a step about squares the error */
+        if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * t.v) { /* each step roughly squares the error */
             *theta += by / t.x;
             break;
         }
@@ -306,9 +306,9 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
 }
 
 /*
- * Finds the tilt theta of a leader at which its follower detaches, and returns the follower's tilt. Newton's
- * method in a bracket starts from sharp edges. It finds the zero of the slope, which decreases, is negative
- * at hi, and is NaN without a contact.
+ * Finds the tilt theta of a leader at which its follower detaches, and returns the follower's tilt. At this
+ * tilt the slope of the contact is 0. The slope decreases with theta. At hi it is negative, or NaN if there
+ * is no contact. Newton's method, confined to a bracket, starts from the solution for sharp edges.
  */
 static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
@@ -325,7 +325,7 @@ static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
         if (!isnan(at.turn.angle))
             follower = *theta + at.turn.angle + by * at.link.step / 2;
         *theta += by;
-        /* near the root, a step about squares the error */
+        /* near the root, each step roughly squares the error */
         if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
             break;
     }
@@ -338,8 +338,8 @@ static real beyond(const struct rounded *of, real sharp)
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino. `gap` is the gap, and `left` how far the head could
- * reach beyond the next domino, both divided by its height. */
+/* Returns the tilt at which a head hits the next domino. `gap` is the gap to the next domino, and `left` is
+ * how far the head could reach beyond it. Both are divided by the height of the head. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt

@@ -40,7 +40,7 @@ KERNEL void rounded_next(struct walk *walk);
 KERNEL void rounded_factors(struct walk *walk);
 KERNEL void rounded_step(struct walk *walk);
 KERNEL void rounded_levers(struct walk *walk);
-/* Returns a domino half way between its tilts in a and in b. */
+/* Returns a domino at the angle halfway between its tilts in a and in b. */
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 
 KERNEL struct arms rounded_arms(const struct link *link);

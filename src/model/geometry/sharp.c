@@ -59,8 +59,8 @@ static real sharp_paper_fuel(const struct geometry *geometry)
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
         return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
-    /* h(0) - h(theta_inf), where no digits cancel near P = 0. On a level floor P = 0 at s = 2
-     * d^3 / (1 - d^2). */
+    /* h(0) - h(theta_inf), in a form that loses no digits near 0. On a level floor it is 0 at
+     * s = 2 d^3 / (1 - d^2). */
     return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Passes down two chains with sharp edges side by side, which find differences of H. Series replace the far
- * tails (far.h). */
+/* Finds differences of H between two chains with sharp edges. Each pass visits the dominoes of both chains in
+ * parallel. Series replace the far tails (far.h). */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
@@ -49,9 +49,9 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower at theta_1 that will detach at theta_f. The formula is
- * that of energy_change_between for a leader that moves on to theta_leave. There the arm a is 0: Y = r L x.
- * The arm of `leader` has the factor
+ * Returns tan((theta_f - theta_1) / 2) for a follower at theta_1 that will detach at theta_f. Its leader will
+ * then have moved on to theta_leave, where the arm a is 0, so Y = r L x. The formula of energy_change_between
+ * gives the result. The arm of `leader` has the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
@@ -80,7 +80,7 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when all tails can be left out. `shrinks` is t of the next pair / t of this pair. */
+/* Returns true when all tails can be left out. `shrinks` is the result of pair_shrinks. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
@@ -93,15 +93,16 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  * for this reason:
  *
  * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta').
- * Consider domino i and all behind it. A part of the torques on them does not accelerate them. It is balanced
- * by the contact of domino i with its leader, so it is the contact force times S_i b_i > 0. With the
- * acceleration of the whole chain it is the sum over k >= i of
+ * Add up these products for domino i and all dominoes behind it. The contacts between these dominoes cancel.
+ * Only gravity and the contact of domino i with its leader remain. The force of this contact, multiplied by
+ * S_i b_i > 0, is therefore the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
  *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
  *
- * where g = -h'/2, and <> is the mean over the chain with the weights I S theta'. If neither a_k nor c_k
- * decreases down the chain, no such sum is negative: all contacts push, at every speed.
+ * where g = -h'/2, and <> is the mean over the chain with the weights I S theta'. The acceleration of the
+ * whole chain is <a> + <c> w. If neither a_k nor c_k decreases down the chain, this sum is not negative for
+ * any i. Then all contacts push, at every speed.
  *
  * From leader to follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
  * (link_second_derivative), where y_1 = Y y - X x is the follower's cosine. a does not decrease if
@@ -110,8 +111,8 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
  * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
- * term. The arm a of the contact must be positive. It decreases as well, so it is tested at the end. If a
- * leader leans backwards, none of this holds, and the test fails.
+ * term. The arm a of the contact must not be negative. This arm decreases, too, so it is tested at the tilt
+ * a. If a leader leans backwards, none of this holds, and the test fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -151,7 +152,8 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 
 /*
  * Finds the sums of chain a, whose head is at `head`, and H of a minus H of chain b, whose head is at `from`.
- * H comes from t = tan((theta_a - theta_b)/2) of each domino, so the smallest difference keeps its digits.
+ * The difference comes from t = tan((theta_a - theta_b)/2) of each domino, so even the smallest difference
+ * keeps its digits.
  * Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
  *
  *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).

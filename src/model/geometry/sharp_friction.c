@@ -3,8 +3,8 @@
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* A(e) of far_friction follows from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1). B and C have such
- * equations, too. All are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1. */
+/* A(e) of far_friction follows from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1). B and C satisfy similar
+ * equations. All three are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1. */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
@@ -63,8 +63,8 @@ static void friction_next(struct friction_link *k)
     link_next(&k->link);
 }
 
-/* Returns true when the tails of all three sums can be left out. The ratio of terms is at least `decay`, its
- * limit far down an endless train. */
+/* Returns true when the tails of all three sums can be left out. The ratio of successive terms is taken to be
+ * at least `decay`, the limit of this ratio without friction, far down an endless train. */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;

@@ -22,7 +22,7 @@ struct sums {
 struct equation_of_motion {
     real A, B, C;
     /* Sums of the absolute values of all terms, from which rounding errors are estimated. They are increased
-     * if an arm b cancels. */
+     * if digits cancel inside a term. */
     real A_size, B_size, C_size;
     /* True if no acceleration satisfies the equation (Painleve): A <= 0, or some arm b <= 0. */
     bool locks;
@@ -33,15 +33,15 @@ struct equation_of_motion {
  * sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be this fraction of the tolerance. A result of several sums then stays within the
- * tolerance. */
+/* The tail of a sum may be this fraction of the tolerance. A result that combines several sums then stays
+ * within the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
 /* A compensated sum, with bounds on its next terms. */
 struct series {
     real sum, size; /* sum of the terms, and sum of their absolute values */
     real lost;      /* sum of the rounding errors, to be added at the end */
-    /* Upper bounds on the next term, and on later term / term before. */
+    /* Upper bounds on the next term, and on the ratio of each later term to the term before it. */
     real next, ratio;
 };
 
@@ -54,8 +54,8 @@ KERNEL_LOOP void series_add(struct series *s, real term)
     s->size += fabs(term);
 }
 
-/* Returns true when the remaining terms can be left out. `term` bounds the last term, and `ratio` bounds
- * later term / term before. A tail below the unit roundoff of the sum never matters. */
+/* Returns true when the remaining terms can be left out. `term` bounds the last term. `ratio` bounds the
+ * ratio of each later term to the term before it. A tail below the unit roundoff of the sum never matters. */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
     s->next = term * ratio;
@@ -81,7 +81,7 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Every 4096 dominoes, checks for an interrupt, a search with too much work, and a pass that is too long. */
+/* Every 4096 dominoes, checks for an interrupt, and whether this pass or the whole search is too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)

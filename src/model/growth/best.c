@@ -90,7 +90,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/* Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the one with the
+/* Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the growth with the
  * most negative margin, or to b->r_max if there is none. */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -119,8 +119,9 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches between lo and hi for a growth above the best so far. All trains there may already stop at
- * `witness`, if that is a smaller growth. */
+/* Searches the separations between lo and hi for a growth above the best so far. There is none if bounds show
+ * that all trains stop at the best growth, or at `witness` if `witness` is smaller. Otherwise bisects the
+ * interval. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;

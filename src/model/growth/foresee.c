@@ -47,7 +47,8 @@ static void root_add(struct root_search *s, struct root_point point)
 /* Returns the root of the line through two points. */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
-    /* margin_share is less curved than the margin close to the root, but almost constant far from it */
+    /* Close to the root, margin_share is less curved than the margin. Far from the root, it is almost
+     * constant. */
     bool near = fabs(a->share) + fabs(b->share) < 1;
     real f_a = near ? a->share : a->value, f_b = near ? b->share : b->value;
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
@@ -142,7 +143,7 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * root may be at most ROOT_ASIDE^2. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Finds the root close to `near`. A growth slightly below `near` comes first, and gives the slope. */
+/* Finds the root close to `near`. Evaluates the margin slightly below `near` first, to get the slope. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
@@ -327,7 +328,7 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
-        /* Try again with the barrier at hi itself, in the place of an upper bound. */
+        /* Try again with the barrier at hi itself instead of an upper bound. */
         if (known == KNOWN_NOTHING && hi->margin.most) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;

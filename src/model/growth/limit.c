@@ -101,8 +101,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The most visits to dominoes in a search with an equation of motion. Each visit takes four times as long
- * as in other searches. */
+/* The maximum number of visits to dominoes in a search with an equation of motion. Each visit takes four
+ * times as long as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the first growth at which the margin K - B changes its sign.
+ * Finds the first growth at which the margin K - B changes sign.
  * - scan.c: endless trains with sharp edges and without friction. It walks upwards over strips, which are
  *   intervals of growths. It goes past a strip if bounds (strip.h) show that the margin is positive there, or
  *   if the strip is too narrow to divide.
@@ -38,8 +38,8 @@ KERNEL real margin_falls(const struct margin_context *c, real r);
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root close to `near`, which must be correct to half of the digits. *found is false if there is
- * none. */
+/* Finds the root close to `near`, which must be correct to half of the digits. *found is false if there
+ * is no such root. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
 /* Finds a root for an endless train without friction, not necessarily the first after *from. *falls
@@ -49,8 +49,8 @@ KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge
 
 /*
  * Finds a root for an endless train without friction, and tries to prove that it is the first after *from.
- * *root is the reach if there is no root. *found is false if there is no proof. *from may move up to a growth
- * below which the margin is positive.
+ * *root is the reach if there is no root. *found is false if there is no proof. *from may be raised to a
+ * larger growth, if the margin is positive up to there.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 

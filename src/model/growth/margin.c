@@ -176,8 +176,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /* K and B are nearly equal. Refine until the margin is correct to the tolerance. Otherwise the verdict
-     * could depend on the tolerance. */
+    /* K and B are nearly equal, so their errors may exceed the margin. Refine until the relative error of the
+     * margin itself is below the tolerance. */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;

@@ -80,7 +80,7 @@ KERNEL struct margin margin_tops(struct margin_context *c, real r);
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);
 
-/* Returns true if the maximum of H that was followed to the root r is the highest. */
+/* Returns true if the maximum of H that margin_follow has tracked is the highest maximum at the root r. */
 KERNEL bool margin_highest(const struct margin_context *c, real r);
 
 #endif

@@ -12,7 +12,7 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* Samples for each factor of e in r, up to 0.9 of the reach. One more is at the reach. */
+/* The number of samples per factor of e in r, up to 0.9 of the reach. One more sample is at the reach. */
 #define PROBE_PER_E 5
 
 /* Returns the growth of sample k. Beyond the last sample, the result is the reach. */
@@ -23,7 +23,7 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The most bisections between two samples, down to a width of about 2e-6 r. */
+/* The maximum number of bisections between two samples, down to a width of about 2e-6 r. */
 #define PROBE_HALVES 17
 
 /*
@@ -38,8 +38,8 @@ static real probe_place(const struct margin_context *c, int k)
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    /* The first growth with a sign change so far, or infinity. It is a root, or the growth of `after` if
-     * `positive` is false. */
+    /* The smallest growth found so far at which the sign changes, or infinity. If `positive` is false, it is
+     * the growth of `after`, a sample just behind the root. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
     struct edge after;
@@ -69,7 +69,7 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
-/* Returns true if the curvature of the margin shows no sign change between lo and hi, except at p->root.
+/* Returns true if the margin has too little curvature to change sign between lo and hi, except at p->root.
  * `third` is a sample outside the interval. */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)

@@ -87,7 +87,7 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the narrowest step. It increases after 1500 strips, so that about 3,000 are enough. */
+/* Returns the narrowest step. It increases after 1500 strips, so that about 3000 strips are enough. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));

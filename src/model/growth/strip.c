@@ -118,7 +118,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h of the next domino is lower by the integral of g over an angle of asin X >= X */
+        /* h_i - h_{i+1} is the integral of g over the angle asin X, which is at least X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -240,15 +240,16 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        /* Lower bound on (theta_u - theta) / 2, used for the tangent, which is larger. theta_1' decreases
-         * with the tilt of the head. */
+        /* `below` bounds (theta_u - theta) / 2 from below, and its tangent, too. theta_1' decreases with the
+         * tilt of the head. */
         const real below = geometry_contact(hi, head).step * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
 
-/* Counts a pass along both chains. A domino takes as long as about ten in a plain pass. */
+/* Counts a pass along both chains. In the effort, each step counts as twelve dominoes of a plain pass, since
+ * it takes about as long. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
