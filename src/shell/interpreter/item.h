@@ -33,8 +33,9 @@ const struct parameter *parameter_parse(struct reader *reader, const char *form)
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes and checks the value of an item. Stores it in *number and, with its unit, in *quantity, which may
- * be NULL. On failure, sets *problem and returns false. The problem has a column if `text` is not NULL. */
+/* Computes and checks the value of an item. Stores the value in *number and, with its unit, in *quantity,
+ * unless `quantity` is NULL. On failure, sets *problem and returns false. The problem has a column if `text`
+ * is not NULL. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 

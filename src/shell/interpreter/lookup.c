@@ -49,7 +49,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
-/* Evaluates a 'let' function. Its body can use its own arguments, but not those of its caller. */
+/* Evaluates a 'let' function. Its body can use its own arguments, but not the arguments of its caller. */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {

@@ -32,7 +32,7 @@ enum symbol {
     /* The struct command of the last answer, and its column `index`. If `refers` is NULL, the last value of
      * 'print'. */
     SYMBOL_ANS,
-    SYMBOL_WITH, /* a list of struct assignment, which is in force while the child node is evaluated */
+    SYMBOL_WITH, /* a list of struct assignment, in force while the child node is evaluated */
 };
 
 /* A 'let' function whose names have been resolved. Each expression has a copy of its own. */

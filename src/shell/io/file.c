@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Files after '>' and '>>' are written completely or not at all.
- * - The text first goes to a temporary file without a name, which vanishes however the program ends.
+ * - The text first goes to a temporary file without a name. However the program ends, this file vanishes.
  * - '>' copies the text to a replacement, a new file in the folder of the target, and renames it to the
  *   target.
  * - '>>' locks the target and appends the text.

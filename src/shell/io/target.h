@@ -28,7 +28,7 @@ void target_end(struct target *target);
 /* Returns true if standard output is redirected to the file. */
 bool target_is_standard(const struct target *target);
 
-/* Returns a message for the errno of a failed write, which is 0 if it was not set. */
+/* Returns a message for a failed write. `reason` is its errno, or 0 if errno was not set. */
 const char *target_error(int reason);
 
 #endif
