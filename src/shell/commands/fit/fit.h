@@ -3,7 +3,7 @@
  * The command 'fit', which finds the parameter values that explain measurements best. The measurements come
  * from a csv file (see language/csv_table.h) of one of three kinds:
  *
- *     gap (mm), speed (m/s)          speeds of the front of rows of equal dominoes
+ *     gap (mm), speed (m/s)          the speed of the front in a row of equal dominoes
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it
  *     time (s), angle (deg)          the tilt of a domino over time
  *
@@ -29,11 +29,11 @@ struct fit_point {
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
-/* The measurements of one run. Each run has its own clock, with an unknown start. All speeds belong to a
- * single run. */
+/* The measurements of one run. Each run has its own clock, with an unknown start. A file of speeds
+ * counts as a single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
-    double gap;    /* the gap of the row in this run, or NaN if the row is that of the scene */
+    double gap;    /* the gap of the row in this run, or NaN to use the gaps of the scene */
     size_t first, count;
     size_t dominoes; /* the highest number of a measured domino */
 };
@@ -44,7 +44,7 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* true if the errors of all measurements are known */
-    /* for hits: true if the intervals between successive hits are compared, not their times */
+    /* for hits: true to compare the intervals between successive hits instead of the times of hits */
     bool intervals;
 };
 
@@ -77,8 +77,8 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes the model's result for each measurement, with `value` for the unknowns. For angles, clock[k] is
- * the time at which the motion of run k begins. Returns false and sets fit->problem if there is no answer. */
+/* Computes the model's result for each measurement, with the unknowns set to `value`. For angles, clock[k]
+ * is the time when the motion of run k begins. Returns false and sets fit->problem if there is no answer. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
 /* For angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
@@ -108,7 +108,7 @@ const char *fit_names(const void *context, int k); /* a names_list of the parame
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Draws a chart of the measured values (y) against those of the model (x). */
+/* Draws a chart of the measured values (y) against the fitted values (x). */
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

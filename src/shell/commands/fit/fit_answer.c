@@ -9,7 +9,7 @@
 
 /* ---- The arguments ---- */
 
-/* The parameters that can be fitted are those of 'solve' that change how dominoes move. */
+/* Lists the parameters of 'solve', without the random errors, which do not change the computed motion. */
 const char *fit_names(const void *context, int k)
 {
     const char *name;
@@ -50,7 +50,7 @@ bool fit_parse(struct reader *r, struct question *q)
         r->at = skip_blanks(r->at + length);
         more = *r->at == ',';
         r->at = skip_blanks(r->at + more);
-        /* Without this check, a name after a blank would be taken for a missing file. */
+        /* Without this check, a name after a blank would be taken for the name of a file. */
         const size_t next = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)next, r->at);
         if (!more && names_exact(fit_names, NULL, name) >= 0)
@@ -68,7 +68,7 @@ const struct column fit_columns[] = {
     {"domino", "", "for a hit or an angle: the number of the domino", 0},
     {"time", "s", "for an angle: the time at which it was measured", 0},
     {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
-    {"fitted", "", "what the model gives with the fitted values", 0},
+    {"fitted", "", "the model's result with the fitted values", 0},
     {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
     {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
     {"friction_sd", "", "the standard deviation of the fitted value", 0},
@@ -83,8 +83,8 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. Below
- * a table, sentences show these. */
+/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. For
+ * people, sentences below the table state these values. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
@@ -108,7 +108,7 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
     answer_leave_out(a, speeds ? "run domino time" : f->data.kind == FIT_HITS ? "gap time" : "gap");
 }
 
-/* Finds the measured number, the fitted number and the residual of point k. If intervals are compared,
+/* Computes the measured value, the fitted value and the residual of point k. If intervals are compared,
  * returns false for the first hit of a run. */
 static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against those of the model. */
+/* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against fitted values. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
 #include "language/text.h"
@@ -7,18 +7,19 @@
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
 
-/* Adds runs i to after - 1 as one curve. The times of hits are counted from the first hit of each run. */
-static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t after, double unit,
+/* Adds runs i to end - 1 as one curve. The times of hits are relative to the fitted time of the first hit of
+ * their run. */
+static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t end, double unit,
                        double *most)
 {
     static const enum ink inks[RUNS_NAMED] = {INK_BLUE, INK_RED,    INK_GREEN, INK_PURPLE, INK_ORANGE,
                                               INK_SKY,  INK_PURPLE, INK_GREEN, INK_RED};
     struct chart_curve *points =
         f->data.runs == 1 ? chart_curve(chart, CHART_POINTS, INK_BLUE, 0, "measured")
-        : after - i > 1
+        : end - i > 1
             ? chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g and later ones", f->data.run[i].number)
             : chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g", f->data.run[i].number);
-    for (; i < after; i++) {
+    for (; i < end; i++) {
         const struct fit_run *run = &f->data.run[i];
         const double clock = f->data.kind == FIT_HITS ? f->computed[run->first] : 0;
         for (size_t k = run->first; k < run->first + run->count; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes what the model gives for each measurement of 'fit'. */
+/* Computes the model's result for each measurement of 'fit'. */
 #include "commands/fit/fit.h"
 #include "commands/rows/falling.h"
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Checks that the first `dominoes` dominoes, which fall in the model, include all measured ones. */
+/* Checks that the model's row, which ends at domino `dominoes`, includes all measured dominoes. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||
@@ -82,7 +82,8 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 
 /* ---- Angles ---- */
 
-/* Tilts to find. tilt[k] belongs to domino point[k].domino at point[k].time. The times must not decrease. */
+/* Tilts to compute: tilt[k] is the tilt of domino point[k].domino at point[k].time. The times must not
+ * decrease. */
 struct watch {
     const struct fit_point *point;
     double clock; /* when the motion begins, on the clock of the points */
@@ -151,8 +152,8 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when a run began. The first measured domino then reaches half of its largest angle when it does
- * so in the model. */
+/* Estimates when a run began. With this start, the first measured domino reaches half of its largest angle at
+ * the same time as in the model. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };
@@ -196,7 +197,7 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Shifts the computed times of a run so that the sum of its squared residuals is smallest. */
+/* Shifts the computed times of a run to minimise the sum of its squared residuals. */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {
     double sum = 0, weights = 0;

@@ -21,7 +21,7 @@
             "more than 0, up to " range                                                                      \
     }
 
-/* The columns of hits and of angles. TIMED_COLUMNS has those of both; ANGLE_AT is only for angles. */
+/* The columns of hits and angles. Both kinds have TIMED_COLUMNS and an error; only angles have ANGLE_AT. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
     [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \
@@ -127,8 +127,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of the current row of the file, if necessary from its frame. The time is NaN if both are
- * missing. */
+/* Finds the time of the current row of the file, if necessary from the frame number. The time is NaN if both
+ * are missing. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid gives the start for
- * the Levenberg-Marquardt method of GSL. */
+/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid provides
+ * the starting point for GSL's Levenberg-Marquardt method. */
 #include "commands/fit/fit.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -20,8 +20,7 @@ static void free_find(struct fit *f)
     }
 }
 
-/* Returns the number of fitted numbers. These are the free unknowns and, for angles, the start time of
- * each run. */
+/* Returns how many numbers are fitted: the free unknowns and, for angles, the start time of each run. */
 static size_t numbers_of(const struct fit *f)
 {
     return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
@@ -37,8 +36,8 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Reflects a value back into the range of its parameter. A sum that decreases towards a limit then has its
- * minimum there. */
+/* Reflects a value back into the range of its parameter. If the sum of squares decreases all the way to a
+ * limit of the range, this limit then becomes a minimum. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -65,7 +64,8 @@ static double residuals_fill(const struct fit *f, gsl_vector *residual)
     return squares;
 }
 
-/* Fills in all unknowns from *x. Returns the start times of the runs, which follow the free unknowns. */
+/* Fills in all unknowns from *x. Returns the start times of the runs, which follow the free unknowns
+ * in *x. */
 static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
 {
     for (int i = 0; i < f->unknowns; i++)
@@ -97,7 +97,7 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
 /* Returns the step h of the difference quotients, whose error is of the order h^2 + tol / h. */
 static double step_of(const struct fit *f, size_t i, double x)
 {
-    /* The engine's answers have about three digits. */
+    /* The engine's answers are accurate to about three digits. */
     const bool engine = scene_has_engine(f->query->scene);
     const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
     if (i >= f->free_count) {
@@ -151,7 +151,8 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Stores the best combination of starting values in the unknowns and in *clock. Fails if there is none. */
+/* Stores the best combination of starting values in the unknowns and in *clock. Fails if the model has
+ * no answer for any combination. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -203,7 +204,8 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
-    /* If the residuals are larger than the errors, or no errors are known, the residuals take their place. */
+    /* If no errors are known, or the residuals are larger, the size of the errors is estimated from the
+     * residuals. */
     const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
     for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
@@ -219,7 +221,7 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     return done;
 }
 
-/* Moves the values in the unknowns and in *clock to the nearby minimum. Returns a GSL status. */
+/* Moves the unknowns and *clock to a local minimum of the sum of squares. Returns a GSL status. */
 static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
 {
     enum { STEPS_MOST = 50 };
@@ -259,8 +261,8 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* If the distance of an unknown from a limit of its range is less than the fraction `near` of the searched
- * range, sets the unknown to this limit and returns true. */
+/* If an unknown is close to a limit of its range, sets it to this limit and returns true. Close means within
+ * `near` times the width of the searched range. */
 static bool limit_take(struct fit *f, double near)
 {
     for (int i = 0; i < f->unknowns; i++) {
@@ -279,8 +281,8 @@ static bool limit_take(struct fit *f, double near)
     return false;
 }
 
-/* Finds the minimum. If an unknown is near a limit of its range, the search would jump back and forth across
- * the limit. The unknown is then set to the limit, and the others are searched again. */
+/* Finds the minimum. Near a limit of the range of an unknown, the search would jump back and forth across the
+ * limit. The unknown is therefore set to the limit, and the others are fitted again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;
@@ -299,8 +301,8 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
     return GSL_SUCCESS;
 }
 
-/* Returns sum (e_k - e_(k-1))^2 / sum e_k^2 (Durbin and Watson). It is near 2 if the residuals e_k are
- * independent, and near 0 if they drift. */
+/* Returns the Durbin-Watson statistic sum (e_k - e_(k-1))^2 / sum e_k^2. The statistic is near 2 if the
+ * residuals e_k are independent, and near 0 if they drift. */
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;

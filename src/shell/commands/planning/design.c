@@ -26,7 +26,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, below that of the scene, with which equal dominoes have this safety, or 0. */
+/* Returns the largest friction below the scene's at which equal dominoes have this safety, or 0 if there is
+ * none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -45,7 +46,8 @@ static domq_real push_most(const struct domq_wish *wish)
     return quad(sqrt)(2 * wish->g / wish->first);
 }
 
-/* Returns a stronger push that does not lift the first domino, or NaN if there is hardly any. */
+/* Returns a stronger push that does not throw the first domino off the floor. Returns NaN if the push is
+ * already almost the largest possible one. */
 static domq_real push_stronger(const struct domq_wish *wish)
 {
     const domq_real most = push_most(wish) * 9 / 10;
@@ -117,7 +119,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     } else {
         domq_real mu = friction_most(query, wish->safety);
         if (mu > 0)
-            snprintf(more, sizeof more, "; with friction of up to %.40s, a safety of %.40s is possible",
+            snprintf(more, sizeof more, "; with friction of up to %.40s, safety %.40s is possible",
                      measured(round_digits(mu, 3, false), "", 3).text, safety.text);
         if (d->needs > 1)
             snprintf(text, size,
@@ -129,7 +131,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* If there is a design without the boards and the grid, writes that they rule it out, and returns true. */
+/* Finds out whether a design would be possible without the boards and the grid. If so, writes to `reason`
+ * that they rule it out, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -212,7 +215,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
     designed_list(&list, plan, false);
 }
 
-/* Stores the design as the row of the session. An expression changes nothing: there query->next is NULL. */
+/* Stores the design as the row of the session. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
                         const struct designed_row *plan)
 {
@@ -276,7 +279,8 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Stores the design in the session, improves it for a wished probability, and prints the answer. */
+/* Prints the answer. If the session may change, first stores the design there, and improves the row if the
+ * user asked for a probability. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

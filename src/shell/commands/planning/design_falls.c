@@ -11,7 +11,7 @@
 /* The search tries rows of at most DOMINOES_MOST dominoes. It runs random rows for at most MORE designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
-/* The table also shows designs with up to this many dominoes more than needed, as a choice. */
+/* How many designs with more dominoes than necessary the table shows, as alternatives. */
 enum { BEYOND = 2 };
 
 /* The results for a given number of dominoes. */
@@ -21,7 +21,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run so that at least about 20 fail at the probability `falls`. */
+/* Returns how many random rows to run. If a row falls with the probability `falls`, at least 20 of them fail
+ * on average, or 10 in the engine. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
@@ -78,7 +79,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Explains in `reason` that no number of dominoes is enough, and names the best number. */
+/* Explains in `reason` that no number of dominoes reaches the probability, and names the best number. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {
@@ -93,7 +94,7 @@ static void none_write(const struct tried *tried, size_t count, const struct dom
                                         : "a smaller friction");
     else
         snprintf(reason, REASON,
-                 "infeasible: no row falls with a probability of %s, whatever its number of dominoes; with "
+                 "infeasible: no row falls with a probability of %s, however many dominoes it has; with "
                  "%zu dominoes, %zu of %zu rows fall; make the errors smaller%s",
                  measured(falls, "share", 6).text, tried[best].count, tried[best].study.fall,
                  tried[best].study.rows, isfinite(wish->hall) ? ", or the hall longer" : "");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'improve', which changes the session's row so that it is most likely to fall. */
+/* The command 'improve', which changes the session's row to make it more likely to fall. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -21,7 +21,8 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The number of random rows for a probability. The engine takes thousands of times as long for a row. */
+/* How many random rows are run to estimate a probability. A row takes thousands of times as long in the
+ * engine. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
 /* A row and its improvement. Do not copy the struct: it has a pointer to its own pool. */
@@ -95,7 +96,7 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
 
 /* ---- The new row ---- */
 
-/* Lists the dominoes that have changed, with their sizes and gaps before and after the changes. */
+/* Lists all dominoes, with their sizes and gaps before and after the changes. */
 static void changes_list(struct answer *a, const struct improvement *i)
 {
     static const struct column columns[] = {

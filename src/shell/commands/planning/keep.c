@@ -18,7 +18,7 @@ static bool is_near(domq_real a, domq_real b)
     return quad(fabs)(a - b) <= (domq_real)1e-12 * quad(fabs)(b);
 }
 
-bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t count, bool sizes,
                    struct problem *problem)
 {
     struct scene_row now;
@@ -26,7 +26,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
         return false;
     bool good = true;
     for (size_t k = 0; k < count && good; k++) {
-        const struct domq_domino *a = &now.domino[k], *b = &to[k];
+        const struct domq_domino *a = &now.domino[k], *b = &from[k];
         good =
             (is_near(a->gap, b->gap) || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
             (is_near(a->height, b->height) ||
@@ -42,7 +42,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {
-        const domq_real times = to[k].mass / now.domino[k].mass * (now.domino[0].mass / to[0].mass);
+        const domq_real times = from[k].mass / now.domino[k].mass * (now.domino[0].mass / from[0].mass);
         good = is_near(times, 1) || change_to(scene, k, MEASURE_MASS, true, times, problem);
     }
     free(now.domino);

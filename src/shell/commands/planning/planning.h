@@ -19,10 +19,11 @@ struct probe {
     struct quantity unit; /* the unit of the last answer */
 };
 
-/* Returns the answer for this value of the parameter, or NaN. If there is none, sets probe->problem. */
+/* Returns the answer for this value of the parameter. If there is no answer, returns NaN and sets
+ * probe->problem. */
 domq_real probe_at(struct probe *probe, domq_real value);
 
-/* Sets *problem to the reason why the last evaluation gave no answer, or to an interrupt. Returns false. */
+/* Reports in *problem why the last evaluation gave no answer, or that it was interrupted. Returns false. */
 bool probe_report(const struct probe *probe, struct problem *problem);
 
 /* The arguments of 'solve' and 'watch'. */
@@ -72,14 +73,14 @@ struct wishes {
 };
 extern const struct wishes usual_wishes;
 
-/* Checks that a gap can be a multiple of `grid`, and less than the height `first` of the first domino. */
+/* Checks that `grid` allows a gap that is shorter than the height `first` of the first domino. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Copies gaps, heights, thicknesses and radii from `to` to the scene's row. If `sizes` is true, also copies
- * widths and mass ratios. Both rows have `count` dominoes. */
-bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+/* Copies gaps, heights, thicknesses and radii of the dominoes in `from` to the scene's row. If `sizes` is
+ * true, also copies widths and mass ratios. Both rows have `count` dominoes. */
+bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t count, bool sizes,
                    struct problem *problem);
 
 struct improved {

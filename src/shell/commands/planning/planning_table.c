@@ -16,22 +16,21 @@ const struct command design_commands[] = {
                    .choices = design_wishes}},
      .summary = "a safe row whose last domino is H tall",
      .help =
-         "'design' finds a gap and a growth. With them, every domino after the first has at least 'safety' "
-         "times the energy that it needs. This holds in the endless train and in the row. The first domino, "
-         "friction, slope and push are those of the scene. WISHES can come in any order. 'safety 2' is the "
-         "default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
-         "'minimise dominoes' is the default. 'minimise mass' finds the same row, "
-         "because fewer dominoes also have less mass. 'minimise length' finds the shortest row. 'boards "
-         "9, 12, 15 mm' are the thicknesses to choose from (with 'effect walls 12 mm 30 cm', those of the "
-         "solid dominoes). 'grid 1 mm' makes all dimensions whole mm, and the row still has the required "
-         "safety. 'design 8 m falls 99 %' finds "
-         "the fewest dominoes that fall with this probability. It counts the random errors of the scene, "
-         "such as 'effect placement 3 mm'. The lower end of the 95 % interval "
-         "must reach this probability. A table shows the results for fewer and for more dominoes; then the "
-         "row is improved, as by 'improve sizes'. If the rigid-body engine runs rows "
-         "('effect feet', 'effect bounce', 'set method engine'), the row also falls in the engine. 'safety' "
-         "is still that of the model, in which feet are hinges. The row becomes that of the "
-         "session; 'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
+         "'design' finds a gap and a growth such that every domino after the first has at least 'safety' "
+         "times the energy that it needs. This is true both in the endless train and in the row. The first "
+         "domino, friction, slope and push come from the scene. WISHES can come in any order. 'safety 2' is "
+         "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
+         "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
+         "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
+         "thicknesses to choose from (with 'effect walls 12 mm 30 cm', only for the solid dominoes). 'grid "
+         "1 mm' makes all dimensions whole mm, and the row still has the required safety. 'design 8 m falls "
+         "99 %' finds the fewest dominoes that fall with this probability. It takes the random errors of "
+         "the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % interval must "
+         "reach this probability. A table shows the results for fewer and for more dominoes; then the row "
+         "is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect feet', 'effect "
+         "bounce', 'set method engine'), the row also falls in the engine. 'safety' still refers to the "
+         "model, in which feet are hinges. The row becomes the session's row; 'design ... > hall.csv' "
+         "writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
@@ -46,9 +45,9 @@ const struct command design_commands[] = {
          "For the hall, the guide lists the places of the dominoes on a tape measure. For the workshop, it "
          "lists their sizes and the boards to cut. Beside each value are the limits between which all "
          "dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement 2 mm', the guide "
-         "shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide on pages "
-         "of A4. It shows the row to scale, beside a person of 1.75 m. .svg and .png are one long page. csv "
-         "and json have the numbers, in m.",
+         "shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide on "
+         "pages of A4. It shows the row to scale, beside a person 1.75 m tall. As .svg or .png, the guide "
+         "is one long page. csv and json have the numbers, in m.",
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .unswept = "it is a text",
@@ -63,20 +62,20 @@ const struct command design_commands[] = {
                    .parse = improve_parse,
                    .bind = wishes_bind,
                    .choices = improve_wishes}},
-     .summary = "change the row so that it is most likely to fall",
+     .summary = "change the row to make it more likely to fall",
      .help =
-         "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
-         "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES can come in any "
+         "'improve' changes the gaps of the row to make it more likely to fall in spite of the random "
+         "errors of the scene. First enter 'effect placement 3 mm', or other errors. WISHES can come in any "
          "order. 'sizes' also changes the sizes of all dominoes between the first and the last; their "
          "proportions stay fixed. 'hall 20 m' is the greatest length of the row, including its fallen last "
          "domino; the default is the present length. 'boards 9, 12, 15 mm' are the thicknesses to choose "
-         "from (with 'effect walls 12 mm 30 cm', those of the solid dominoes). 'mass 50 kg' is the greatest "
+         "from (with 'effect walls 12 mm 30 cm', only for the solid dominoes). 'mass 50 kg' is the greatest "
          "mass that a changed domino may have. 'grid 1 mm' makes sizes and gaps whole mm. A domino that "
-         "becomes twice as large gets 2^(q-1) times the mass. The search uses random rows; the probabilities "
-         "before and after the changes come from other random rows. A row "
-         "is never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes "
-         "the changes back. If the rigid-body engine runs rows, the search still uses the model, and the "
-         "probabilities come from the engine.",
+         "becomes twice as large gets 2^(q-1) times the mass. The search uses random rows; the "
+         "probabilities before and after the changes come from other random rows. A row is never replaced "
+         "by a worse one. ^C ends the search with the best row so far. 'undo' takes the changes back. If "
+         "the rigid-body engine runs rows, the search still uses the model, and the probabilities come from "
+         "the engine.",
      .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
      .see = "placement budget design change row",
      .principal = "probability",
@@ -127,8 +126,8 @@ const struct command design_commands[] = {
      .summary = "how much each parameter changes the answer of COMMAND",
      .help =
          "'sensitivity' decreases and increases each parameter of the model by 1 %. It changes friction and "
-         "edges by 0.01 and slope by 1 degree, even if they are off. The answer shows by how many percent "
-         "the number of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
+         "edges by 0.01 and slope by 1 degree, even if they are off. The answer shows by what percentage "
+         "the result of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
          "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
          "'sensitivity h*r^10'.",
      .example = "effect friction 0.2; sensitivity rmax",
@@ -146,16 +145,14 @@ const struct command design_commands[] = {
              "'friction, push'. FILE is a csv file of one of three kinds. The columns 'domino' and 'time "
              "(s)' (or 'frame') say when each domino of the row is hit, as a camera shows it. The columns "
              "'time (s)' (or 'frame') and 'angle (deg)' say how domino 1 turns; a column 'domino' can name "
-             "another one. In a file with 'gap (mm)' and 'speed (m/s)', each line "
-             "has the speed of one row of equal dominoes. FPS is the number of frames per second; "
-             "a column 'rate' can give it instead. A column 'run' numbers several runs, each with its own "
-             "clock. A column 'gap (mm)' gives the gap of each run, and a column 'error' gives the "
-             "standard errors. "
-             "The dominoes are those of 'effect row'; without this effect, their growth is r. Each residual "
-             "is divided by its error, and 'fit' finds the values with the smallest sum of squares. It also "
-             "finds their standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or "
-             ".png, .pdf) draw the "
-             "measurements against the values that the model gives.",
+             "another domino. In a file with 'gap (mm)' and 'speed (m/s)', each line has the speed of one "
+             "row of equal dominoes. FPS is the number of frames per second; a column 'rate' can give this "
+             "number instead. A column 'run' numbers several runs, each with its own clock. A column 'gap "
+             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. The dominoes "
+             "are those of 'effect row'; without this effect, their growth is r. Each residual is divided by "
+             "its error, and 'fit' finds the values with the smallest sum of squares. It also finds their "
+             "standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) "
+             "draw the measurements against the fitted values.",
      .see = "plot solve duration fall sensitivity",
      .files = true,
      .rows = true,

@@ -102,7 +102,7 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps past the value, the solver ends where the answer is still different. */
+    /* If the answer jumps past the value, the solver ends at the jump, where the answer differs. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -155,7 +155,7 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    /* If the answer equals the value in a whole interval, only its ends are roots. */
+    /* If the answer equals the value in a whole interval, only the ends of the interval are roots. */
     if (a.f == 0 && b.f == 0)
         return;
     if (a.f == 0)
@@ -166,8 +166,8 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         root_between(s, a, b);
 }
 
-/* Near an extremum, the answer may cross the value between two points of the grid. If m is the extremum of
- * three points, refines it by a golden-section search, and finds the roots on both sides. */
+/* Near an extremum, the answer may cross the value twice between two points of the grid. If m is the extremum
+ * of three points, refines it by a golden-section search, and finds the roots on both sides. */
 static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

@@ -45,7 +45,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the larger known one of |less| and |more|, or -1 if neither is known. */
+/* Returns the larger of |less| and |more|. Ignores an unknown change, and returns -1 if both are unknown. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -61,8 +61,8 @@ static int compare(const void *one, const void *other)
     return sa > sb ? -1 : sa < sb ? 1 : strcmp(a->parameter->name, b->parameter->name);
 }
 
-/* Returns the change of the answer, divided by `now` unless that is 0. A change within 10 times the tolerance
- * counts as 0. */
+/* Returns the change of the answer, divided by |now| unless `now` is 0. A change within 10 times the
+ * tolerance counts as 0. */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
     domq_real by = probe_at(p, value) - now, size = quad(fabs)(now);

@@ -54,7 +54,7 @@ void solve_range(const char *name, double *from, double *to)
     *to = range->to;
 }
 
-/* Returns examples of the command, for messages about a wrong one. */
+/* Returns examples of the command, for error messages. */
 static const char *form_of(const struct problem *problem)
 {
     return problem->command && strcmp(problem->command, "watch") == 0

@@ -10,7 +10,8 @@ static const char *const names[WISHES] = {
     [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
     [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
 
-/* The largest probability that 'falls' accepts. A larger one would take minutes of random rows. */
+/* The largest probability that 'falls' accepts. Even this probability takes up to 200000 random rows for
+ * each design. */
 #define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {
