@@ -18,7 +18,7 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
 }
 
 /* Returns the value nearest to `height` that does not turn a solid domino of height `before` into a box, or a
- * box into a solid. */
+ * box into a solid domino. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);
@@ -30,8 +30,8 @@ static inline dom_real height_of_kind(const struct dom_row *row, dom_real before
 /* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
 dom_real wood_volume(const struct dom_row *row, const struct dom_domino *domino);
 
-/* Returns the factor by which the mass changes with the sizes, at the same density of the wood. Returns
- * `solid` if the row has no boxes, or if the walls do not fit. */
+/* Returns the factor by which the mass changes if `before` is resized to `after` and the wood keeps its
+ * density. Returns `solid` if the row has no boxes, or if the walls do not fit. */
 dom_real wood_factor(const struct dom_row *row, const struct dom_domino *before,
                      const struct dom_domino *after, dom_real solid);
 

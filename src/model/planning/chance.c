@@ -6,7 +6,7 @@
  * A first-order reliability index would be cheaper, since it needs only derivatives at the row without
  * errors. But a gap can be too narrow or too wide. In between, the margin has a maximum, where its derivative
  * is 0. A search that minimized this index found a row that stopped in 54 % of all cases. With the present
- * function, the row that was found stopped in 29 %.
+ * function, the search found a row that stopped in 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -234,8 +234,8 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. Writes their margins to `margin`. If `margin` is NULL, writes sums of the margins
- * to *total instead. */
+/* Runs all random rows. Writes their margins to `margin`. If `margin` is NULL, adds up their probabilities of
+ * failure and, if wanted, the derivatives in *total instead. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

@@ -2,14 +2,15 @@
 /*
  * Designs a row between given first and last heights: finds a separation, a growth and a number of dominoes.
  * In the designed row, every cycle has at least `safety` times the energy that it needs. The search uses the
- * same computations as the public functions, so that both agree on the row.
+ * same computations as the public functions, so their results agree.
  */
 #include "planning/planner.h"
 #include <string.h>
 
 /*
- * A search tries the smallest number of dominoes that may suffice, and at most MORE further numbers. The
- * shortest row is final after LONGER (or LONGER_IN_ENGINE) numbers without a shorter one.
+ * A search begins with the smallest number of dominoes that may suffice, and adds at most MORE dominoes. The
+ * search for the shortest row ends early if LONGER numbers in succession give no shorter row. With an engine,
+ * LONGER_IN_ENGINE numbers are enough.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
@@ -83,10 +84,8 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/*
- * Returns the separation nearest to k, but at most `most`, at which the row passes the test, or 0.
- * Separations are in units of 1/GRID and are tried in steps of `step`.
- */
+/* Of all separations up to `most` at which the row passes the test, returns the one nearest to k. Returns 0
+ * if there is none. Separations are in units of 1/GRID and are tried in steps of `step`. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;

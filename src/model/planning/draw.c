@@ -35,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns seed number i of those derived from `seed`. The bits are mixed as in splitmix64 (Steele et al.,
- * 2014). A plain counter would give similar random numbers for successive i. */
+/* Derives seed number i from `seed`. The bits are mixed as in splitmix64 (Steele et al., 2014), because
+ * successive integers as seeds would give similar random numbers. */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -55,10 +55,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
     gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
 }
 
-/*
- * Returns the next random error. The seeds of GSL have only 32 bits: with a single generator, some of a
- * million rows would have the same seed.
- */
+/* Returns the next random error, which combines two generators. The seeds of GSL have only 32 bits: with one
+ * generator, some of a million rows would be identical. */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {
     gsl_rng *const *random = draw->random;
@@ -110,8 +108,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Applies a random error to each position, without moving later dominoes. Dominoes that would overlap touch
- * instead. */
+/* Moves each domino after the first by its own random error. A domino that would overlap the previous domino
+ * touches it instead. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */
@@ -131,7 +129,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
     }
 }
 
-/* Applies a random error to the lean of each domino, but only so far that it still stands. */
+/* Applies a random error to the lean of each domino, within the limits up to which the domino stands. */
 static void leans_draw(const struct draw *draw, const struct dom_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {

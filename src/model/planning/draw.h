@@ -17,8 +17,8 @@ struct draw {
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row);
 void draw_end(struct draw *draw);
 
-/* Draws random row number i. Leaves out the kinds of error with the bit 1 << kind in `off`, without changing
- * others. */
+/* Draws random row number i. Leaves out each kind of error whose bit (1 << kind) is set in `off`. The other
+ * errors do not change. */
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i,
               unsigned off);
 

@@ -9,9 +9,9 @@
  * less smoothing. Errors of a few mm hardly affect large dominoes. With one width for all margins, large
  * dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better with as many runs: 7.2 % rather than
- * 7.6 % of rows of eleven dominoes did not fall. But Debian has NLopt only as a shared library. Loading it
- * would take 190,000 instructions, while the whole program starts in 440,000.
+ * The minimizer is BFGS from GSL. With the same number of runs, SLSQP from NLopt was slightly better: 7.2 %
+ * of rows of eleven dominoes did not fall, rather than 7.6 %. But Debian has NLopt only as a shared library.
+ * Loading it would take 190,000 instructions, while the whole program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -29,8 +29,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search. `width` is in standard deviations of the margin. `values` is the largest number
- * of evaluations with gradient. */
+/* The levels of the search. `width` is in standard deviations of the margin. `values` limits the number of
+ * evaluations that include the gradient. */
 static const struct level {
     size_t rows;
     double width;
@@ -41,7 +41,7 @@ enum { LEVELS = sizeof levels / sizeof *levels };
 /* After every CHECK evaluations, the best result so far is checked with other random rows. */
 enum { CHECK = 8 };
 
-/* If the standard deviation of a margin is smaller than this value, this value is used instead. */
+/* Lower bound on the standard deviation of a margin. */
 #define SCATTER_LEAST 0.03
 
 /* The relative tolerance for computing margins. */
@@ -99,10 +99,8 @@ static void level_set(struct search *s, const struct level *level)
 
 /* ---- The function that is minimized ---- */
 
-/*
- * Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. This has a slope
- * even where p is nearly 0 or 1. Returns infinity to end a line search.
- */
+/* Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Unlike p, this
+ * logarithm has a clear slope even where p is nearly 0 or 1. Returns infinity to end a line search. */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
@@ -190,9 +188,10 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 }
 
 /*
- * Makes the row with the variables x the new best row if it passes two tests:
+ * Rounds the row with the variables x to the grid. The rounded row becomes the best row if it is within the
+ * limits and passes two tests:
  * - Its smoothed fraction of failures is the smallest so far, or it is the first row within the limits.
- * - In the study, it falls more often than the original row, or that row is outside the limits.
+ * - In the study, it falls more often than the original row, or the original row is outside the limits.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {
@@ -215,7 +214,8 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Runs the minimizer on one level. It stops at kinks, and is restarted as long as this helps. */
+/* Runs the minimizer on one level. The minimizer stops at kinks, and is restarted as long as restarts
+ * help. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)
 {

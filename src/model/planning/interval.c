@@ -11,8 +11,8 @@
 
 /*
  * Returns the probability that at least k, or at most k, of n rows fall if each falls with the probability p.
- * Divides the sum over the tail by the sum over all terms. gsl_cdf_beta_P does not converge for some p if n
- * is a million or more.
+ * Divides the sum over the tail by the sum over all terms. gsl_cdf_beta_P is not used, because for some p it
+ * does not converge if n is a million or more.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -20,7 +20,8 @@ static double binomial_tail(double k, double n, double p, bool at_least)
     double above = 0, below = 0;
     if (!(p > 0 && p < 1))
         return (p >= 1) == at_least;
-    double term = 1; /* the term k of the distribution; each other term is a ratio times its neighbour */
+    /* Term k of the distribution is scaled to 1. Ratios of successive terms give all other terms. */
+    double term = 1;
     for (double i = k; i < n && above < most && (term > enough * above || i < n * p); i++)
         above += term *= (n - i) / (i + 1) * odds;
     term = 1;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds changes with which all dominoes of a row fall: another gap, a stronger push or another growth. */
+/* Finds changes that make all dominoes of a row fall: another gap, a stronger push or another growth. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* number of gaps that are tried before the one at which the row ends; earlier gaps hardly matter */
+/* number of gaps to try behind the gap at which the row ends; gaps farther back hardly matter */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches for the first gap between the current one and `end` at which all dominoes fall. */
+/* Searches from the current gap towards `end` for the first gap with which all dominoes fall. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
@@ -15,8 +15,9 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * If the gap is too wide to reach across, finds the range of gaps with which the row falls. The range begins
- * at the widest gap within reach. Returns false if the row does not fall there.
+ * For a gap that is too wide to reach across: finds the range of gaps with which the row falls. The range
+ * begins at the widest gap within reach. Returns false for any other gap, or if the row does not fall even
+ * with the widest gap within reach.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
@@ -35,7 +36,7 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. */
+/* Finds the smallest change to the gap before domino t->k that makes all dominoes fall. */
 static bool gap_mend(struct trial *t, struct dom_mend *mend)
 {
     struct dom_mend wider;
@@ -47,8 +48,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gap after the domino at which the row ends, and up to BACK gaps before it. A gap that is too wide
- * to reach across is the only one to be tried. */
+/* Tries the gap after the domino at which the row ends, and up to BACK gaps behind this gap. If this gap is
+ * too wide to reach across, tries no other gap. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -97,8 +98,11 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the omega that just suffices to tip the first domino: I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) /
- * 2. */
+/*
+ * Returns the angular velocity that is just enough to tip the first domino. It satisfies
+ *
+ *     I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) / 2.
+ */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -134,8 +138,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* Each step multiplies the growth by GROWTH_STEP. With an engine, the steps to a first falling row are
- * longer. */
+/* Each step of the search multiplies the growth by GROWTH_STEP. With an engine, the steps are
+ * GROWTH_STEP_OF_ENGINE until the row falls. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -163,10 +167,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/*
- * Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. At a
- * larger growth, gaps are wider. The first domino may then tip over before it hits the second.
- */
+/* Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. r_min may
+ * exceed 1: the first domino may tip over before it hits the second only if the gap is wider. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Verdicts depend only on the sign of a margin. A smaller tolerance would change one in a billion. */
+/* Verdicts depend only on the sign of a margin. A smaller tolerance would change one verdict in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
 /* number of rows in a batch, large enough to make the time for memory allocation negligible */
@@ -48,7 +48,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i. For causes, runs it again without each kind of error. Adds the results to the counts. */
+/* Runs row number i. If s->causes is true, runs it again once for each kind of error, with this kind left
+ * out. Adds the results to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;

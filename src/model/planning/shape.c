@@ -11,8 +11,8 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The limit of the hall is smooth, so even gaps that fit are narrowed a little. In a row that exactly fills
- * the hall, the factor is 2^(-1 / SHARP). */
+/* The larger this exponent, the more abruptly gaps are narrowed as the row fills the hall. If the row exactly
+ * fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */

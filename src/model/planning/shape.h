@@ -12,12 +12,12 @@ struct shape {
 
 /*
  * Returns the number of variables. Each gap has one: ln(gap / height of the domino before it). If sizes may
- * change, each gap has a second one: ln of the growth across it. Adding a number to all of these changes
- * nothing.
+ * change, each gap has a second variable: ln of the growth across the gap. Adding a constant to all second
+ * variables does not change the row.
  */
 size_t shape_variables(const struct shape *shape);
 
-/* Sets the variables x to those of shape->row. */
+/* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
 /* Returns true if a domino of this height must be as thick as one of the boards. A box need not be. */

@@ -44,10 +44,8 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
         t->verdict.spare = recent->spare;
 }
 
-/*
- * Returns true if the row is part of a train: the same proportions, and constant growths of sizes and masses.
- * Walls of equal thickness change the proportions.
- */
+/* Returns true if the row is part of a train: all dominoes have the same proportions, and sizes and masses
+ * grow by constant factors. Walls of equal thickness would change the proportions. */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -67,11 +65,11 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * Runs the first START dominoes of a train. Returns true if these decide whether the whole row falls.
+ * Runs the first START dominoes of a train. Returns true if the result decides whether the whole row falls.
  *
- * From domino to domino, the share of the kinetic energy that is spare changes less and less. Suppose that
- * each remaining domino repeats the latest change. The row falls if half of the share is then left at its
- * end.
+ * From domino to domino, the spare share of the kinetic energy changes less and less. The remaining dominoes
+ * are assumed to repeat the latest change. The row is taken to fall if more than half of the spare share
+ * would then be left at the end of the row.
  */
 static bool start_decides(struct trial *t)
 {
@@ -82,7 +80,8 @@ static bool start_decides(struct trial *t)
     trial_run(t, START, &recent);
     if (t->status != DOM_OK || t->verdict.end != DOM_ROW_FALLS)
         return t->status != DOM_OK || t->verdict.domino < START;
-    /* The last of the START dominoes falls to the floor, so its share is tested as well. */
+    /* The last domino of this run hits no other domino. So `change` leaves out its share[0], which must only
+     * be large enough. */
     const dom_real *share = recent.share, change = fabs(share[1] - share[2]);
     return change <= fabs(share[2] - share[3]) &&
            (dom_real)(t->row.count - START) * change < fmin(share[0], share[1]) / 2;
@@ -168,7 +167,7 @@ dom_real digit_of(dom_real value, int places)
 
 /* Values are rounded to this relative precision, which makes them short enough to type. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* the same if an engine runs the row; its results are accurate to only one percent */
+/* the relative precision with an engine, whose results are accurate to only one percent */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
 /* number of values to try in each direction; an engine takes thousands of times as long for each */
@@ -271,7 +270,7 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge with an engine, which is slow and accurate to one percent. So values have few
+/* Does the same as value_edge for an engine, which is slow and accurate to one percent. So values have few
  * digits, and the search ends half a percent from the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
@@ -297,7 +296,7 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The steps grow, so that small changes are also tried. With an engine, values are rounded to a few
+/* The steps are short near `value` and longer towards `end`. With an engine, values are rounded to a few
  * digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {

@@ -37,8 +37,8 @@ struct trial {
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its current dominoes. Returns true if all fall. Ends early if the first dominoes
- * decide. */
+/* Runs the row with its current dominoes. Returns true if all fall. Runs only the first dominoes if they
+ * already decide the result. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
@@ -74,8 +74,8 @@ dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 /* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* Returns the last value from `good` towards `bad` at which all dominoes fall, rounded to a few digits away
- * from `bad`. They must fall at `good`, but not at `bad`. */
+/* All dominoes must fall at `good`, but not at `bad`. Returns the value nearest to `bad` at which they fall,
+ * rounded to a few digits towards `good`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
 /* Continues the search from `now` to `end` with step i. All dominoes must fall at `good`, the value of step i

@@ -10,8 +10,8 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Relative distance of tried sizes and leans from those at which a domino falls over by itself. It exceeds
- * the rounding error of a float. */
+/* Tried sizes and leans keep this relative distance from the sizes and leans at which a domino falls over by
+ * itself. The distance exceeds the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -83,7 +83,8 @@ static struct range range_of(const struct trial *t)
 
 /*
  * Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
- * *beyond to how it ends beyond. Sets *others if the row falls again later.
+ * *beyond to the way in which the row ends past this value. Sets *others to true if the row falls again
+ * farther on.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -132,7 +133,8 @@ static bool is_repeated(const struct dom_row *row, size_t k)
 }
 
 /* Does the same as window_edge, but starts at `guess`, close to the edge. The first step is one unit in the
- * last digit. Each later step is eight times as long, until the edge lies between two trials. */
+ * last digit. Each later step is eight times as long as the step before, until the edge lies between two
+ * trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
