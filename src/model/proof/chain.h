@@ -14,8 +14,8 @@
  * theta.
  *
  * F increases with theta, because it is a running maximum. F also increases with r, because theta_1(t, r)
- * does for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(... theta)) increases with both theta
- * and r.
+ * increases with r for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(... theta)) increases with
+ * both theta and r.
  *
  * A box consists of an interval of tilts and an interval of growths. Every chain in a box lies between the
  * chains at its lower and its upper corner.

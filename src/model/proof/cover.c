@@ -51,19 +51,20 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It suffices that
+ * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It is enough that
  * one of three lower bounds is positive.
  *
  * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
  *
- * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. Here `at` is
- * the middle of the tilts. If D is monotonic in the box, it is the end where D is largest.
+ * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. If D is
+ * monotonic in the box, `at` is the end of the interval of tilts at which D is largest. Otherwise `at` is the
+ * middle of this interval.
  *
  * Bound 3, by the mean value theorem in r: if d(K - D)/dr <= M, then K - D is at least its value at the upper
  * end of the strip, minus max(M, 0) times the width of the strip.
  *
- * If all three bounds fail, the interval of tilts is halved. If they fail even for the tilt `at`, the strip
- * is too wide.
+ * If all three bounds fail, the interval of tilts is halved. If they fail even for the single tilt `at`, the
+ * strip is too wide.
  */
 static enum outcome cover_tilts(struct proof *proof, const struct level *level, double low, double high,
                                 int depth, size_t *left)
@@ -109,8 +110,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Computes the train with an upright head for the whole strip, and for its upper end. `rest` bounds the
- * remainders of sums of energies. */
+/* Computes the train with an upright head for the whole strip, and for its upper end. `rest` is the largest
+ * acceptable remainder of a sum of energies. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;

@@ -38,21 +38,23 @@ bool proof_interrupted(const struct proof *proof);
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
- * Tries to prove that the train keeps falling from *done to r_high. Goes upwards in strips (intervals of
- * growths), and moves *done up. Halves a strip whose proof fails, unless it is narrower than `finest`. Then
- * the proof ends, and *stop is the upper end of the strip.
+ * Tries to prove that the train keeps falling for all growths from *done to r_high. Works upwards in strips
+ * (intervals of growths), and raises *done after each success. Halves a strip whose outcome is OUTCOME_OPEN
+ * if it is wider than `finest`. Any other failure ends the proof, and sets *stop to the upper end of the
+ * strip.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Tries to prove that the train stops for r_low <= r <= r_high, because its kinetic energy does not suffice
- * for a certain tilt. `top` is 2 sin(theta/2) of this tilt. Returns false if the proof fails. */
+/* Tries to prove that the train stops for r_low <= r <= r_high, because its kinetic energy is too small to
+ * reach a certain tilt theta. `top` is 2 sin(theta/2). Returns false if the proof fails. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Tries to prove that D < level for all tilts and for all growths from r_low to r_high. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, where B is the barrier. *top is an estimate of 2 sin(theta/2) at
- * its top. Both prove nothing. Returns NaN if the train cannot be computed, or after an interrupt. */
+/* Returns an estimate of the margin K - B, where B is the barrier. Sets *top to an estimate of 2 sin(theta/2)
+ * at the top of the barrier. Neither estimate proves anything. Returns NaN if the train cannot be computed,
+ * or after an interrupt. */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops. From r = 1 on, the program proves for one strip (an
- * interval of growths) after another that the train keeps falling. The next strip is twice as wide after a
+ * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves that the train
+ * keeps falling in one strip (an interval of growths) after another. The next strip is twice as wide after a
  * success, and half as wide after a failure. If the train seems to stop at the upper end of a strip, the root
- * of the margin is estimated. Proofs are then tried for a decimal number below and one above it. A wrong
- * estimate can only make these proofs fail.
+ * of the margin is estimated. Proofs are then tried for a decimal number just below the root, and for one
+ * just above it. A wrong estimate can only make these proofs fail.
  */
 #include "proof/limit.h"
 
@@ -48,8 +48,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit at which the train certainly stops. It lies between two neighbours of
- * its nearest double, so the proof covers the interval between them. */
+/* Finds a decimal number above n / unit at which the train certainly stops. The proof covers the interval
+ * between the two neighbours of the nearest double, which contains this number. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -62,8 +62,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train keeps falling up to n / unit. If this fails, tries smaller decimal numbers, the
- * closest first. */
+/* Tries to prove that the train keeps falling up to n / unit. If this proof fails, tries smaller decimal
+ * numbers, beginning with the closest. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -83,8 +83,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 
 /*
  * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling up
- * to slightly below the root, and stops slightly above it. Returns false if a proof fails, with the reason in
- * limit->outcome. If that is OUTCOME_REFUTED, *stop is a smaller growth at which the train stops.
+ * to a growth slightly below the root, and that it stops at a growth slightly above the root. Returns false
+ * if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a smaller
+ * growth at which the train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

@@ -235,10 +235,8 @@ static struct span times_exactly(struct span a, double b)
 
 enum { POWERS_MOST = 100000 };
 
-/*
- * Returns the smallest n for which first * r^n >= `height`: certainly if `surely` is true, and possibly
- * otherwise. Returns INFINITY if no such n is below POWERS_MOST.
- */
+/* Returns the smallest n for which first * r^n >= `height` is certain. If `surely` is false, returns the
+ * smallest n for which it is possible. Returns INFINITY if no such n is below POWERS_MOST. */
 static double count_until(struct span first, double r, double height, bool surely)
 {
     struct span tall = first;

@@ -21,8 +21,8 @@
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/* PROOF_BOUND marks a bound that a proof depends on, and a wrong expression for it. tests/unit/test_proof.c
- * tries each wrong expression, and checks that its tests then fail. */
+/* PROOF_BOUND takes a bound that a proof depends on, and a deliberately wrong bound. tests/unit/test_proof.c
+ * uses each wrong bound in turn, and checks that a test then fails. */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -114,7 +114,7 @@ static inline struct span span_square(struct span a)
     return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
 }
 
-/* Returns the square root of a number >= 0, even if a.lo is below 0. */
+/* Returns the square root of a number that is known to be >= 0, even if the bound a.lo is negative. */
 static inline struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};

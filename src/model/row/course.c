@@ -5,7 +5,7 @@
  * early. There are two effects.
  *
  * First, omegasq deviates from its value in the unchanged row by a relative deviation D. The equation of
- * motion is linear in omegasq. So where the geometry is that of the unchanged row,
+ * motion is linear in omegasq. So for a head whose geometry is unchanged,
  *
  *     omegasq of the next head = gain * omegasq + offset.
  *
@@ -17,16 +17,16 @@
  * further changes is estimated from two successive values.
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
- * omegasq, so no force is negative in an interval of omegasq. Two runs of the head show how far this interval
- * reaches. One run is barely fast enough, and the other has FAST times the omegasq.
+ * omegasq. So if no force is negative at two values of omegasq, none is negative between these values. Each
+ * head is therefore run twice more: once barely fast enough, and once with FAST times the omegasq.
  *
- * The deviations of omegasq (`below` and `above`) that do not change the verdict are found from the last head
- * to the first:
+ * The verdict does not change as long as omegasq deviates by less than the limits `below` and `above`. These
+ * limits are found from the last head to the first:
  *
- *     min(half of what the head itself allows, what the next head allows / max(lambda, 1)).
+ *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
- * As soon as D and the sum of the further changes together are smaller, the trial ends with the verdict of
- * the unchanged row.
+ * As soon as D and the sum of the further changes together are within the limits, the trial ends with the
+ * verdict of the unchanged row.
  */
 #include "row/run.h"
 #include <stdlib.h>
@@ -47,7 +47,7 @@ struct mark {
 struct course {
     struct row_request request;
     struct geometry *geometry;
-    size_t made; /* the first `made` elements of `geometry` are those of the unchanged row */
+    size_t made; /* the first `made` elements of `geometry` describe the unchanged row */
     struct mark *mark;
     size_t known; /* number of marks that are filled in */
     struct dom_verdict verdict;
@@ -120,7 +120,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Reduces the deviations in the marks `from` to `to` - 1 to what later heads also allow. */
+/* Goes from mark[to - 1] back to mark[from], and limits the deviations of each mark to those that all later
+ * heads allow. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -135,8 +136,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets `below` and `above` of the mark of the last head. If omegasq deviates less than they allow, the row
- * still ends in the same way. */
+/* Sets `below` and `above` of the mark of the last head. As long as omegasq is within these limits, the row
+ * ends in the same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */

@@ -196,7 +196,8 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Checks that sizes, and what is computed from them, are in the range of the precision. */
+/* Checks that the values of a domino, and the values computed from them, are in the range of the
+ * precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

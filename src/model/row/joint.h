@@ -7,15 +7,16 @@
 #include "dynamics/choose.h"
 
 /*
- * The gap may exceed the height of a head by this fraction, since both are equal in a row from a train with r
- * = 1/s. Rounding errors come from r, two powers, four products and the kernel's precision.
+ * A head still reaches the next domino if the gap exceeds the height of the head by this fraction. In a row
+ * made from a train with r = 1/s, they differ only by rounding errors, which come from r, two powers, four
+ * products and the kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
-    /* moment of inertia divided by that of a solid block of the same size and mass */
+    /* moment of inertia relative to a solid block of the same size and mass */
     real box;
     real unit; /* unit of energy, m g h / 2 */
 };

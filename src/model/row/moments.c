@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the state of a row at given times. Passages divide the motion of a head. A new one begins when a
- * domino detaches, which then keeps its tilt. In each passage, time is a Chebyshev series in the tilt of the
- * head. */
+/* Finds the state of a row at given times. The motion of a head is divided into passages. A new passage
+ * begins when a domino detaches. That domino then keeps its tilt. In each passage, time is a Chebyshev series
+ * in the tilt of the head. */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -36,7 +36,8 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* a follower that detaches at this very tilt counts as detached because of a rounding error */
+        /* Here all n dominoes lean on each other. Only a rounding error at the end of a passage can make
+         * `leads` false. */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
@@ -63,15 +64,16 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the scale of the tilts: the last one, or their range if the head leans backwards at first. */
+/* Returns a scale for the tilts: the last tilt, or the range of the tilts if the head leans backwards at
+ * first. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
 /*
- * Returns the integrand at x of the time until the head rests at the tilt b = `to`. Near b, 1/omega grows
- * like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth function of x.
+ * Returns the integrand, at x, for the time until the head comes to rest at the tilt b = `to`. Near b,
+ * 1/omega grows like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth function of x.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -112,10 +114,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/*
- * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If s->rests is true,
- * `at` is the x of slowness_to_rest, and the time is that until the rest.
- */
+/* Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If s->rests is true,
+ * `at` is the x of slowness_to_rest, and the time from x until the head comes to rest is used instead. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -163,8 +163,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is needed for requested times in this passage, and for an unknown duration. The latter means
-     * that the run ends here, and watch_rest reports when. */
+    /* The series is needed if requested times lie in this passage, or if its duration is unknown. An unknown
+     * duration means that the run ends here. watch_rest then needs the time of the end. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -244,13 +244,13 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u of a domino with rounded edges, `left` (in tau) before it hits the
- * next one. */
+/* For a domino with rounded edges, returns the angle phi beyond theta_u when the time `left`, in tau, remains
+ * until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The moment of inertia is at least a quarter of that with sharp edges. So p grows by at most sqrt(2 R)
-     * per tau, where R is the reach. The p that is sought is at least `first`. */
+    /* The moment of inertia is at least a quarter of its value for sharp edges. So per tau, p grows by at
+     * most sqrt(2 R), where R is the reach. The p that is sought is at least `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

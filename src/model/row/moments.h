@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* A passage begins at `begins` + `passed` * `tau`. The head was hit at `begins` in s. `tau` is in s, and
- * `passed` in tau. */
+/* The beginning of a passage, at the time `begins` + `passed` * `tau`. `begins` is the time at which the head
+ * was hit, in s. `passed` is the time since the hit, in units of `tau`. */
 struct since {
     real begins, tau, passed;
 };
@@ -46,12 +46,13 @@ KERNEL void watch_free(struct watch *watch);
 /* Reports the states at requested times before the first hit, while the first domino tips over its edge. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
-/* Reports the states at requested times in one passage. It ends at the tilt `to`. Its duration is `lasts`, or
- * NaN if unknown. */
+/* Reports the states at requested times in one passage. The passage ends at the tilt `to`. `lasts` is its
+ * duration in tau, or NaN if unknown. */
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Stores the tilts of dominoes that detach at the end of a segment: all but the foremost `stay` ones. */
+/* Stores the tilts of the dominoes that detach at the end of a segment. The first `stay` dominoes, counted
+ * from the head, do not detach. */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
 
 /* Reports the states at all later requested times, after the end of the run. */

@@ -11,8 +11,8 @@
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends. If `used_up` is true, energy is lacking. Otherwise friction stops
- * or locks the head. */
+/* Finds the tilt at which the motion ends. If `used_up` is true, the energy runs out there. Otherwise
+ * friction stops or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;

@@ -2,8 +2,9 @@
 /*
  * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
  * the energy exceeds the barrier, and that all contacts push. One pass down the chain then gives the energy
- * of the next head. It needs the tilts when the head is hit (known from the previous pass), and when it hits.
- * If the bounds do not suffice, or if a domino detaches, row_head runs the head.
+ * of the next head. The pass needs the tilts at two times: when the head is hit (mostly known from the
+ * previous pass), and when the head hits the next domino. If the bounds are not sharp enough, or if a domino
+ * detaches, row_head runs the head.
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -24,8 +25,8 @@ struct random_row {
     /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
     struct link *link;
     size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
-    /* The dynamics for which dynamics_end must be called, or NULL. The friction of the last row may be 0, so
-     * its dynamics may differ. */
+    /* The dynamics for which dynamics_begin was called, or NULL. geometry[0].dynamics may change later, since
+     * a random row may have no friction. */
     const struct dynamics *begun;
 };
 
@@ -99,7 +100,7 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
 }
 
 /* Returns the state of domino j, which leans on `leader`, when the head is hit. If j >= known, the stored
- * chain contains it. */
+ * chain contains domino j. */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;

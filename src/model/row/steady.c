@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A head repeats the previous motion only if STEADY_MORE more dominoes are equal than the longest pass along
- * a chain visits. */
+/* A motion is repeated only in a sequence of equal dominoes that is at least STEADY_MORE dominoes longer than
+ * the longest pass along a chain. */
 enum { STEADY_MORE = 2 };
 
 /* number of equal dominoes at the end of a row whose geometry is filled in before the run */
 enum { STEADY_FIRST = 256 };
 
-/* A motion is repeated if omegasq would change by at most this fraction of the tolerance over all later
- * heads. */
+/* A motion is repeated if all later heads together would change omegasq by at most this fraction of the
+ * tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a long sequence of equal dominoes, heads finally move alike, and need not be computed. */
+/* In a long sequence of equal dominoes, all heads eventually move alike. Then the last computed motion is
+ * repeated. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -17,22 +18,23 @@ struct steady {
 /* Fills in the geometry of the dominoes up to domino k, if this has not been done yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns the number of dominoes whose geometry is filled in before the run. Later ones equal the last of
- * these, so filling in theirs cannot fail. */
+/* Returns the number of dominoes whose geometry is filled in before the run. All later dominoes equal the
+ * last of these, so filling in their geometry cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
 /* Called when head k begins to move. If it repeats the previous motion, fills in *fall, advances the run and
  * returns true. */
 KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall);
 
-/* Called when head k, which began with the omegasq `before`, has hit the next domino. Determines whether that
- * domino will repeat its motion. */
+/* Called when head k has hit the next domino. Determines whether the next domino will repeat the motion of
+ * head k, which began with the omegasq `before`. */
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head after heads that repeated one motion and have no geometry. Treats the row as if it ended
- * at the last domino with a geometry. Returns false if too few equal dominoes remain.
+ * Runs the last head of a row after heads that only repeated a motion. These heads have no geometry, so the
+ * last domino with a geometry is run as if the row ended there. Returns false if too few equal dominoes
+ * precede that domino.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
