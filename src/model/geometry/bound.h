@@ -33,7 +33,7 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
                                 real angle_b, real t, real t_error);
 
 /* Returns an error bound on tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
- * the same tangent for a and b themselves, and t_error its error bound (energy_change_between). */
+ * the same tangent for a and b themselves, with the error bound t_error (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 

@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order, or infinity if z is too large. The omitted terms of H are at most rest_H
- * multiplied by the result, and those of J are at most rest_J multiplied by the result. */
+/* Returns (z / radius)^order, or infinity if z is too large. Multiplied by rest_H, the
+ * result bounds the omitted terms of H. Multiplied by rest_J, it bounds the omitted terms of J. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -62,7 +62,7 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    /* The series is that of J / `one`^2. The derivative of `one` with respect to theta is -z * `one`. */
+    /* far->J is the series of J / `one`^2. The derivative of `one` with respect to theta is -z * `one`. */
     real one = 1 + z * z;
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};

@@ -73,7 +73,7 @@ struct contact_law {
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns r s for the smallest growth at which domino 1 tips over before it hits a domino (5; b0). */
+    /* Returns r s for the least growth at which domino 1 tips over before it hits the next domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), or 0 if domino 1 has not tipped over. */
     real (*push)(const struct geometry *geometry);

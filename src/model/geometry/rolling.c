@@ -166,12 +166,12 @@ static real least_product(real a, real lo, real hi)
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large, and so is p >= x (M - rho_1 turn)/b. The leader's arm decreases by
- * the same terms with p instead of p^2. So slope and turn decrease, too, and the values at a and b bound
- * every term.
+ * and d. If y Q < d/2, then x is large, and p is large, too, since p >= x (M - rho_1 turn)/b. The leader's
+ * arm decreases by the same terms with p instead of p^2. So the slope and the turn decrease, too, and the
+ * values at a and b bound every term.
  *
- * The condition for a is the one for sharp edges, with R i/i_1 instead of R, and with a term for a foot that
- * rolls down a slope.
+ * The condition for a is the same as for sharp edges, with R i/i_1 instead of R, and with a term for a foot
+ * that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {

@@ -317,7 +317,8 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Moves *lo, where the margin is positive, up towards `to`, as far as a few strips show a positive margin. */
+/* Raises *lo towards `to`, as far as a few strips show that the margin is positive. The margin is positive at
+ * *lo. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};

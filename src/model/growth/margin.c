@@ -2,7 +2,7 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* About how many passes at one growth use the same series for the far tail. */
+/* The approximate number of passes at one growth that use the same series for the far tail. */
 #define FAR_PASSES 2
 
 /* Finds the barrier by the method c->how. `near` holds the sums at the tilt of barrier_near, or is NULL. */

@@ -228,7 +228,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
  *
  *     reach sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i),
  *
- * where no term is negative. Each factor of the first term is replaced by a bound from one end of the strip.
+ * and no term is negative. Each factor of the first term is replaced by a bound from one end of the strip.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
