@@ -28,6 +28,8 @@ domino 3: gap 20 to 22 cm
 END
 )
     same 'without masses' 'domino 3: mass 1.1 times as large as before' "$("$DOMINO" -e 'effect row 4; change 3 mass +10 %')"
+    same 'named twice' $'domino 2: height 7.2 to 7.92 cm\ndomino 3: height 10.8 to 11.88 cm' \
+        "$("$DOMINO" -e 'effect row 4; change 3,2-3 height +10 %')"
     same 'many' "and 36 more; 'row' lists all dominoes" "$("$DOMINO" -e 'set r 1; effect row 49; change all gap 2 cm' | tail -n 1)"
     same 'for programs' '{"command":"change"}' "$("$DOMINO" -e 'set output json; effect row 4; change 2 gap 1 cm' | tail -n 1)"
 }

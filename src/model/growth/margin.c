@@ -54,7 +54,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     struct sums near, at_c;
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
-    bool both = c->how == MARGIN_FOLLOW && !geometry->detaches && geometry->law->both;
+    bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
     /* At r = 1 both fuel formulas agree, and the closed form is faster. */
     if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;

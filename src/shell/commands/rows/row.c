@@ -276,20 +276,24 @@ static void change_say(const struct query *query, struct answer *a, const struct
         answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
 }
 
+static bool is_selected(const struct row_range *range, int ranges, size_t k)
+{
+    bool is_in = false;
+    for (int i = 0; i < ranges; i++)
+        is_in = is_in || (range[i].first <= k && k <= range[i].last);
+    return is_in;
+}
+
 static void changes_say(const struct query *query, struct answer *a, const struct row_change *change,
-                        const struct row_range *range, int ranges, const domq_real *before,
+                        const struct row_range *range, int ranges, size_t count, const domq_real *before,
                         const domq_real *after)
 {
-    size_t lines = 0, more = 0;
-    for (int i = 0; i < ranges; i++)
-        for (size_t k = range[i].first; k <= range[i].last; k++)
-            if (lines < LINES) {
-                change_say(query, a, change, k, before[k - 1], after[k - 1]);
-                lines++;
-            } else
-                more++;
-    if (more > 0)
-        answer_say(a, "and %zu more; 'row' lists all dominoes", more);
+    size_t changed = 0;
+    for (size_t k = 1; k <= count; k++)
+        if (is_selected(range, ranges, k) && changed++ < LINES)
+            change_say(query, a, change, k, before[k - 1], after[k - 1]);
+    if (changed > LINES)
+        answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
     a->wrote_text = true;
 }
 
@@ -328,7 +332,7 @@ static bool run_change(const struct query *query, struct answer *a, struct probl
         after = measures_list(&query->next->scene, measure, &count, problem);
         good = after;
         if (good)
-            changes_say(query, a, &c->change, range, ranges, before, after);
+            changes_say(query, a, &c->change, range, ranges, count, before, after);
     }
     free(before);
     free(after);
