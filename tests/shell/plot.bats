@@ -48,7 +48,7 @@ chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
 growth|solid~dominoes hollow~dominoes reach:~r~=~1/s now:~s~=~0.4,~r~=~1.5 gap~over~height growth~r
 growth paper|solid,~the~paper's~fuel hollow,~the~paper's~fuel
 marginal|solid~pair hollow~pair hollow~train solid~train reach: now:
-sweep s 0.2 0.6 5 : rmax|rmax~over~s r_max s,~separation
+sweep s 0.2 0.6 5 : rmax|rmax~against~s r_max s,~separation
 sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
 sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~divided~by~height
 END
@@ -75,9 +75,9 @@ growth paper|A train below its curve keeps falling|growth r
 energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy in m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
 cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
-sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax over s and q|q, mass exponent: 4 for solid dominoes, 3 for hollow ones
-sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin over s and d|barrier.margin
-sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic over s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
+sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax against s and q|q, mass exponent: 4 for solid dominoes, 3 for hollow ones
+sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin against s and d|barrier.margin
+sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic against s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
 END
     "$DOMINO" -e 'plot growth paper > a.svg'
     "$BATS_TEST_DIRNAME/labels" a.svg |
@@ -223,7 +223,7 @@ END
     wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'effect row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
     wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'which runs this row because bounce is on, computes no energies'
-    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends too early for a speed'
+    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the row ends before domino 2 is hit'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'
@@ -327,7 +327,7 @@ END
     same 'the highest number' 0.015 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
     tail -n 4 h.txt | grep -q '^ *0.2 .* 0.5$'
     # After a number, 's' is a parameter, not seconds.
-    "$DOMINO" -e 'plot sweep font 9 yrange 1 2 s 0.1 0.5 9 : rmax' | grep -q 'rmax over s'
+    "$DOMINO" -e 'plot sweep font 9 yrange 1 2 s 0.1 0.5 9 : rmax' | grep -q 'rmax against s'
     all_fail <<END
 plot growth xrange 0.6 0.2|xrange is 0.6 .. 0.2; its second number must be larger
 plot growth xrange 0.6|the value of 'xrange' is missing
@@ -335,14 +335,14 @@ plot growth xscale log xrange 0 1|xrange must begin above 0
 plot growth xrange 5 6|no point of the chart is within its axes
 plot growth yscale up|use one of: linear, log
 plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the axes of a map have the scales of its grid
-plot growth legend right width 8 cm > a.svg|has no room for a legend at the right
+plot growth legend right width 8 cm > a.svg|has no room for a legend on the right
 plot growth family "a,b" > a.svg|the name of a font family may contain only letters, digits
 END
 }
 
 @test "plot sweep: several answers are curves of one picture, with units if these differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
-    for words in 'rmax, pair, 1/s over s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
+    for words in 'rmax, pair, 1/s against s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
         grep -q "$words" <<<"$picture" || same 'three curves' "$words" "$picture"
     done
     "$DOMINO" -e 'set angle deg; plot sweep s 0.3 0.5 9 : duration.duration, thetac' |
@@ -356,7 +356,7 @@ END
         paste -d, sweep curve | awk -F, -v k=$k '{ y = k ? $3 : $2; c = $NF }
             y == "" ? c != "NaN" : (y - c > 1e-8 || c - y > 1e-8) { exit 1 }'
     done
-    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers over one parameter, or one answer over two'
+    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers against one parameter, or one answer against two'
 }
 
 @test "plot > FILE.tex: a picture for TeX, in which special characters of texts are escaped" {

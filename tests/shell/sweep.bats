@@ -179,7 +179,7 @@ END
 @test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong_line 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
-    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; for example"
+    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; enter for example"
     wrong_line 'sweep s 0.1 0.9 9 :' "the command after ':' is missing; enter for example"
     wrong_line 'sweep s' 's: FROM is missing'
     wrong_line 'sweep s 0.1 : rmax' 's: TO is missing'
@@ -314,6 +314,6 @@ END
     same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
         "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
     wrong 'sweep r 1 2 3 : rmax, fall' "'fall' gives several numbers"
-    wrong 'sweep r 1 2 3 : rmax,' "an answer after ',' is missing"
+    wrong 'sweep r 1 2 3 : rmax,' "the answer after ',' is missing"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }

@@ -33,13 +33,12 @@ static const struct column plot_columns[] = {
     {"barrier", "mgh/2", "fall: energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
     {"spare", "", "fall: margin divided by barrier; empty for a domino that needs no energy", 0},
-    {"place", "m", "speed: distance from the front foot of the first domino to the front foot of this one",
-     0},
-    {"speed", "m/s", "speed: speed of the front between the hit of this domino and the next hit", 0},
+    {"place", "m", "speed: how far the front foot of this domino is from that of domino 1", 0},
+    {"speed", "m/s", "speed: speed of the front from this domino to the next one", 0},
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
-    {"low", "m", "gaps: the narrowest gap at which all dominoes fall", 0},
-    {"high", "m", "gaps: the widest gap at which all dominoes fall", 0},
-    {"others", "", "gaps: whether all dominoes also fall with some gap outside low .. high", 6},
+    {"low", "m", "gaps: smallest gap of a range in which all dominoes fall", 0},
+    {"high", "m", "gaps: largest gap of a range in which all dominoes fall", 0},
+    {"others", "", "gaps: yes if all dominoes also fall at some gap outside low .. high", 6},
     {"sigma", "m", "placement: standard deviation of every gap", 0},
     {"probability", "", "placement: probability that the whole row falls", 0},
     {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
@@ -67,7 +66,8 @@ static const struct argument answer_argument = {.name = "NAME",
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
                              fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
-/* The plots, in the order of completion. Entries may leave out members, so the warning is off. */
+/* The plots, in the order in which completion lists them. The warning is off, because entries leave out
+ * members. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {
@@ -93,7 +93,7 @@ static const struct plot plots[] = {
                {"reach", "", CHART_LINE, INK_GREY, 2}},
      .argument = &paper_argument},
     {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach",
-     .title = "Below the curve of a pair, a domino with barely enough energy to tip over topples the next",
+     .title = "Below the curve of a pair, a domino that barely tips over topples the next one",
      .x = {"s", ""}, .y = {NULL, "growth r"},
      .curve = {{"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
                {"solid_train", "solid train", CHART_LINE, INK_BLUE, 0},
@@ -162,8 +162,8 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     }
 }
 
-/* Parses the text after the name of a plot. Keywords may surround the argument of the plot, but not follow a
- * grid or a fit, which extend to the end of the command. */
+/* Parses the text after the name of a plot. Keywords may stand on both sides of the plot's argument, but only
+ * before a grid or a fit, which extends to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -199,8 +199,8 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return look_bind(&p->look, q->text, query, &g->look, problem);
 }
 
-/* Chooses the columns of a plot. Of several columns with one key, chooses the one whose description mentions
- * the plot. */
+/* Chooses the columns of a plot. If several columns have the same key, chooses the one whose description
+ * mentions the plot. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;

@@ -4,7 +4,7 @@
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
-/* Adds a curve. Every chart gives a method and precision the same colour and style. */
+/* Adds a curve. Its colour and style depend only on method and precision, so charts can be compared. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)
 {
     static const enum ink inks[] = {INK_SKY, INK_BLUE, INK_PURPLE};

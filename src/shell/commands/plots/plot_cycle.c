@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of the train over the tilt of its head. */
+/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of a train, plotted against the tilt of its
+ * head. */
 #include "commands/plots/plots.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
@@ -9,7 +10,7 @@
 
 enum { STEPS = 160 };
 
-/* If the train stops, the chart extends to this multiple of its last tilt, to show the barrier. */
+/* If the train stops, the chart extends to this multiple of the tilt at the stop, to show the barrier. */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
@@ -57,7 +58,7 @@ static bool tilts_link(const struct domq_link *link, void *context)
     return t->count < LINES;
 }
 
-/* Finds the tilts of the first dominoes: theta_f for a detached or negligibly light domino. */
+/* Finds the tilts of the first dominoes. A detached or negligibly light domino has the tilt theta_f. */
 static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct tilts *t)
 {
     const struct scene *scene = c->query->scene;
@@ -96,7 +97,8 @@ static void keyed_write(struct answer *a, const struct keyed *cells, int count)
     answer_row(a, row, NULL);
 }
 
-/* Writes a row for each line of the chart at one tilt of the head. `event` is NULL or the event there. */
+/* Writes a row for each line of the chart at one tilt of the head. `event` is the event at this tilt, or
+ * NULL. */
 static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
                                     int lines, struct answer *a)
 {

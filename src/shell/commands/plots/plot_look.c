@@ -29,11 +29,10 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                                                 .of = "place of the legend",
                                                 .choices = legend_names};
 
-/* A keyword, how to parse each of its values (NULL for a text), and how many values it has. */
 static const struct {
     const char *name;
-    const struct argument *argument;
-    int values;
+    const struct argument *argument; /* how to parse a value; NULL if the value is a string */
+    int values;                      /* number of values after the keyword */
 } words[LOOK_WORDS] = {
     [LOOK_WIDTH] = {"width", &height_argument, 1},
     [LOOK_HEIGHT] = {"height", &height_argument, 1},
@@ -59,7 +58,7 @@ static const char *look_names(const void *context, int k)
 #define SIZE_LEAST 6
 #define MOST       30
 #define FONT_LEAST 5
-/* The minimum width of a picture with a legend at the right, in cm. */
+/* The minimum width of a picture with a legend on the right, in cm. */
 #define LEGEND_LEAST 10.0
 
 enum { FAMILY_LENGTH = 64 };
@@ -169,7 +168,7 @@ bool look_bind(const struct look_parsed *p, const struct text *text, const struc
         return false;
     return look->legend != CHART_LEGEND_RIGHT || !(look->width > 0 && look->width < LEGEND_LEAST) ||
            problem_error(problem,
-                         "a picture of %.6g cm has no room for a legend at the right, which needs %g cm; use "
+                         "a picture of %.6g cm has no room for a legend on the right, which needs %g cm; use "
                          "'legend below'",
                          look->width, LEGEND_LEAST);
 }

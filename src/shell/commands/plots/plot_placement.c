@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'placement': the probability that the whole row falls over the random errors of its gaps. */
+/* The plot 'placement': the probability that the whole row falls, plotted against the size of random errors
+ * in its gaps. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -10,8 +11,8 @@
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-/* Chooses the largest standard deviation in the chart. It is well above the one at which half of the rows
- * fall, and above `now`, the one of 'effect placement' (NaN if that effect is off). */
+/* Chooses the largest standard deviation in the chart: well above the value at which half of the rows fall,
+ * and above `now`, the value set by 'effect placement' (NaN if this effect is off). */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
 {

@@ -162,8 +162,8 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
     else if (!done)
         problem_no_answer(problem, run.scene.row.count == 1
                                        ? "this plot needs at least two dominoes; 'effect row 5' sets up five"
-                                       : "the row ends too early for a speed; 'fall' shows where, and 'mend' "
-                                         "looks for a change that saves it");
+                                       : "the front has no speed, because the row ends before domino 2 is "
+                                         "hit; 'mend' looks for a change that saves the row");
     else if (chart)
         speed_chart(&run, chart);
     row_run_free(&run);

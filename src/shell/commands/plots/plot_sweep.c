@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'sweep': a number of any answer over one or two parameters, as curves or as a map. */
+/* The plot 'sweep': a number from any answer against one or two parameters, as curves or as a map. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* The maximum numbers of curves in a chart, of points that a curve marks, and of parameters. */
-enum { FAMILY = 6, MARKED = 24, AXES = 2 };
+enum {
+    FAMILY = 6,  /* the maximum number of curves in a chart */
+    MARKED = 24, /* curves with more points have no markers */
+    AXES = 2     /* the maximum number of parameters */
+};
 
 static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
 
@@ -31,7 +34,7 @@ static size_t missing_at(const struct points *p, size_t k)
     return missing;
 }
 
-/* Returns the index of the principal column or, without one, of the first column of the answer. */
+/* Returns the index of the principal column of the answer or, if there is none, of the first column. */
 static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;
@@ -47,14 +50,14 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The label omits the unit h, because the meaning says that the parameter is divided by the height. */
+    /* The unit h is left out, because the label says that the parameter is divided by the height. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");
     to->logarithmic = a->logarithmic;
 }
 
-/* Returns true if the values of an axis (their logarithms, if it is logarithmic) are evenly spaced. */
+/* Returns true if the values of an axis, or their logarithms on a logarithmic axis, are evenly spaced. */
 static bool is_even(const struct points *p, int axis)
 {
     const struct axis *a = &p->shape.grid->axis[axis];
@@ -163,15 +166,16 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                              "the values of '%s' are words, but a curve needs numbers along its axis",
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
-        return problem_error(problem,
-                             "a map needs evenly spaced numbers on both axes; instead, an axis of at most %d "
-                             "values gives a curve for each value",
-                             FAMILY);
+        return problem_error(
+            problem,
+            "a map needs evenly spaced numbers on both axes; to get curves instead, enter at "
+            "most %d values for one of the parameters",
+            FAMILY);
     if (missing == rows->count * p.shape.answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
-    snprintf(chart->title, sizeof chart->title, "%.95s over %s%s%s", p.shape.typed, axis[0].parameter->name,
-             two ? " and " : "", two ? axis[1].parameter->name : "");
+    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.shape.typed,
+             axis[0].parameter->name, two ? " and " : "", two ? axis[1].parameter->name : "");
     if (p.none > 0)
         snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
                  several       ? p.none == 1 ? "lacks an answer" : "lack an answer"
@@ -197,8 +201,7 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
                              shape.grid->axes);
     if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
         return problem_error(
-            problem,
-            "a picture can show up to %d answers over one parameter, or one answer over two parameters",
+            problem, "a picture can show up to %d answers against one parameter, or one answer against two",
             FAMILY);
     if (chart && shape.command->rows)
         return problem_error(problem,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The plots of the command 'plot'. Programs get their rows as csv or json; people get a chart of these rows.
+ * The plots of the command 'plot'. A plot computes rows. They are written as csv or json, or drawn as a
+ * chart.
  *
  * To add a plot, write its plot_run, declare it below, and add an entry to the table in plot.c.
  */
@@ -10,8 +11,9 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* Writes the rows of a plot. plot_draw adds them to `chart`, which is NULL for programs. The function itself
- * adds what is not in the rows, such as a note. On failure, sets *problem and returns false. */
+/* Writes the rows of a plot. plot_draw adds them to `chart`, which is NULL if the output is csv or json. The
+ * function itself adds to the chart what is not in the rows, such as a note. On failure, sets *problem and
+ * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain;
@@ -68,7 +70,7 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
-/* Writes the rows of a plot for programs, or draws them for people with the look that the user chose. */
+/* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
 bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
                struct answer *a, struct problem *problem);
 
@@ -89,13 +91,13 @@ enum look_word {
     LOOK_WORDS
 };
 
-/* The values after each keyword. They are NULL if the keyword was not typed. */
+/* The values after each keyword. If a keyword was not typed, its items are zero and its text is NULL. */
 struct look_parsed {
     struct item item[LOOK_WORDS][2];
     const char *text[LOOK_WORDS];
 };
 
-/* Parses all words about the look of a chart that come next, such as 'title "..." width 8 cm'. */
+/* Parses keywords for the look of a chart, such as 'title "..." width 8 cm', up to the first other word. */
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);

@@ -24,12 +24,12 @@ void row_run_free(struct row_run *run);
  * `timed` is true. After a failure nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
-/* Returns true if domino k, counted from 0, is tipped until it falls by itself. Only the first domino can
- * be. */
+/* Returns true if domino k, counted from 0, is tipped until it falls by itself. Only the first domino can be
+ * tipped. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
-/* A callback for domq_row_rmax. Fills in the row of `scene` with the growth r. Changes to single dominoes
- * stay. */
+/* A callback for domq_row_rmax. Fills in the row of `scene` with the growth r. Keeps the changes that
+ * 'change' made to single dominoes. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */

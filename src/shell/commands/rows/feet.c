@@ -24,7 +24,7 @@ void feet_add(struct feet *feet, const struct domq_fall *f)
     needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-/* Returns a phrase such as "while domino 3 falls", or "while this domino falls" if the foot is its own. */
+/* Returns a phrase such as "while domino 3 falls", or "while this domino falls" for a foot of domino 3. */
 static struct words slip_words(const struct slip *slip, bool hit)
 {
     struct words words;
@@ -67,7 +67,7 @@ static void slip_matters_say(struct answer *a, bool in_motion)
               "sooner than this answer says."
             : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In a "
               "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by at most 3 %% "
-              "if the dominoes have a friction of 0.2. If they have none, it changes by a tenth.");
+              "if the dominoes have a friction of 0.2, and by a tenth if they have none.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)

@@ -92,8 +92,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes "gap:98 gap@5:1" if 98 rows fall without errors in the gaps, and if one of these 98 stops at domino
- * 5 with such errors. Writes such a text for each kind of error. */
+/* Writes a text such as "gap:98 gap@5:1" for each kind of error: 98 rows fall without errors in the gaps, and
+ * errors in the gaps make 1 of the 98 stop at domino 5. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -247,7 +247,7 @@ static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
     return count;
 }
 
-/* Parses a text of stops_text, and adds its counts to p->study.stops. *sum receives their sum. */
+/* Parses a text written by stops_text, and adds its counts to p->study.stops. *sum receives their total. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -259,7 +259,7 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
     return true;
 }
 
-/* Parses a text of without_text, and adds its counts to p->study. */
+/* Parses a text written by without_text, and adds its counts to p->study. */
 static bool without_add(struct pool *p, const char *text)
 {
     struct study *study = &p->study;

@@ -17,7 +17,7 @@ static const struct column row_columns[] = {
     {"thickness", "m", "thickness of the domino", 0},
     {"gap", "m", "clear distance to the domino before it", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
-    {"relative", "", "mass divided by the mass of the first domino, if masses are not known", 0},
+    {"relative", "", "mass relative to domino 1, if only ratios of masses are known", 0},
     {"radius", "m", "radius of the edges, if the file has radii; used only with 'effect edges'", 0},
     {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
     {"width", "m", "width of the domino, if not all dominoes are half as wide as they are tall", 0},
@@ -102,8 +102,8 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
         answer_say(a,
-                   "All dominoes fall if r is between %.6g and r_max; with a smaller r the row ends early, "
-                   "as 'set r 1; fall' shows.",
+                   "All dominoes fall if r is between %.6g and r_max, but not if r is smaller, as 'set r 1; "
+                   "fall' shows.",
                    (double)growth.r_min);
     return more;
 }
@@ -394,8 +394,8 @@ const struct command row_commands[] = {
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another property of dominoes",
      .help = "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
-             "thickness, width, gap (before the domino), mass, radius (of the edges) or lean. A lean says "
-             "how far the top is off plumb, or is an angle. A negative lean is backwards. X is the new "
+             "thickness, width, gap (before the domino), mass, radius (of the edges) or lean. A lean is an "
+             "angle, or the distance of the top from plumb. A negative lean is backwards. X is the new "
              "value. An X with a sign is added to the old value, as in 'change 4 gap +1 cm'. A percentage "
              "with a sign changes the old value by this much, as in 'change 4,5 thickness +10 %'. 'change 4 "
              "lean = -2 mm' sets a negative value. A domino that becomes taller, thicker or wider becomes "

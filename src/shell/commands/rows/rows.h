@@ -47,7 +47,7 @@ struct study {
     bool is_on[DOM_ERROR_COUNT];
     bool causes; /* the rows were also run without each kind of error */
     struct domq_study counts;
-    size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
+    size_t without[DOM_ERROR_COUNT]; /* the number of rows that fall without each kind of error */
     size_t count;                    /* the number of dominoes in the row */
     size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
 };
@@ -62,7 +62,7 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
-/* Returns an array: because of this kind of error, element k of the rows stop at domino k + 1. */
+/* Returns an array: element k is how many rows stop at domino k + 1 because of this kind of error. */
 size_t *study_stops(const struct study *study, int kind);
 
 /* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
@@ -79,11 +79,11 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* kind[K][k] is the window of kind K, an enum dom_window_of, for domino k, counted from 0. Only
-     * kind[DOM_WINDOW_FRICTION][0] is used, as all dominoes have the same friction. */
+    /* kind[K][k] is the window of kind K, an enum dom_window_of, for domino k, counted from 0. The friction
+     * is the same for all dominoes, and has its window in kind[DOM_WINDOW_FRICTION][0]. */
     struct domq_window *kind[WINDOW_KINDS];
     /* For each kind, the number of the domino with the tightest limits, or 0. If the row does not fall, only
-     * the domino whose lean needs the smallest change is set. */
+     * the element for leans is set, to the domino that needs the smallest change. */
     size_t first[WINDOW_KINDS];
     bool falls;
 };

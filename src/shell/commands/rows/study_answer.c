@@ -17,8 +17,8 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which most of the failed rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without the error that costs_most names", 0},
-    {"stops_there", "", "the domino at which most rows stop because of the error that costs_most names", 0},
+    {"without", "share", "the share of the rows that would fall without the error in 'costs_most'", 0},
+    {"stops_there", "", "the domino at which most rows stop because of the error in 'costs_most'", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -48,8 +48,8 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
                : domq_placement_study(row, compute, p, &study->counts, study->stops);
 }
 
-/* Returns the index after `last` in the order from the largest count to the smallest, without counts of 0.
- * `count` stands for the start and the end of this order. */
+/* Iterates over the indices of number[0 .. count - 1], from the largest number to the smallest, without
+ * zeros. Returns the index after `last`, or `count` at the end. To begin, pass `count` as `last`. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -61,8 +61,8 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Returns the kind of error after `last`, beginning with the kind that costs the most rows. DOM_ERROR_COUNT
- * stands for the start and the end. */
+/* Iterates over the kinds of error, from the kind that makes the most rows fail. Returns the kind after
+ * `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */

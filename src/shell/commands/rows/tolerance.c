@@ -11,8 +11,8 @@
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"place", "m", "position of the domino: from the back of domino 1 to the back of this one", 8},
-    {"from", "m", "the smallest position at which all fall, if only this domino moves", 8},
-    {"to", "m", "the largest position at which all fall, if only this domino moves", 8},
+    {"from", "m", "the smallest position at which all fall, if no other domino is moved", 8},
+    {"to", "m", "the largest position at which all fall, if no other domino is moved", 8},
     {"gap", "m", "clear distance to the domino before it", 8},
     {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"gap_high", "m", "the largest gap at which all fall, if all dominoes after the gap move with it", 8},
@@ -32,13 +32,15 @@ const struct column tolerance_columns[] = {
      "the largest friction between dominoes at which all fall; the search ends at 2 or at 4 times the "
      "present friction, whichever is larger",
      8},
-    {"first", "", "in what this domino has the tightest limits of all: 'place', 'height' or 'both'", 6},
+    {"first", "",
+     "the properties in which this domino has the tightest limits of all: 'place', 'height' or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
 enum { KINDS = WINDOW_KINDS };
 
-/* Returns the distance to the nearer end of the window: negative outside it, NaN if there is none. */
+/* Returns the distance from the current value to the nearer end of the window. It is negative outside the
+ * window, and NaN if there is no window. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
@@ -174,7 +176,7 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a, "No other friction between the dominoes saves this row; the friction is %s now.",
+        answer_say(a, "No value of the friction between the dominoes saves this row; it is %s now.",
                    now.text);
     else if (!w->falls)
         answer_say(a, "All would fall if the friction between the dominoes were %s; it is %s now.", range,
@@ -216,7 +218,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Prints how many windows of heights may be wider in reality. */
+/* Prints how many height windows may be wider in reality. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -227,12 +229,12 @@ static void heights_say(struct answer *a, const struct windows *w)
     }
     if (open > 0)
         answer_say(a,
-                   "%zu window%s of heights end%s at 4 times the present height, because taller dominoes are "
+                   "%zu height window%s end%s at 4 times the present height, because taller dominoes are "
                    "not tried.",
                    open, open == 1 ? "" : "s", open == 1 ? "s" : "");
     if (passing > 0)
         answer_say(a,
-                   "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
+                   "%zu height window%s end%s where the upper edge of a domino would pass above the next "
                    "domino. The face of the domino would then strike the next one. The model does not "
                    "include this contact, so the row may also fall with taller dominoes. The rigid-body "
                    "engine includes it: 'set method engine'.",
@@ -288,7 +290,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
                   "is for one change, with the rest of the row as it is.");
     if (w->scene->row.engine)
         answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
-                      "and a window also ends where the engine finds no verdict.");
+                      "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
         answer_say(a, "The row does not fall now; a change to any value in one of these windows saves it.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)

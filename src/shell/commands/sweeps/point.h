@@ -65,7 +65,7 @@ bool point_probe(struct sweeper *w);
 
 /* Callbacks of struct workers. point_write stores an error in the sweeper, and returns false. */
 bool point_write(void *sweeper, size_t k, FILE *out);
-/* Adds the tally of a worker to that of the sweeper. */
+/* Adds the tally of `worker` to the tally of `sweeper`. */
 void sweeper_merge(void *sweeper, const void *worker);
 
 #endif

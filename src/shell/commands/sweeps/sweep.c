@@ -72,8 +72,9 @@ static bool list_parse(struct reader *r, struct point_question *s)
             return false;
         s = s->next;
         if (reader_ends(r))
-            return problem_error(r->problem,
-                                 "an answer after ',' is missing, as in 'sweep r 1 2 9 : rmax, fuel'");
+            return problem_error(
+                r->problem,
+                "the answer after ',' is missing; enter for example 'sweep r 1 2 9 : rmax, fuel'");
     }
     return false;
 }
@@ -152,7 +153,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
         return point_failed(w, problem);
     a->columns = w->columns.column;
     a->csv.has_reasons = true;
-    /* The layout must not depend on which row is the first: workers and --shard decide that. */
+    /* The first row depends on workers and on --shard, so the layout must not depend on the first row. */
     a->layout.sample = w->answered ? w->sample : NULL;
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
