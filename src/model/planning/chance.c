@@ -34,7 +34,7 @@
 /* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* A changed gap or size affects later dominoes less and less. A run ends when the changes are
+/* A changed gap or size affects later dominoes less and less. A run ends when the changes of the margins are
  * below this fraction of the largest change. */
 #define DECAYED 1e-3
 
@@ -123,8 +123,8 @@ struct weighed {
     double *margin, *changed, *weight;
 };
 
-/* Returns the probability that the row falls: a product of factors for the margins. Writes its derivatives to
- * w->weight. */
+/* Returns the probability that the row falls, a product with one factor for each margin. Writes the
+ * derivatives of this probability to w->weight. */
 static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
 {
     double before = 1, after = 1;

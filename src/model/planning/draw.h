@@ -9,7 +9,7 @@
 struct draw {
     gsl_rng *random[2];
     struct dom_domino *domino; /* the dominoes with their random errors */
-    /* the random row; its friction, slope and push may have errors, like its dominoes */
+    /* the random row; its dominoes, friction, slope, floor and push may have errors */
     struct dom_row row;
 };
 

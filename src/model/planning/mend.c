@@ -151,10 +151,8 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/*
- * Raises the growth *r in steps until the row no longer falls, or until it falls if `falls` is false. Sets
- * *before to the growth one step earlier. Bisection could miss the first change.
- */
+/* If `falls` is true, raises the growth *r in steps until the row no longer falls. Otherwise raises it until
+ * the row falls. Sets *before to the growth one step earlier. Bisection could miss the first change. */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -167,8 +165,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. r_min may
- * exceed 1: the first domino may tip over before it hits the second only if the gap is wider. */
+/* Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. r_min
+ * exceeds 1 if, for example, the gaps at r = 1 are too narrow for the first domino to tip over. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

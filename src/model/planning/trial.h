@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A trial runs a row with one changed value. A series of trials finds the edge between the values at which
- * all dominoes fall and those at which some do not. */
+ * all dominoes fall and the values at which some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -83,7 +83,7 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
 /* Searches from the current value towards `end` for a range in which all dominoes fall. Sets *to and *until
- * to its beginning and its end. Returns false if there is none. */
+ * to the beginning and the end of the range. Returns false if no such range is found. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds windows: the range in which one value of a row may lie so that all dominoes still fall. The value is
- * a gap, a position, a height, a thickness, a lean or the friction. */
+/* Finds windows. A window is the range in which one value of a row may lie so that all dominoes still fall.
+ * The value is a gap, a position, a height, a thickness, a lean or the friction. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
@@ -158,7 +158,8 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
     return end < now ? fmin(good, now) : fmax(good, now);
 }
 
-/* Finds the window of a domino that is equal to the previous one, whose window is *last. */
+/* Finds the window of a domino that equals the previous domino. *last is the window of the previous
+ * domino. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = range_of(t);

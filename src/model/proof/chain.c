@@ -17,7 +17,7 @@ struct shape shape_make(double s, double d, double q)
 }
 
 /* sine_below and sine_above return bounds on the sine of a tilt. The computed root has a relative error below
- * 2^-52. The factor 1 -+ 2^-51 covers it and its own rounding error. */
+ * 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding error of the product. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));

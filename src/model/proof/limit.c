@@ -48,8 +48,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit at which the train certainly stops. The proof covers the interval
- * between the two neighbours of the nearest double, which contains this number. */
+/* Finds a decimal number above n / unit at which the train certainly stops. This number lies between the two
+ * neighbours of the nearest double, so the proof covers the interval between these neighbours. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {

@@ -53,7 +53,7 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Each head is run twice to look for negative contact forces, slowly and with FAST times its omegasq. */
+/* To look for negative contact forces, each head is run slowly, and with FAST times its omegasq. */
 #define FAST 1000
 
 /*
@@ -137,7 +137,7 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 }
 
 /* Sets `below` and `above` of the mark of the last head. As long as omegasq is within these limits, the row
- * ends in the same way. */
+ * ends like the unchanged row. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */

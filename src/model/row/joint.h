@@ -8,8 +8,8 @@
 
 /*
  * A head still reaches the next domino if the gap exceeds the height of the head by this fraction. In a row
- * made from a train with r = 1/s, they differ only by rounding errors, which come from r, two powers, four
- * products and the kernel's precision.
+ * made from a train with r = 1/s, the gap equals the height except for rounding errors, which come from r,
+ * two powers, four products and the kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 

@@ -113,8 +113,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* Returns true if head k certainly keeps falling. Sets *at to its state when it hits the next domino, and
- * s->link to the chain. Dominoes must be plumb and have sharp edges. */
+/* Returns true if head k certainly keeps falling. Sets *at to the state of the head when it hits the next
+ * domino, and stores the chain in s->link. Dominoes must be plumb and have sharp edges. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];

@@ -11,7 +11,8 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* increase in the number of moving dominoes from head to head: 0 or 1 */
     size_t more;
-    /* true if the next head will move like the last one, provided that the next two dominoes equal it */
+    /* true if the next head will repeat the last motion, provided that the next two dominoes equal the
+     * current one */
     bool found;
 };
 
