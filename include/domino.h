@@ -38,9 +38,9 @@
  * - trains with rounded edges,
  * - the motion and the limits of trains with friction.
  *
- * Precision: this header has doubles. <domino_quad.h> declares the same functions, structures and lists for
- * the widest floating-point type of the machine, with domq_ instead of dom_. It includes this header. The
- * functions of both headers can compute in every precision.
+ * Precision: this header uses double. <domino_quad.h> includes this header, and declares its functions,
+ * structures and macros again for the widest floating-point type of the machine, with domq_ in their names
+ * instead of dom_. The functions of both headers can compute in every precision.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
@@ -322,8 +322,8 @@ struct dom_barrier_error {
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
-    /* The maximum of H(theta) - H(0) over the cycle, >= 0. With friction: the smallest kinetic energy just
-     * after the collision that carries the train past every tilt. */
+    /* The maximum of H(theta) - H(0) over the cycle, >= 0. With friction: the kinetic energy that the train
+     * needs just after the collision to pass every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -377,7 +377,7 @@ struct dom_event {
 };
 
 /*
- * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX of them. With DOM_STOPS
+ * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX events. With DOM_STOPS
  * the last event is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every function that finds a time, this
  * function may return DOM_NO_MARGIN (see dom_cycle_duration).
  */
@@ -419,7 +419,7 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
  * Calls visit, in order of time, for `rows` states evenly spaced over the cycle, and for the state at each
  * event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
  *
- * A walk takes far less time than as many calls of dom_cycle_state. The statuses are those of
+ * A walk takes far less time than a call of dom_cycle_state for each state. The statuses are those of
  * dom_cycle_events. DOM_STOPS is returned after all states have been visited.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
@@ -578,7 +578,7 @@ struct dom_effect {
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
     bool dissipates; /* true if dominoes lose energy while they move; see dom_law */
-    /* True if the effect changes only tau. Times in tau are then those without the effect. */
+    /* True if the effect changes only tau. Times in units of tau then do not change. */
     bool cancels;
     const char *synonyms; /* search words for the effect, separated by blanks */
 };
@@ -619,8 +619,8 @@ enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width
  * not check the arguments. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s: (s + d) r h / duration. `duration` is that of a cycle, in tau. Does not
- * check the arguments. */
+/* Returns the front speed in m/s: (s + d) r h / duration. `duration` is the time of one cycle, in tau. Does
+ * not check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {

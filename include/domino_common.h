@@ -133,8 +133,8 @@ enum { DOM_EFFECT_ARGUMENTS = 3 };
  * dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". This function and the other two return "unknown" for a number that is
- * not in the enumeration. */
+/* Returns "none", "barrier" or "reach". This function, dom_event_text and dom_row_end_text return "unknown"
+ * for a number that is not in the enumeration. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {

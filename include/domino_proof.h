@@ -9,8 +9,8 @@
  * A proof holds for all trains whose s, d and q round to the given doubles. So it holds for decimals and for
  * fractions such as 7/48. A whole q is exact.
  *
- * A train with friction, a slope or rounded edges has no proof. Nothing is proved unless the rounding mode is
- * to nearest.
+ * There is no proof for trains with friction, a slope or rounded edges. Nothing is proved unless the rounding
+ * mode is round-to-nearest.
  */
 #ifndef DOMINO_PROOF_H
 #define DOMINO_PROOF_H
@@ -49,11 +49,10 @@ struct dom_proof_work {
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling from `from` to 1/s; low <= 1/s <= high */
-    /* A train with r = 1 stops. For a pair, larger growths were tried, too, and no train was found that keeps
-     * falling. */
+    /* A train with r = 1 stops. For a pair, larger growths were tried, too, and none keeps falling. */
     DOM_PROVED_NONE,
-    /* The train keeps falling from `from` to `low`, or nothing is proved if `low` is NaN. `gap` says why the
-     * proof is incomplete. */
+    /* The train keeps falling with every growth from `from` to `low`. If `low` is NaN, nothing is proved.
+     * `gap` says why the proof is incomplete. */
     DOM_PROVED_PARTLY
 };
 

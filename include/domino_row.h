@@ -108,7 +108,7 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 
 /*
  * A solid block. The gap is the clear distance to the previous domino, measured at the foot as if the block
- * were upright. The first domino has the gap 0. `lean` is for a floor or a foot that is not flat: the domino
+ * were upright. The first domino has a gap of 0. `lean` is for a floor or a foot that is not flat: the domino
  * rests tilted about its front edge, and turns about this edge when it falls. The lean must be within
  * dom_lean_limits.
  */
@@ -157,7 +157,7 @@ struct dom_row {
 /* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The caller adds the dominoes. */
 struct dom_row dom_row_default(void);
 
-/* One domino of the row while it is the head: from the hit, the collision in which it is hit, until it hits
+/* One domino of the row while it is the head: from the collision in which it is hit (the hit) until it hits
  * the next domino or lies on the floor. */
 struct dom_fall {
     size_t domino; /* number of the domino, from 1 */
@@ -288,13 +288,14 @@ struct dom_mend {
 
 /*
  * Finds the changes of a single gap after which all dominoes of a row fall, the smallest change first. Writes
- * their number to *count. It is 0 for a row that falls already. The gaps that are tried are the one after the
- * domino at which the row ends, and the 30 before it. Calls progress, which may be NULL, for each gap.
+ * the number of changes to *count, which is 0 if the row already falls. The gaps that are tried are the one
+ * after the domino at which the row ends, and the 30 before it. Calls progress, which may be NULL, for each
+ * gap.
  *
- * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than that, and all
- * dominoes fall with a gap of that height, `to` is that height. The search in each direction takes 40 steps
- * of increasing length, from 1/64,000 of the range on, and then bisects. An interval of gaps narrower than a
- * step can be missed. The statuses are those of dom_row_run.
+ * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than this height,
+ * and all dominoes fall with a gap of this height, `to` is this height. In each direction, the search takes
+ * up to 40 steps of increasing length, the first 1/64,000 of the range, and then bisects. It can miss an
+ * interval of gaps that is narrower than a step. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -309,8 +310,8 @@ struct dom_window {
     dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the row ends just below and just above the window. DOM_ROW_FALLS if the window reaches the end of
-     * the tried range, or if the row does not fall now. */
+    /* How the row ends just below and just above the window. DOM_ROW_FALLS if this is not known, because no
+     * value there was tried or because the row does not fall as it is. */
     enum dom_row_end below, above;
 };
 
@@ -321,8 +322,8 @@ struct dom_window {
  * - the friction: one window.
  *
  * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
- * window is the nearest interval on either side of the current value. Dominoes more than one place after the
- * domino at which the row ends then have no window.
+ * window is the nearest interval on either side of the current value. In this case, dominoes more than one
+ * place after the domino at which the row ends have no window.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
@@ -336,11 +337,11 @@ struct dom_window {
  * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
  * of its wood.
  *
- * The search makes the same steps as dom_row_mend. All dominoes fall with `low` and with `high`, but an
- * interval narrower than a step, in which the row does not fall, can be missed. With an engine, a window has
- * three digits and is searched in a quarter of the steps. A value at which the engine cannot decide how the
- * row ends is outside the window. Calls progress, which may be NULL, for each window. The statuses are those
- * of dom_row_run.
+ * The search makes the same steps as dom_row_mend. All dominoes fall with `low` and with `high`. In between,
+ * the search can miss an interval narrower than a step in which the row does not fall. With an engine, there
+ * are only 10 steps in each direction, and `low` and `high` have three digits. If the engine cannot decide
+ * how the row ends with a value, this value is outside the window. Calls progress, which may be NULL, for
+ * each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -351,7 +352,7 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
  * four digits. Starts from the push that turns the first domino over its edge, or from row->push if that is
  * larger. Doubles the push until all dominoes fall, and then bisects.
  *
- * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes fall already. The statuses
+ * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes already fall. The statuses
  * are those of dom_row_run, and DOM_BAD_PUSH if `strongest` is not a finite number > 0.
  */
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
@@ -372,8 +373,9 @@ struct dom_limits {
     dom_real heaviest;
     /* the grid in m: changed sizes and gaps are multiples of this length. 0 without a grid */
     dom_real grid;
-    /* Array of `boards` thicknesses in m, in increasing order. May be NULL. If only the tall dominoes are
-     * boxes, boxes may have any thickness. */
+    /* The thicknesses in m that dominoes may have: an array of `boards` numbers in increasing order. If
+     * `boards` is 0, any thickness is allowed. In a row with boxes_above > 0, boxes may have any
+     * thickness. */
     const dom_real *board;
     size_t boards;
 };
@@ -390,9 +392,9 @@ struct dom_wish {
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* In m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train. Solid
-     * dominoes then have the masses of blocks, and taller ones those of boxes half as wide as they are tall.
-     */
+    /* In m, as in struct dom_row. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
+     * of the train, and all masses follow from the volume of the wood. Every domino is half as wide as it is
+     * tall. */
     dom_real walls, boxes_above;
 };
 
@@ -421,7 +423,7 @@ struct dom_design {
  * The search first finds the separation s at which a train with this safety has the largest growth r. This
  * growth gives the smallest number of dominoes. r is then reduced until the last domino is exactly `height`
  * tall. s stays as close to this separation as the hall and the start of the row allow. DOM_LEAST_LENGTH
- * finds the shortest row instead, which may have up to 30 dominoes more.
+ * finds the shortest row instead, which may have up to 30 more dominoes.
  *
  * The search computes in double, and tries separations that are multiples of 0.001. A separation at which a
  * train or a row cannot be computed is skipped. If the wish has an engine, the row must also fall in the
@@ -439,7 +441,8 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
  * - The rounded row still has the safety of the wish and fits into its hall.
  *
  * The results about the endless train are those before rounding. The members `sizes`, `hall` and `heaviest`
- * of the limits are not used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ * of the limits have no effect, but `hall` and `heaviest` must be > 0. For a bad member of the limits, the
+ * status is DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -476,7 +479,7 @@ struct dom_error {
  * with rounded edges, errors of the floor only with an engine, and errors of the push only with a push.
  *
  * Errors that are too large are cut off:
- * - Dominoes that would overlap touch.
+ * - Dominoes that would overlap are moved until they touch.
  * - No size falls below 1/100 of its intended value.
  * - A domino that would fall over by itself gets the largest lean at which it stands.
  * - A friction or a push that would be negative becomes 0.
@@ -515,13 +518,13 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                     size_t *stops);
 
 /*
- * Fills *study as dom_placement_study does. Then runs the same rows once for each kind of error, without the
- * errors of that kind. All other errors stay the same. without[kind] is how many of these rows fall.
+ * Fills *study as dom_placement_study does. Then, for each kind of error, runs the same rows again without
+ * the errors of this kind. All other errors stay the same. without[kind] is how many of these rows fall.
  *
  * Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers:
  * - The first row->count numbers are those of dom_placement_study.
- * - row->count numbers follow for each kind: how many rows ended at each domino, but fall without errors of
- *   that kind.
+ * - For each kind of error, row->count numbers follow: how many of the rows that end at each domino would
+ *   fall without the errors of this kind.
  */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
@@ -550,7 +553,7 @@ struct dom_budget {
  *
  * The status is DOM_STOPS if too few rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first
  * estimate of sigma, `sigma` and `low` are the largest sigma at which enough rows are known to fall. `high`
- * is then the smallest at which too few fall, or infinity.
+ * is then the smallest sigma at which too few rows are known to fall, or infinity.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
