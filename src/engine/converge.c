@@ -26,8 +26,8 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Estimates the change of the velocities in all further iterations as a geometric series. Ends the loop if it
- * is a small fraction of the whole step's change.
+ * Estimates the change of the velocities in all further iterations as a geometric series. Ends the loop if
+ * this change is a small fraction of the change in the whole step.
  */
 static void each(cpConstraint *watch, double dt)
 {

@@ -42,8 +42,8 @@ struct engine_row {
 
 /* The resolution of a run. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    /* Steps per sqrt(height / g) of the foremost moving box. A box also takes at least this many steps per
-     * radian. */
+    /* Steps per unit of time, which is sqrt(height / g) with the height of the foremost box that was hit.
+     * There are also at least this many steps per radian that this box turns. */
     double steps;
     /* Impulses are found by iteration. Their errors may change a velocity by at most this fraction of its
      * whole change in the step. */
@@ -65,7 +65,7 @@ struct engine_hit {
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* true if the first box touches the second while it is tipped over its edge; the row is then not run */
+    /* true if the first box, tipped over its edge, already touches the second; the row is then not run */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
@@ -73,18 +73,17 @@ struct engine_fall {
     /* the deepest penetration of one box into another, relative to the height of the rear box */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
-    /* the largest increase of energy between two hits, relative to the kinetic energy at the second of
-     * them */
+    /* the largest increase of energy between two hits, relative to the kinetic energy at the second hit */
     double gain;
     /*
      * The smallest omega / (largest omega since the hit) of the foremost box. A row that almost stops has a
-     * small value. The value is 0 if this box made a contact other than tip to back face.
+     * small value. 0 if the foremost box was in a contact as described at other_contact.
      */
     double slowest;
     /* The largest tilt of the foremost box, relative to the tilt at which it balances on its lower front
      * corner. 1 if the box went beyond its balance point. */
     double climbed;
-    /* true if there was a contact other than between a tip and the back face of the next box */
+    /* true if an edge of a box touched the top of the box behind it, instead of a tip touching a back face */
     bool other_contact;
 };
 

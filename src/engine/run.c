@@ -13,14 +13,14 @@
  * a while. Each step starts from the impulses of the previous one, scaled by the ratio of the lengths. So a
  * long step would act like another hit.
  */
-/* rate at which the drift of a hinge decays, in 1 / sqrt(height / g) of the foremost box */
-static const double hinge_rate = 50;
+/* The unit of time is sqrt(height / g), with the height of the head. */
+static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
-static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
-/* A box counts as stopped after it has rested for this time, in sqrt(height / g). */
+static const double rests = 1e-5; /* angular velocities below this count as 0 */
+/* a box counts as stopped after it has rested for this time */
 static const double hinged_rest = 0.1, any_rest = 3;
 /* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need a
  * twentieth of these steps. */
@@ -177,8 +177,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Fills in when boxes hit the next one, and how far feet have slid. Without a push, times are measured from
- * the first hit. */
+/* Fills in the time at which each box hits the next one, and how far each foot has slid. Without a push,
+ * times are measured from the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

@@ -165,8 +165,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deeply box `front` and the box behind it penetrate, and whether their contact is outside the
- * model. */
+/* Records how deeply box `front` and the box behind it penetrate each other, and whether an edge of `front`
+ * touches the top of the box behind it. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;
