@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers the same question about many trains. Slow languages such as Python thus need no loop. */
+/* Answers the same question about many trains, so that slow languages such as Python need no loop. */
 #include "numerics/real.h"
 
 typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,

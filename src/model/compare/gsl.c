@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A comparison method: the energies are those of the library's own method, but the solvers are GSL's.
+ * A comparison method: it computes energies as the library's own method does, but uses GSL's solvers.
  * - Brent's method finds the maximum of H near the highest of a few samples.
  * - It also finds r_max as the root of the margin.
  * - An adaptive quadrature finds the duration.
@@ -43,7 +43,7 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
     int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
     for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
         code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
-        /* sqrt(tol) is enough: the error of the height is of second order in that of theta_m. */
+        /* sqrt(tol) is enough: the error of the height is of second order in the error of theta_m. */
         done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
                                      0, sqrt((double)c->train->tol));
     }

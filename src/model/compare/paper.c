@@ -36,7 +36,7 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
         weight *= pow(p->r, -p->q);
         inertia *= pow(p->r, -p->q - 1);
         if (theta >= p->theta_leave && theta > 0) {
-            /* A detached domino stays at theta_f, and so do its followers. */
+            /* A detached domino and all its followers stay at theta_f. */
             sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
             break;
         }

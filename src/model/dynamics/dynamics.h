@@ -44,30 +44,31 @@ struct start {
     real kinetic_error; /* error bound on `kinetic` */
 };
 
+/* A law of motion. A function whose comment begins with "Optional" may be NULL. */
 struct dynamics {
     /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H. */
     bool conservative;
 
-    /* `begin` and `end` allocate and free the memory of this law. Both may be NULL. `begin` returns DOM_OK or
+    /* Optional. `begin` and `end` allocate and free the memory of this law. `begin` returns DOM_OK or
      * DOM_NO_MEMORY. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
-    /* Solves the motion over a whole cycle, unless an earlier call has already done so. May be NULL. */
+    /* Optional. Solves the motion over a whole cycle, unless an earlier call has already done so. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Solves the motion over [lo, *hi]. J is the inertia at lo. If friction locks the motion, returns
-     * DOM_LOCKS and stores the tilt of the lock in *hi. May be NULL.
+     * Optional. Solves the motion over [lo, *hi]. J is the inertia at lo. If friction locks the motion,
+     * returns DOM_LOCKS and stores the tilt of the lock in *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. edge[0] and edge[1] are
-     * the ends of the smooth piece that contains `start`. May be NULL.
+     * Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. edge[0] and
+     * edge[1] are the ends of the smooth piece that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Called if friction locks the motion at the tilt `head`. Sets *braked to true if the motion slows down
-     * before it, and to false if it speeds up. NULL if friction cannot lock it. */
+    /* Optional if friction cannot lock a motion. Called if friction locks the motion at the tilt `head`. Sets
+     * *braked to true if the motion slows down just before this tilt, and to false if it speeds up. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
     /* Finds the launch of a train whose cycles repeat, scaled by r (24; c6). Finds error bounds unless error
@@ -88,14 +89,14 @@ struct dynamics {
     /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
-    /* Returns an estimate of the error of required energies. May be NULL. The error may be large compared
-     * with a small barrier. */
+    /* Optional. Returns an estimate of the error of required energies. The error may be large compared with a
+     * small barrier. */
     real (*unsure)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
-    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by`. The energy is used up at `end`. *slowness is NaN if
-     * it does not suffice for `end - by`. */
+    /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
+     * *slowness is NaN if no energy is left at `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head, where w = tau^2 omega^2. Unless n is NULL, *n
      * is the number of dominoes that contribute. */
@@ -107,8 +108,8 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if error bounds are known, also for the margin between two samples. Otherwise they are NaN,
- * and searches rely on samples alone. */
+/* Returns true if error bounds are known, including bounds on the margin between two samples. Otherwise error
+ * bounds are NaN, and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The paper's law of motion: contacts without friction dissipate no energy. So the total energy is constant
- * in a cycle (21; c3) and (51; d9). With w = tau^2 omega^2,
+ * in a cycle; see (21; c3) and (51; d9). With w = tau^2 omega^2,
  *
  *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
  *

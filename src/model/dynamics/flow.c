@@ -47,8 +47,8 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the beginning of a motion on narrow panels. Each panel reaches a tilt 8 times as large as the panel
- * before it. Near the beginning, the solution changes on two small scales:
+ * Solves the beginning of a motion on narrow panels. Each panel ends at 8 times the tilt at which the
+ * previous panel ends. Near the beginning, the solution changes on two small scales:
  * - d: u changes by only d^2 up to theta ~ d, and by much more afterwards.
  * - sqrt(1 - r s): at this tilt of the head, followers that started near pi/2 have come down.
  *

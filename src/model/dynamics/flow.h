@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solution of the equation of motion (A/2) dw/dtheta + B w = C, where w = tau^2 omega^2. It is w = G
- * (w(0) - u). u(theta) is the smallest w(0) with which the head reaches theta. The barrier is the maximum of
- * J(0) u. Without friction, u = [H(theta) - H(0)] / J(0).
+ * The equation of motion (A/2) dw/dtheta + B w = C, where w = tau^2 omega^2, has the solution
+ *
+ *     w = G (w(0) - u).
+ *
+ * u(theta) is the smallest w(0) with which the head reaches theta. The barrier is the maximum of J(0) u.
+ * Without friction, u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H
@@ -20,8 +23,7 @@ struct flow {
 /* Frees a flow and its panels. `flow` may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
-/* The functions of struct dynamics for laws of motion that need a flow. Only flow_rises is no member: it
- * returns du/dtheta, with a reliable sign. */
+/* The functions of struct dynamics for laws of motion that need a flow. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
@@ -35,7 +37,9 @@ KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct 
 KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
 KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
                       real J_at);
-KERNEL real flow_rises(const struct geometry *geometry, real theta);
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);
+
+/* Returns du/dtheta, with a reliable sign. */
+KERNEL real flow_rises(const struct geometry *geometry, real theta);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Slope: the floor descends by the angle alpha in the direction of the train. A negative alpha means uphill.
- * Tilts are measured from the normal of the floor. Only the direction of gravity differs from a level floor.
+ * Tilts are measured from the normal to the floor. Only the direction of gravity differs from a level floor.
  * The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,

@@ -50,7 +50,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .adds = "a sloping floor, downhill if ALPHA > 0",
             .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
                     "tips over (tan theta_u = d). A slope of one degree changes r_max by 5 to 8 %. Tilts are "
-                    "measured from the normal of the floor. The potential energy of a domino is then "
+                    "measured from the normal to the floor. The potential energy of a domino is then "
                     "h(theta) = cos(theta + alpha) + d sin(theta + alpha). This changes H, the fuel P, the "
                     "barrier and the forces. With friction, C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d "
                     "cos(theta_i + alpha)). 'fuel paper' cannot be combined with a slope: the paper's closed "

@@ -33,7 +33,7 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Returns a number with the sign of the slope, computed from only as many dominoes as the sign needs. */
+/* Returns a number with the sign of the slope. Takes less time than slope_of_H. */
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
@@ -67,8 +67,8 @@ struct top {
 };
 
 /*
- * Makes one Newton step towards H1 = 0 from the sums at p. If it fails, moves p to an end of the bracket
- * where the sign of the slope is unknown, and otherwise bisects.
+ * Makes one Newton step towards H1 = 0 from the sums at p. If the step fails, moves p to an end of the
+ * bracket at which the sign of the slope is not known yet. If both signs are known, bisects.
  */
 static void top_step(struct top *top, struct sums at)
 {
@@ -174,7 +174,7 @@ static bool falls_above_u(const struct geometry *geometry)
  *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
  *
  * For the head, -h'' = h is at least h.y. For a follower, -h'' is at least `least`, and theta_j'^2 is at most
- * 1. A follower that has detached reduces the concavity by less.
+ * 1. A follower that has detached adds nothing to H''.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {

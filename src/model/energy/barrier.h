@@ -73,7 +73,7 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* Two terms of magnitude `whole` differ by `left`. Returns the relative tolerance of the terms with which
+/* Two terms of magnitude `whole` differ by `left`. Returns the relative tolerance that the terms need so that
  * their difference has the relative tolerance tol. */
 KERNEL real balance_tol(real tol, real left, real whole);
 

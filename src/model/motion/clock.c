@@ -8,8 +8,8 @@ struct clock {
     struct tick {
         struct num_series series;
         real begins; /* time at which the head reaches the tilt lo */
-        /* True if the train stops at the end of this piece. The series then depends on x of
-         * slowness_before. */
+        /* True if the train stops at the end of this piece. The variable of the series is then the x of
+         * slowness_before, not the tilt. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
@@ -18,7 +18,7 @@ struct clock {
 
 /*
  * Returns the width of the peak of the slowness before a stop, in the variable u of slowness_before. At the
- * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The peak is as wide as
+ * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The width of the peak is
  * the delta at which both terms are equal.
  */
 static real stop_width(const struct motion *m)
@@ -97,8 +97,8 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
     return model_status(DOM_OK, solver);
 }
 
-/* Finds the tilt at a given time by Newton's method, with bisection outside the bracket. *at is the first
- * guess and the result. */
+/* Finds the tilt at a given time by Newton's method. Bisects if a step would leave the bracket. *at is the
+ * first guess and the result. */
 static enum dom_status tilt_search(struct motion *m, real time, real *at)
 {
     real lo = 0, hi = m->end;

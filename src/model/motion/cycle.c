@@ -153,7 +153,7 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* Rounding makes the margin this inaccurate, and the duration cannot be more accurate than the margin. */
+    /* The relative error of the margin due to rounding. The duration cannot be more accurate. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

@@ -6,7 +6,7 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 /* A search ends when no peak can exceed the largest known value by more than this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* Dominoes below this fraction of the speed of the head are ignored. Nobody would see them slip. */
+/* Dominoes slower than this fraction of the speed of the head are ignored. Nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -52,8 +52,9 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Bisects [lo, hi] as long as it may contain a larger value than the largest so far. A parabola exceeds three
- * equally spaced values by at most 1/8 of their second difference. The test allows for all of it.
+ * Bisects [lo, hi] repeatedly, while a piece may contain a value larger than the largest so far. A parabola
+ * exceeds three equally spaced values by at most 1/8 of their second difference. The test allows for the
+ * whole second difference.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)
@@ -62,8 +63,8 @@ static enum dom_status required_between(const struct segment *st, real lo, real 
     if (!(lo < middle && middle < hi))
         return DOM_OK;
     enum dom_status status = required_at(st, middle, required_friction, &motion);
-    real second_derivative = fabs(at[0] - 2 * motion + at[1]),
-         most = fmax(fmax(at[0], at[1]), motion) + second_derivative;
+    real second_difference = fabs(at[0] - 2 * motion + at[1]),
+         most = fmax(fmax(at[0], at[1]), motion) + second_difference;
     if (status != DOM_OK || halvings == 0 || !(most > required_friction->motion * (1 + FLOOR_TOL)))
         return status;
     status = required_between(st, lo, middle, (real[]){at[0], motion}, halvings - 1, required_friction);

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 /*
- * The force on the last domino shown depends on the dominoes after it. The list has at most this many of
- * them, because moving_push replaces all later ones by a geometric series.
+ * The force on the last domino shown depends on the dominoes after it. The list contains at most this many
+ * more dominoes, because moving_push replaces all later ones by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -144,7 +144,6 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- The forces during a motion ---- */
 
-/* The collision multiplies angular velocities by T / (1 + T). So a domino loses 1 / T of what it keeps. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -160,6 +159,7 @@ KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, 
                                                   &kinematics->acceleration, &kinematics->n);
     kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
     kinematics->omega = sqrt(st->start.omegasq);
+    /* the collision multiplies angular velocities by T / (1 + T), so the loss is 1 / T times the remainder */
     kinematics->omega_lost = kinematics->hit ? kinematics->omega / st->inertia_ratio : 0;
     return status;
 }

@@ -69,7 +69,7 @@ KERNEL real forces_needed(real x, real z);
  * R is the force at a hinge, or its impulse in the collision.
  */
 struct required_friction {
-    real motion, theta; /* largest ratio during the motion, and the tilt of the head then */
+    real motion, theta; /* largest ratio during the motion, and the tilt of the head at that moment */
     size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
     real hit;           /* largest ratio |R_x| / R_z in the collision */
     size_t hit_domino;

@@ -142,8 +142,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. Includes a follower that detaches at theta, in spite
- * of rounding. */
+/* Finds the energy that detached dominoes have released. A follower that detaches at theta counts, even if
+ * rounding puts theta just before that tilt. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -183,7 +183,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits the head is this train at theta_c, divided by r. So its energy has the factor
+    /* The train that hits the head is this train at theta_c, scaled by 1 / r. So its energy has the factor
      * r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){

@@ -33,8 +33,9 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
                                    real *error);
 
 /*
- * Finds error bounds on theta, where a cycle has used up its energy, and on the energy there. *error is NaN
- * if no bound is known. *energy is then not set. `energy` may be NULL.
+ * Finds an error bound on theta, the tilt at which a cycle has used up its energy. Unless `energy` is NULL,
+ * also finds an error bound on the energy at theta. If no bound is known, *error is NaN, and *energy is not
+ * set.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 
@@ -48,8 +49,8 @@ struct motion {
 };
 
 /*
- * Prepares the motion of a train up to theta_c or to its stop. Returns DOM_NO_MARGIN if the margin is too
- * small for times. Always call motion_end afterwards.
+ * Prepares the motion of a train up to theta_c, or up to its stop. Returns DOM_NO_MARGIN if the margin is too
+ * small to compute times. Always call motion_end afterwards.
  */
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
@@ -71,7 +72,7 @@ struct instant {
 /* Lists the events of the motion in the order in which they happen. There are at most DOM_EVENTS_MAX. */
 KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
-/* Finds the state at a tilt. `time` is the time there, or NaN if it is not known. */
+/* Finds the state at a tilt. `time` is the time at this tilt, or NaN if it is not known. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
                                     bool errors);
 

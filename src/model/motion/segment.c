@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
-/* Each pass lowers hi to the tilt at which a domino detaches. Another domino may
- * have detached even earlier, so the loop goes on. */
+/* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
+ * so the loop goes on. */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
     const struct geometry *geometry = &st->geometry;

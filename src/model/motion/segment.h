@@ -61,8 +61,8 @@ KERNEL real slowness(real theta, void *context);
 KERNEL real slowness_error(real theta, void *context);
 
 /*
- * Integrates f between two tilts, piece by piece between the edges of the barrier. f must be as smooth as the
- * slowness. Unless `error` is NULL, adds the error bound to *error.
+ * Integrates f between two tilts, piece by piece between the edges of the barrier. In each piece, f must be
+ * smooth except for a peak at the top of the barrier. Unless `error` is NULL, adds the error bound to *error.
  */
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
                                         real tol, real *sum, real *error);

@@ -91,15 +91,15 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends when its terms are below this fraction of it. The terms decrease faster than a geometric
-     * series, so the remainder is negligible. */
+    /* A sum ends when its terms are below this fraction of the sum. The terms decrease faster than a
+     * geometric series, so the remainder is negligible. */
     real cut;
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
     real step, sum; /* only for the double exponential rule */
-    /* Only for the rule of Clenshaw and Curtis. If width is not NaN, the variable is u with x = peak + width
-     * sinh u. */
+    /* Only for the Clenshaw-Curtis rule. Unless width is NaN, the variable is u with x = peak + width sinh
+     * u. */
     real peak, width, from, to, *value;
 };
 
@@ -107,7 +107,7 @@ struct span {
 typedef real span_level(struct span *s, int level);
 
 /* Estimates the relative error of a level. `off` and `off_before` are the last two relative differences
- * between levels. Correct digits nearly double from level to level. */
+ * between levels. The number of correct digits nearly doubles from each level to the next. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -143,8 +143,8 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Nodes are computed from
- * their distance to the nearer end, which thus keeps all its digits. */
+/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Computes nodes from their
+ * distance to the nearer end, so that no digits of this distance are lost. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */
@@ -193,7 +193,7 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
     return span_integral(&s, exponential_level, LEVELS_MAX, tol, integral, error);
 }
 
-/* ---- The rule of Clenshaw and Curtis: nodes u = cos(pi j / n), scaled to [lo, hi] ---- */
+/* ---- The Clenshaw-Curtis rule: nodes u = cos(pi j / n), scaled to [lo, hi] ---- */
 
 static real arsinh(real x)
 {
@@ -220,7 +220,7 @@ static real chebyshev_value(struct span *s, real node)
  *
  *     2 - sum over k = 1, ..., n / 2 of 4 cos(2 pi j k / n) / (4 k^2 - 1),
  *
- * with the last term halved, and half of this for node 0.
+ * with the last term halved. Returns half of this for node 0.
  */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {

@@ -3,9 +3,9 @@
  * Roots, maxima and integrals in the arithmetic of the kernels. Nothing here depends on dominoes. A function
  * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE.
  *
- * GSL's functions compute only in double. They also need more evaluations:
- * - for the roots of a benchmark 73 with Brent's method, and 65 here,
- * - for integrals of trains that nearly stop 7497 with qag, and 4883 here.
+ * GSL's functions compute only in double. They also take more evaluations of the function:
+ * - roots in a benchmark: 73 with Brent's method, 65 here,
+ * - integrals of trains that nearly stop: 7,497 with qag, 4,883 here.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
@@ -17,20 +17,20 @@ enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, 
 typedef real num_function(real x, void *context);
 
 /*
- * Finds the root of f between lo and hi to the relative tolerance tol of x. f(lo) and f(hi) must have
- * different signs; zero counts as either sign. The method is inverse quadratic interpolation if that is safe,
- * otherwise bisection (Chandrupatla, Advances in Engineering Software 28, 1997).
+ * Finds the root x of f between lo and hi, to the relative tolerance tol. f(lo) and f(hi) must have different
+ * signs; zero counts as either sign. The method is inverse quadratic interpolation if that is safe, otherwise
+ * bisection (Chandrupatla, Advances in Engineering Software 28, 1997).
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* Does the same as num_root if f(lo) and f(hi), or at least their signs, are known. */
+/* Does the same as num_root, but for callers that already know f(lo) and f(hi), or at least the signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
 /*
- * Finds the maximum of f between lo and hi by golden section, to the relative tolerance tol of x. f(middle)
- * must be larger than f(lo) and f(hi). Near a smooth maximum f hardly changes, so x is precise only to the
- * square root of the unit roundoff. A kink or a jump is found to the full tolerance.
+ * Finds the x between lo and hi at which f has a maximum, by golden section, to the relative tolerance tol.
+ * f(middle) must be larger than f(lo) and f(hi). Near a smooth maximum f hardly changes, so x is precise only
+ * to the square root of the unit roundoff. A kink or a jump is found to the full tolerance.
  */
 KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
                                    real *x);
@@ -45,8 +45,8 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
  * Finds the integral of a function that is smooth except for a peak like 1 / sqrt(width^2 + (x - peak)^2).
  * The peak may be outside the interval. The width is NaN if it is unknown.
  *
- * The substitution x = peak + width sinh u flattens the peak, so the rule of Clenshaw and Curtis (1960)
- * converges fast. If it does not converge, num_integral computes the pieces before and after the peak.
+ * The substitution x = peak + width sinh u flattens the peak, so the Clenshaw-Curtis rule (1960) converges
+ * fast. If it does not converge, num_integral computes the pieces before and after the peak.
  */
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
@@ -80,10 +80,10 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
  * Both integrals are Chebyshev series on panels. A panel is halved until the series of p and c / G converge.
- * The solution is as precise between the nodes as at the nodes.
+ * The solution is equally precise at the nodes and between them.
  *
- * GSL's odeiv2 computes only in double, and for one initial value at a time. On a benchmark, rk8pd needs
- * 13917 evaluations, and this code 6880.
+ * GSL's odeiv2 computes only in double, and for one initial value at a time. In a benchmark, rk8pd takes
+ * 13,917 evaluations of p and c, and this code takes 6,880.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * These two functions switch off GSL's error handler, which would abort the program, and restore it. A
+ * These two functions switch GSL's error handler off and on again. The handler would abort the program. A
  * process has only one handler, but several threads may compute. So the calls are counted: only the first
  * begin and the last end change the handler.
  */
