@@ -267,12 +267,12 @@ END
 }
 
 @test "rows that cannot be drawn: an error in one line that says what works" {
-    one_line "'draw at' shows a moment of a row; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
-    one_line "the motion ends at 7.648 s; 'draw at end' shows that" "$record; draw at 8 s > a.svg"
+    one_line "'draw at' shows a row at a given moment; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
+    one_line "the motion ends at 7.648 s; 'draw at end' shows that moment" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
-    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that" 'set r 1.6; effect row 12; draw at domino 5'
+    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that moment" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "the clock starts at 0 s, with the push; 'draw at 0' shows that moment" 'effect row 5; effect push 5; draw at -1'
     one_line "the moment must be a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
     one_line 'the moment is missing; usage: draw, draw at 2.5 s, ' "$record; draw at"

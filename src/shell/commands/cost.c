@@ -135,7 +135,8 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures one method in one precision, with smaller and smaller tolerances until that takes too long. */
+/* Measures one method in one precision, with smaller and smaller tolerances. The paper's method stops before
+ * a measurement that would take too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
@@ -215,8 +216,9 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
     answer_row(a, cells, NULL);
 }
 
-/* Adds a row for each tolerance to which the limit of 'rmax' or 'pair' can be proved. Each proof is timed
- * only once, because it takes long. Returns the seconds of the proof with a tolerance of 1e-12, or NaN. */
+/* Adds a row for each proof of 'rmax' or 'pair', with smaller and smaller tolerances until a proof fails. A
+ * proof takes a long time, so it is timed only once. Returns how many seconds the proof with a tolerance of
+ * 1e-12 takes, or NaN. */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
     static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
@@ -259,8 +261,8 @@ static void times_say(struct answer *a, const char *what, double seconds, double
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Compares the times for 3, 6 and 12 correct digits. The true error decides how many digits are correct, not
- * the tolerance. */
+/* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
+ * digits are correct. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

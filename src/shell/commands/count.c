@@ -29,7 +29,8 @@ static struct words mass_name(domq_real q)
     return name;
 }
 
-/* Sets *why to why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both cases. */
+/* Sets *why to the reason why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both
+ * cases. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
                                       const char **why)
 {
@@ -84,7 +85,8 @@ static struct words enough_words(const struct query *query, domq_real height, do
     return words;
 }
 
-/* Prints whether a row with mass exponent q falls, and how many dominoes the largest growths need. */
+/* Prints whether a row with mass exponent q falls. Also prints the largest growths, and how many dominoes are
+ * enough at each growth. */
 static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
                      const struct tower *t)
 {
@@ -104,7 +106,8 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Prints a line for each named kind of domino, and for the session's, whose result is `session_tower`. */
+/* Prints a line for each named kind of domino, and for the kind of the session. `session_tower` is the result
+ * for the session's kind. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)
@@ -177,7 +180,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Returns why the row does not topple the domino, or NULL if it does or start_say has printed why. */
+/* Returns why the row does not topple the domino, or NULL if it does, or if start_say has printed the
+ * reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

@@ -81,7 +81,7 @@ static double scene_price(const struct scene *scene)
 }
 
 /* Returns how many seconds an answer takes with one effect on or off, or NaN if there is no answer. The
- * effects that it needs are on in both cases. */
+ * effects that this effect needs are on in both cases. */
 static double price_with(const struct query *query, int name, bool on)
 {
     struct scene scene = *query->scene; /* this copy shares the row of the original */
@@ -95,7 +95,7 @@ static double price_with(const struct query *query, int name, bool on)
         bool wanted = k == name ? on
                                 : (effect_at(name)->needs >> k & 1) != 0 ||
                                       (k == DOM_EFFECT_row && name == DOM_EFFECT_placement);
-        /* An effect that needs `name` is off if `name` is. */
+        /* An effect that needs `name` is off if `name` is off. */
         bool without = !on && (k == name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
             effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
@@ -210,7 +210,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         part_row(a, "start",
                  is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
                  : is_engine ? "domino 1 is tilted until it just tips over"
-                             : "(9; b5): energy of domino 1 as it falls from its edge",
+                             : "(9; b5): energy that domino 1 gains as it tips over",
                  1, is_pushed ? "push is on" : "no push");
     if (is_row && !is_engine)
         part_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
@@ -291,11 +291,10 @@ const struct command effect_commands[] = {
      .summary = "all effects: whether they are on, what they add, and the time they take",
      .help =
          "For each effect, measures how long an answer of this scene takes without the effect and with it. "
-         "The effects that it needs are on in both cases. An effect that is off is timed with its usual "
-         "value. "
-         "Effects decide which of three methods finds the motion: the energy balance; the equation of "
-         "motion, if there is friction; or a rigid-body engine, if there are feet or bounce. 'scene' shows "
-         "which method this scene needs, and why.",
+         "The effects that this effect needs are on in both cases. An effect that is off is timed with its "
+         "usual value. Effects decide which of three methods finds the motion: the energy balance; the "
+         "equation of motion, if there is friction; or a rigid-body engine, if there are feet or bounce. "
+         "'scene' shows which method this scene needs, and why.",
      .see = "effect scene",
      .unswept = "it measures computing time, and points that run at the same time would slow each other down",
      .rows = true,

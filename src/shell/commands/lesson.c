@@ -99,7 +99,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
-    progress_end(); /* the progress display must not show the time in which the lesson waits for the reader */
+    progress_end(); /* the progress display must not count the time that the reader takes */
     if (waits)
         fputs("Type each line that the lesson shows, or only press Enter. You may try other\n"
               "commands in between. Your own parameters stay as they are. 'q' ends the lesson.\n",

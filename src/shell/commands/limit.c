@@ -83,7 +83,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
 }
 
 /* Prints the largest growth at which a row starts from rest, if a moving train can grow more. Also prints the
- * push for the session's growth, if it lies between these limits. */
+ * push that the session's growth needs, if this growth lies between the two limits. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
@@ -209,7 +209,8 @@ static const struct column curve_columns[] = {
     {"exact", "", "r_max when the fuel is computed from the balance of energy", 0},
     {"paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "largest growth at which dominoes reach the next: 1/s, or less with rounded edges", 0},
+    {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",
+     0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -281,13 +282,14 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth, with gaps of S heights (default: s)",
      .equation = "(26; c8)",
-     .help = "The search raises the growth r from 1 until dominoes have too little energy to topple the next "
-             "one. It ends at the latest at r = 1/s (less with rounded edges): there a domino falls past the "
-             "next one without touching it. This is the limit for a train that is already moving. A row that "
-             "starts from rest may need a smaller growth, which the answer shows as r_start: its first "
-             "domino just tips over, or has the push of 'effect push'. Because r_start takes much longer to "
-             "compute than r_max, expressions cannot use 'rmax.r_start', and a sweep of 'rmax' has no column "
-             "r_start. In both, use 'count(112).r_start' instead.",
+     .help = "The search raises the growth r from 1 until each domino has too little energy to topple the "
+             "next one. It goes no further than r = 1/s (less with rounded edges), because beyond 1/s a "
+             "domino falls past the next one without touching it. The limit r_max is for a train that is "
+             "already moving. A row that starts from rest may need a smaller growth, which the answer shows "
+             "as r_start. The first domino of this row just tips over, or is given the push of 'effect "
+             "push'. Because r_start takes much longer to compute than r_max, expressions cannot use "
+             "'rmax.r_start', and a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' "
+             "instead.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
@@ -330,14 +332,14 @@ const struct command limit_commands[] = {
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes it takes to topple one of height H (growth R or r)",
      .help =
-         "The number n of dominoes is the smallest integer with h r^n >= H: n dominoes, the first of which "
-         "is h tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
-         "next one. The first domino of the row just tips over, or has the push of 'effect push'. 'feasible' "
-         "tells whether the row falls. If it does not, 'stops_at' is the domino at which it ends, and 'push' "
-         "is the weakest push with which it would fall. 'goes_on' tells whether an endless train that "
-         "already moves keeps falling. 'r_start' is the largest growth at which a row starts and keeps "
-         "falling. The row has gaps of s heights, even if the session has another "
-         "row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
+         "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h tall, "
+         "topple one that is at least H tall. The n-th domino is smaller than H and topples the next one. "
+         "The first domino of the row just tips over, or is given the push of 'effect push'. 'feasible' "
+         "tells whether the row falls. If it does not fall, 'stops_at' is the domino at which it ends, and "
+         "'push' is the weakest push with which it would fall. 'goes_on' tells whether an endless train that "
+         "is already moving keeps falling. 'r_start' is the largest growth at which a row starts and keeps "
+         "falling. The row has gaps of s heights, even if the session has another row. If an effect that "
+         "needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

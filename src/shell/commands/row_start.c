@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 /* If this many dominoes fall, and the endless train keeps falling, then any longer row also falls. A row
- * forgets its start: the energy of a cycle is a linear function of the previous one, with a slope below 1. */
+ * forgets its start: the energy of a cycle is a linear function of the energy of the cycle before, with a
+ * slope below 1. */
 enum { START_DOMINOES = 64 };
 
 /* The search for the largest growth runs this many dominoes. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds whether a row starts to fall from rest. A train that already moves can grow more than a row that has
- * to start. */
+/* Finds whether a row starts to fall from rest. A train that is already moving can have a larger growth than
+ * a row that starts from rest. */
 #ifndef SHELL_ROW_START_H
 #define SHELL_ROW_START_H
 

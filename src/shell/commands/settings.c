@@ -41,8 +41,8 @@ static void effect_say(const struct query *query, struct answer *a, const struct
 /* A height without a unit is probably a mistake if it differs from the current height by this factor. */
 #define SLIP_OF_UNIT 50
 
-/* Refuses a height without a unit that is far from the current height. 'set h 5' means 5 m, but probably 5 cm
- * is meant. */
+/* Refuses a height that has no unit and is far from the current height. 'set h 5' means 5 m, but the user
+ * probably means 5 cm. */
 static bool height_likely(const struct query *query, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -322,8 +322,8 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave the program; the end of the input (^D) has the same effect",
-     .help = "At the prompt, the first 'quit' only warns if changes of the row by 'change' are not saved. "
-             "The second one leaves.",
+     .help = "At the prompt, the first 'quit' only warns if changes to the row have not been saved. A second "
+             "'quit' leaves the program.",
      .act = run_quit},
     {.name = NULL},
 };

@@ -48,7 +48,7 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* domq_chain_walk stops at the first detached domino, which rests at theta_f with all behind it. */
+    /* domq_chain_walk does not visit detached dominoes, which rest at theta_f. */
     domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
     table->status =
         domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
@@ -119,7 +119,8 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins a new walk, and sets *begun, unless the session has a walk with its present parameters. */
+/* Begins a new walk, and sets *begun to true, unless the session already has a walk with the present
+ * parameters. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {
@@ -177,7 +178,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 /* ---- Moving ---- */
 
 /* Moves to the next event or, if `forward` is false, to the last event before the current position. Returns
- * false if there is none. */
+ * false if there is no such event. */
 static bool walk_step(struct walk *w, bool forward)
 {
     const bool is_between = w->theta > w->events[w->event].theta;

@@ -70,7 +70,8 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Rounds a train to double precision. A proof about the result holds for all trains that round to it. */
+/* Rounds the parameters of a train to double precision. A proof about the rounded train holds for all trains
+ * that round to it. */
 struct dom_train proof_train(const struct domq_train *train);
 
 #endif

@@ -175,7 +175,8 @@ static bool body_parse(struct reader *r, struct variable *v)
     return v->body != NULL;
 }
 
-/* Returns the variable that 'let x' shows, or NULL if the definition is not only a name. */
+/* If nothing but the name of a variable follows, as in 'let x', reads the name and returns the variable.
+ * Otherwise returns NULL. */
 static const struct variable *defined_parse(struct reader *r)
 {
     char name[VARIABLE_NAME];

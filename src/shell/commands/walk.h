@@ -6,7 +6,7 @@
 #include "session/query.h"
 
 /* The units of the model in one cycle, which grow with the head. If no mass is known, `energy` and `weight`
- * are relative to those of the first head. */
+ * are relative to the energy and the weight of the first head. */
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
@@ -21,7 +21,8 @@ struct walk_units {
 /* Returns the units of measurement in a cycle. Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
-/* Returns the session's walk. Returns NULL if there is none, or if the train has changed since. */
+/* Returns the session's walk. Returns NULL if there is no walk, or if the train has changed since the walk
+ * began. */
 const struct walk *walk_now(const struct query *query);
 
 /* Replaces the unit mgh/2 by J in the columns of an answer. */

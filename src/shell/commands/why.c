@@ -54,19 +54,19 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.\n");
     } else {
         const char *way = best.s < t->s ? "closer together" : "farther apart";
-        char widest[96];
-        snprintf(widest, sizeof widest, "with gaps of %.4g times the height, each can be %.4g times as large",
+        char widest[128];
+        snprintf(widest, sizeof widest,
+                 "with gaps of %.4g times the height, each can be %.4g times as large as the one before",
                  (double)best.s, (double)best.r_max);
         if (limit->ends == DOM_END_NONE)
-            answer_say(a, "Place the dominoes %s: %s as the one before.\n", way, widest);
+            answer_say(a, "Place the dominoes %s: %s.\n", way, widest);
         else if (best.r_max < t->r)
-            answer_say(
-                a, "Make the dominoes grow less: %s as the one before; with the present gaps, %.4g times.\n",
-                widest, most);
+            answer_say(a, "Make the dominoes grow less: %s, or %.4g times as large with the present gaps.\n",
+                       widest, most);
         else
             answer_say(a,
-                       "Place the dominoes %s: %s as the one before. Or make them grow less: with the "
-                       "present gaps, each can be %.4g times as large.\n",
+                       "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %.4g times "
+                       "as large as the one before.\n",
                        way, widest, most);
     }
 }
@@ -109,8 +109,8 @@ static void contact_say(const struct query *query, struct answer *a, const struc
     else if (c->force > 0 && c->impulse > 0)
         answer_say(
             a,
-            "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu "
-            "with %s of that domino's weight, at a head tilt of %.4g %s.",
+            "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu with "
+            "a force of %s of that domino's weight, at a head tilt of %.4g %s.",
             c->domino, weight.text, tilt, unit);
     else if (c->force > 0)
         answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: one of them "
@@ -118,8 +118,8 @@ static void contact_say(const struct query *query, struct answer *a, const struc
     else
         answer_say(a,
                    "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
-                   "have to be pulled "
-                   "with %s of its weight, at a tilt of %.4g %s. From that tilt on, the answer is not valid.",
+                   "have to be pulled with a force of %s of its weight, at a head tilt of %.4g %s. From that "
+                   "tilt on, the answer is not valid.",
                    c->domino, weight.text, tilt, unit);
 }
 

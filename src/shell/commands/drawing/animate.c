@@ -13,11 +13,11 @@
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-/* The view follows the front if the largest domino is this many times as tall as the smallest. */
+/* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
 #define FOLLOWED 30
 #define HELD     1 /* time for which the last frame is shown, in s */
-/* The longest duration of the motion in a film, in s, unless the user gives the speed. */
-#define SHORTEST 9
+/* Unless the user gives the speed, the motion in a film lasts at most this long, in s. */
+#define LONGEST 9
 
 struct row_film {
     struct film film;
@@ -29,7 +29,7 @@ struct row_film {
 };
 
 /* Points the view of a frame at domino `head`, counted from 1, which was hit last. Until the next hit, the
- * view moves to the next domino and grows exponentially to its size. */
+ * view moves to the next domino, and grows exponentially to that domino's size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];
@@ -76,9 +76,9 @@ static bool row_frame(const struct domq_moment *m, void *context)
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_what *what = f->film.what;
-    if (what->has[DRAW_SPEED] || !(seconds > SHORTEST))
+    if (what->has[DRAW_SPEED] || !(seconds > LONGEST))
         return what->value[DRAW_SPEED];
-    return round_digits((domq_real)(seconds / SHORTEST), 2, true);
+    return round_digits((domq_real)(seconds / LONGEST), 2, true);
 }
 
 /* Fills f->time with the times of the frames. Infinity stands for the end of the motion. */

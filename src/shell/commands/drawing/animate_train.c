@@ -39,8 +39,8 @@ struct train_film {
 struct place {
     int cycle;     /* counted from 0 */
     double begun;  /* the time when the cycle begins */
-    double slower; /* the duration, divided by that of the first cycle */
-    double scale;  /* the height of the head, divided by that of the first head */
+    double slower; /* the duration divided by the duration of the first cycle */
+    double scale;  /* the height of the head divided by the height of the first head */
     double shift;  /* x of the head */
 };
 
@@ -57,8 +57,8 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns the largest n in 1 .. most with r^n <= grown_most, or 1. After n cycles, the head hits a domino r^n
- * times as tall as the first head. */
+/* Returns the largest n in 1 .. most with r^n <= grown_most, or 1 if there is none. After n cycles, the head
+ * hits a domino r^n times as tall as the first head. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'draw', which shows the row or the train at one moment, to scale. */
+/* The command 'draw', which shows the row or the train at a given moment, to scale. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/drawing/tower.h"
@@ -78,7 +78,8 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
     *time = (domq_real)falling_row_hit(row, number - 1);
     return !isnan(*time) || number <= end ||
            problem_no_answer(problem,
-                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that",
+                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that "
+                             "moment",
                              number, end);
 }
 
@@ -93,9 +94,9 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* An end of the motion that an answer has rounded up is accepted, too. */
+    /* The user may have copied the end of the motion from an answer, which can be rounded up. */
     return what->end || !((double)*time > row->end * 1.005) ||
-           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
+           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that moment",
                              measured((domq_real)row->end, "s", 4).text);
 }
 
@@ -190,8 +191,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_what *what)
 {
     struct stage stage;
-    /* Without a tilt, the train is drawn where 'step' and 'goto' have led, with the tolerance of struct
-     * walk. */
+    /* Without a tilt, the train is drawn at the current position of the walk, with the walk's tolerance. */
     const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
@@ -227,8 +227,8 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
          train = what->train || what->forces || what->has[DRAW_TILT];
     if (draw_at(what) && !row) {
         problem->place = query->given->column[0];
-        return problem_error(problem, "'draw at' shows a moment of a row; first enter 'effect row N', for "
-                                      "example 'effect row 10'");
+        return problem_error(problem, "'draw at' shows a row at a given moment; first enter 'effect row N', "
+                                      "for example 'effect row 10'");
     }
     if (!picture_ready(a, problem))
         return false;
@@ -248,18 +248,19 @@ const struct command draw_commands[] = {
      .train = true,
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
-     .summary = "a picture of the row or the train, to scale, at a moment",
+     .summary = "a picture of the row or the train, to scale",
      .help =
          "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
          "'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row as it "
          "falls. A domino that has detached keeps the tilt at which it detached. Without a row, or with "
-         "'draw train', the endless train is drawn. 'draw 0.3' shows it at this tilt. Without a tilt, it is "
-         "shown where 'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw forces' add "
-         "the contact forces. 'draw tower' after 'count 112 m' shows the row of that answer with a tower of "
-         "112 m at its end. The smallest dominoes are drawn once more, enlarged. In the terminal the picture "
-         "is made of characters. 'draw > row.svg' makes a file. Its name can also end in .png or .pdf (with "
-         "gnuplot), in .gp (a script for gnuplot), or in .txt. csv and json have the corners of all dominoes "
-         "(in m for a row). For a train they also have the contacts and forces.",
+         "'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has this tilt. "
+         "Without a tilt, the train is shown at the tilt that 'step' or 'goto' has reached, or at the "
+         "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count 112 "
+         "m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too small to "
+         "see are drawn a second time, enlarged. In the terminal the picture is made of characters. 'draw > "
+         "row.svg' makes a file. The name of the file can also end in .png or .pdf (with gnuplot), in .gp (a "
+         "script for gnuplot), or in .txt. csv and json have the corners of all dominoes (in m for a row). "
+         "For a train they also have the contacts and forces.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",
@@ -275,16 +276,16 @@ const struct command draw_commands[] = {
           {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
      .summary = "a film of the falling row or of the train, in FILE",
      .help =
-         "'animate row.gif' shows the row, with a clock, from the push until the last domino lies or the row "
-         "stops. The film runs in real time, or faster if it would take more than 9 s. 'speed 0.5' shows the "
-         "row half as fast as in real time. 'rate 20' makes a film of 20 frames per second. If the largest "
-         "domino is more than 30 times as tall as the smallest, the view follows the front and grows with "
-         "it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a tower "
-         "of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the endless "
-         "train. 'animate train.gif train 4' shows four cycles. Each cycle is r times as large as the one "
-         "before and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. The name of "
-         "the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv "
-         "and json have the times and tilts of the frames instead.",
+         "'animate row.gif' shows the whole fall of the row, with a clock. The film runs in real time, or "
+         "faster if the fall takes more than 9 s. 'speed 0.5' shows the row half as fast as in real time. "
+         "'rate 20' makes a film of 20 frames per second. If the largest domino is more than 30 times as "
+         "tall as the smallest, the view follows the front and grows with it. 'animate quiz.gif tower' after "
+         "'count 112 m' shows the row of that answer falling towards a tower of 112 m. Without a row, or "
+         "with 'animate train.gif train', the film shows cycles of the endless train. 'animate train.gif "
+         "train 4' shows four cycles. Each cycle is r times as large as the one before and lasts sqrt(r) "
+         "times as long. At r = 1.5 one film can show at most 9 cycles. The name of the file must end in "
+         ".gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv and json have the "
+         "times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .unswept = "it draws",

@@ -24,7 +24,8 @@ void falling_row_free(struct falling_row *row);
 /*
  * Returns the time when domino k, counted from 0, is hit, or NaN if this never happens or cannot be computed.
  *
- * Without a push, domino 0 is not hit. For it, returns the negative time at which it visibly begins to move.
+ * Without a push, domino 0 is not hit. For k = 0, the function then returns the negative time at which domino
+ * 0 visibly begins to move.
  */
 double falling_row_hit(const struct falling_row *row, size_t k);
 
@@ -52,7 +53,8 @@ void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 /* Writes how the row ends. */
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes which domino is the weakest, and how much energy it has. Writes "" if no domino is drawn so. */
+/* Writes which domino is the weakest, and how much energy it has. Writes "" if the drawing marks no domino as
+ * the weakest. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
 /* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls, 7 still stand." */

@@ -17,11 +17,13 @@ const struct column plan_columns[] = {
      0},
     {"gap", "m", "clear distance to the domino before it", 0},
     {"height", "m", "height of the domino", 0},
-    {"height_low", "m", "the smallest height at which all dominoes fall", 0},
-    {"height_high", "m", "the largest height at which all dominoes fall", 0},
+    {"height_low", "m", "the smallest height at which all dominoes fall, if only this height changes", 0},
+    {"height_high", "m", "the largest height at which all dominoes fall, if only this height changes", 0},
     {"thickness", "m", "thickness of the domino", 0},
-    {"thickness_low", "m", "the smallest thickness at which all dominoes fall", 0},
-    {"thickness_high", "m", "the largest thickness at which all dominoes fall", 0},
+    {"thickness_low", "m",
+     "the smallest thickness at which all dominoes fall, if only this thickness changes", 0},
+    {"thickness_high", "m",
+     "the largest thickness at which all dominoes fall, if only this thickness changes", 0},
     {"width", "m",
      "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
     {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
@@ -161,7 +163,8 @@ static void caption_write(struct plan *p)
     else
         at =
             snprintf(text, room,
-                     " To see how likely the row is to fall, enter errors, such as 'effect placement 2 mm'.");
+                     " To see how likely the row is to fall, turn on random errors, for example with 'effect "
+                     "placement 2 mm'.");
     if (p->windows.count > 1 && at < (int)room)
         snprintf(text + at, room - (size_t)at,
                  " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "

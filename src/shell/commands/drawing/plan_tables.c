@@ -11,8 +11,8 @@ const struct domq_window *plan_window(const struct plan *p, enum dom_window_of k
 
 /* ---- Texts ---- */
 
-/* Writes a length in mm with one decimal: rounded down if `round` is -1, up if it is 1, and else to
- * nearest. */
+/* Writes a length in mm with one decimal, rounded down if `round` is -1, up if it is 1, and to the nearest if
+ * it is 0. */
 static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 {
     double tenths = 10000 * (double)metres;
@@ -43,8 +43,8 @@ static struct guide_table *table_add(struct plan *p, const char *title, const ch
 }
 
 #define TAPE                                                                                                 \
-    "In mm, on a tape whose zero is at the back of domino 1. All dominoes fall if the back of a single "     \
-    "domino is between 'least' and 'most', and nothing else changes."
+    "In mm, on a tape whose zero is at the back of domino 1. If only one domino moves, and its back stays "  \
+    "between 'least' and 'most', all dominoes still fall."
 
 bool plan_has_leans(const struct plan *p)
 {
@@ -84,10 +84,10 @@ bool plan_size_table(struct plan *p, bool has_masses)
     const struct scene_row *scene = &p->row.run.scene;
     struct guide_table *table = table_add(
         p, "For the workshop: the sizes of the dominoes",
-        has_masses ? "In mm and kg. All dominoes fall if one height or one thickness is between 'least' and "
-                     "'most', and nothing else changes."
-                   : "In mm; masses are divided by the mass of domino 1. All dominoes fall if one height or "
-                     "one thickness is between 'least' and 'most', and nothing else changes.",
+        has_masses ? "In mm and kg. If only one height or thickness changes, and stays between 'least' and "
+                     "'most', all dominoes still fall."
+                   : "In mm; masses are divided by the mass of domino 1. If only one height or thickness "
+                     "changes, and stays between 'least' and 'most', all dominoes still fall.",
         scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",
@@ -117,7 +117,7 @@ struct piece {
     int count;
 };
 
-/* Orders pieces by their boards, and then by their dominoes. */
+/* Orders pieces by the thickness of their boards, and then by their dominoes. */
 static int piece_order(const void *one, const void *other)
 {
     const struct piece *a = one, *b = other;

@@ -13,12 +13,13 @@
 #define TOO_SMALL 0.012
 /* The largest width of the enlarged copy, as a fraction of the width of the picture. */
 #define ZOOM_WIDE 0.36
-/* The largest height of the enlarged copy, and its height above the floor, divided by the tower's height. */
+/* The largest height of the enlarged copy, and its distance from the floor, both divided by the tower's
+ * height. */
 #define ZOOM_HIGH  0.4
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
 #define ZOOM_LEAST 2
-/* The distance in a film from the last domino to the tower, divided by the height of this domino. */
+/* The distance in a film from the last domino to the tower, divided by the last domino's height. */
 #define BEYOND 1.1
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
@@ -53,7 +54,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         return;
     const struct drawn *last = &stage->domino[small - 1];
     double room = ZOOM_WIDE * (stage->right - stage->left);
-    /* The copy stands above the row, and must not touch the tall dominoes at its right. */
+    /* The copy stands above the row, and must not touch the tall dominoes to its right. */
     for (size_t k = count; k-- > 0;)
         if (stage->domino[k].height > (ZOOM_ABOVE - 0.02) * height)
             room = fmin(room, stage->domino[k].foot - 1.5 * stage->domino[k].thickness - left);
@@ -77,8 +78,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, at `distance` times the height of this domino. Allocates room for
- * `copies` more dominoes. The tower does not count in stage->count. */
+/* Puts the tower behind the last domino, after a gap of `distance` times that domino's height. Does not add
+ * the tower to stage->count. Allocates room for `copies` more dominoes. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
     const size_t count = stage->count;

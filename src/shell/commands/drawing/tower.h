@@ -14,8 +14,9 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
  * out. */
 bool tower_add(struct falling_row *row, double height);
 
-/* Stores the tower in stage.domino[stage.count], where falling dominoes do not reach it. It stays there while
- * the row is posed. To show it in a frame, add 1 to stage.count. Returns false if memory runs out. */
+/* Places the tower beyond the reach of the falling dominoes, and stores it in stage.domino[stage.count]. To
+ * show the tower in a frame, add 1 to stage.count while the frame is drawn. Returns false if memory runs
+ * out. */
 bool tower_film(struct falling_row *row, double height);
 
 #endif

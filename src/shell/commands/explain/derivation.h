@@ -3,7 +3,7 @@
  * Derivations show where a number comes from.
  *
  * Each quantity has an equation, and an expression that computes the same number with the library. The
- * program shows the number of the library. A test compares it with the number of the equation.
+ * program shows the number from the library. A test checks that the equation gives the same number.
  */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
@@ -23,8 +23,8 @@ enum {
     HAS_LEFT = 128,    /* at the tilt that the user asked about, the head's follower has detached */
 };
 
-/* The tilt of the head at which a sum over all dominoes i is evaluated. The equation of a sum gives the term
- * of domino i. */
+/* The tilt of the head at which a sum over all dominoes is evaluated. For a sum, the member `equation` is the
+ * term of domino i. */
 enum sum {
     SUM_NONE,
     SUM_LAUNCH, /* the tilt 0 */
@@ -37,8 +37,8 @@ struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
 
-/* A quantity, and how it follows from others. Of entries with one name, the first whose conditions hold is
- * used. */
+/* A quantity, and how it follows from others. If several entries have the same name, the first one whose
+ * conditions hold is used. */
 struct derived {
     struct symbol_names names;
     unsigned with; /* the conditions under which this entry is used, as bits */
@@ -87,7 +87,7 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    int depth; /* the number of equations from the answer to this quantity; 0 for the answer itself */
+    int depth; /* how many equations lie between this quantity and the answer; 0 for the answer itself */
 };
 
 struct derivation {
@@ -119,8 +119,8 @@ bool derivation_make(struct derivation *derivation, const struct query *query,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Writes the equation of a step with numbers instead of names. Of a sum, writes the first terms, and adds up
- * the others. */
+/* Writes the equation of a step with numbers instead of names. For a sum, writes the first terms and the sum
+ * of the others. */
 void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
                   int digits);
 
@@ -130,8 +130,8 @@ struct explain_bound {
     bool deep;
 };
 
-/* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is its first sentence,
- * or "". Fails if pdflatex is needed and fails. */
+/* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is the first sentence
+ * of the derivation, or "". Fails if pdflatex is needed and fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound, const char *verdict,
                    struct problem *problem);

@@ -31,7 +31,7 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Finds the number that the member `library` of struct derived describes: NaN if there is none. */
+/* Finds the number that the member `library` of struct derived describes, or NaN if there is none. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -168,7 +168,8 @@ static bool names_add(struct derivation *d, struct step *s, struct tree *t)
     return true;
 }
 
-/* Returns a description of the quantity. It also says if the equation does not hold, and why. */
+/* Returns a description of the quantity. If the equation does not hold for this train, the description says
+ * why. */
 static const char *words_of(struct derivation *d, const struct derived *q)
 {
     const unsigned ends = q->ends & d->has;

@@ -126,8 +126,8 @@ enum { VERDICT_TEXT = 160 };
 
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
-/* Runs the row, and finds the domino that decides the verdict: the last one, or the weakest one. Writes a
- * sentence about it. Fails if no energy decides. */
+/* Runs the row, and finds the domino that decides the verdict: the one that stops the row or, if all fall,
+ * the weakest one. Writes a sentence about this domino. Fails if the verdict does not depend on an energy. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
                           char verdict[VERDICT_TEXT], struct problem *problem)
 {
@@ -215,13 +215,13 @@ const struct command explain_commands[] = {
      .help =
          "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
          "in symbols and with numbers, and the value. It also lists the quantities in the equation. With "
-         "'deep', these quantities are explained as well, down to the parameters. The values are those that "
-         "the other commands compute. After theta1, energy and omega, MORE begins with a tilt; after rmax, "
-         "with a separation; after count, with a height. With a row, 'explain verdict' is about the domino "
-         "that decides the verdict. With friction or rounded edges, or where a search finds a maximum, there "
-         "may be no equation in closed form. The derivation then says so and ends. 'explain ... > "
-         "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it with "
-         "formulas. json gives the tree: 'needs' names the quantities from which each quantity comes.",
+         "'deep', these quantities are explained as well, down to the parameters. The other commands compute "
+         "the same values. After theta1, energy and omega, MORE begins with a tilt; after rmax, with a "
+         "separation; after count, with a height. With a row, 'explain verdict' is about the domino that "
+         "decides the verdict. With friction or rounded edges, or where a search finds a maximum, there may "
+         "be no equation in closed form. The derivation then says so and ends. 'explain ... > lesson.pdf' "
+         "writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it with formulas. "
+         "json gives the tree: 'needs' names the quantities from which each quantity comes.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",

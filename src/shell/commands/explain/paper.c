@@ -61,7 +61,8 @@ static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
     return high;
 }
 
-/* Writes rows for the figure of the growth: its points, its maximum, and where the drop-off as 1/s begins. */
+/* Writes rows for the figure of the growth: its points, its maximum, and the separation at which it begins to
+ * fall as 1/s. */
 static void growth_rows(struct table *t)
 {
     struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
@@ -157,7 +158,7 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
                "of (25; c7), leaves out the weights r^(-q i) of the dominoes. These weights are 1 only for r "
                "= 1. Second, (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with "
                "the exact values. Where the reach limits the growth, both fuels give the same growth.");
-    answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares the "
-                  "steps for the dominoes of the session.");
+    answer_say(a, "All numbers are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares "
+                  "the paper's method with this program for the dominoes of the session.");
     return true;
 }

@@ -3,7 +3,7 @@
 #include "commands/explain/derivation.h"
 #include <stddef.h>
 
-/* Q makes a list entry from all its members. GIVEN makes one for a number that is not derived. */
+/* Q makes a list entry from all its members. GIVEN makes an entry for a number that is given, not derived. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, number_, words_)              \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, number_, words_, false      \

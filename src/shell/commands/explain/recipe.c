@@ -27,8 +27,8 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds theta_m, the tilt at which the train is highest, the barrier B, and (K - B) / J(theta_m), which is
- * tau^2 omega^2 there. */
+/* Finds the tilt theta_m at which the potential energy is largest, the barrier B, and tau^2 omega^2 = (K - B)
+ * / J(theta_m) at this tilt. */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {
