@@ -65,7 +65,7 @@ struct plan {
 
 /* ---- Signals: before a script ends, it writes what it has found ---- */
 
-/* The signals that end the running command and the whole script, or 0. */
+/* The signal that ended the running command, and the signal that ended the whole script, or 0. */
 static volatile sig_atomic_t interrupted, ended;
 
 /* True after --interruptible: SIGINT ends only the running command. */
@@ -210,7 +210,8 @@ static bool reader_gone(void)
 }
 
 /* Closes standard output. If output was lost, prints a message and returns false. If a pipe has lost its
- * reader, as in 'domino | head', the program ends by SIGPIPE, unless its caller ignores this signal. */
+ * reader, as in 'domino | head', SIGPIPE ends the program instead, unless the parent process ignores
+ * SIGPIPE. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;
@@ -233,8 +234,7 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* SIGPIPE and SIGXFSZ are ignored, so that a closed pipe or a file that is too large is an error of
-     * write(2). */
+    /* If a pipe has lost its reader or a file gets too large, write(2) must fail, and not end the program. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

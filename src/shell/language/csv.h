@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Splits csv files into lines and cells, which csv_table.h interprets.
- * - Separators are ',', ';' or tabs. The first line, or a line "sep=;" above it, shows which.
+ * - The first line, or a line "sep=;" above it, determines the separator: ',', ';' or a tab.
  * - A quoted cell may contain separators, newlines, and '""' for one quote.
  * - Lines end with LF, CRLF or CR.
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
@@ -55,13 +55,13 @@ struct csv_file {
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;
-    /* What is known about '.', or about ',', as the decimal mark, from the numbers read so far. */
+    /* What the numbers read so far show about '.' or ',' as the decimal mark. */
     struct csv_mark {
         bool is_used;
         /* true if at least one number can only be read with '.' (or ',') as the decimal mark */
         bool is_clear;
-        /* The place of the first number in which the mark could separate thousands. at.line is 0 without such
-         * a number. */
+        /* The place of the first number in which the mark could separate thousands. at.line is 0 if there is
+         * no such number. */
         struct csv_place at;
         char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
     } point, comma;
@@ -82,11 +82,11 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Replaces decimal commas in the text of a cell by points, and records its decimal marks. `at` is the
- * position of the cell. */
+/* Replaces decimal commas in the text of a cell by points, and records the decimal marks for csv_marks_check.
+ * `at` is the position of the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Must be called after the last number. Ambiguous numbers are a problem of the file. */
+/* Must be called after the last number. An ambiguous number, such as "1,234", is an error. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell, quoted if it contains one of the characters `quoted`. Escapes control characters except

@@ -56,7 +56,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     return true;
 }
 
-/* Reads the second line, which may give units. Otherwise it is the first row. */
+/* Reads the second line. If the line does not give units, it is the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -82,7 +82,7 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Splits a heading into a name in lower case and a unit, which it returns. The unit follows a bracket or
+/* Splits a heading into a name, in lower case, and a unit. Returns the unit, which follows a bracket or
  * comma, or is the last word. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
@@ -235,8 +235,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a single expression without names. After an error, returns false. If more text follows, the
- * message is empty. */
+/* Evaluates a single expression without names. After an error, returns false. If the error is that more text
+ * follows the expression, the message is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};

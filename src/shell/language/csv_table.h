@@ -13,8 +13,8 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* The maximum number of columns of a kind, and of other columns in a file. A row of dominoes is saved with
- * both, in at most CSV_CELLS_MOST columns. */
+/* The maximum number of columns of a kind of table, and of unknown columns in a file. A saved row of dominoes
+ * has both, in at most CSV_CELLS_MOST columns. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */
@@ -54,13 +54,13 @@ struct csv_kind {
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* The next kind to try, or NULL. The first kind whose required columns are in the file is used. If there
-     * is none, messages are about the first kind. */
+    /* The next kind to try, or NULL. The first kind whose required columns are all in the file is used. If no
+     * kind fits, messages are about the first kind. */
     const struct csv_kind *otherwise;
 };
 
-/* A table that is being read. Arrays of size CSV_COLUMNS_MOST are about the columns of the kind, and arrays
- * of size CSV_CELLS_MOST about those of the file. */
+/* A table that is being read. The arrays `column`, `unit` and `value` have an element for each column in
+ * kind->column. */
 struct csv_table {
     const struct csv_kind *kind; /* chosen when the first line has been read */
     struct csv_file file;
@@ -69,15 +69,15 @@ struct csv_table {
     /* The second line, if this line gives the units. Otherwise a record without cells. */
     struct csv_record units;
     struct csv_record row; /* the current row */
-    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, and not the current row */
+    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, not the current one */
     size_t rows;           /* the number of rows that have been read */
-    /* The position of each column in the file, counted from 1, or 0 if it is not there. */
+    /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
     int column[CSV_COLUMNS_MOST];
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
-    bool other[CSV_CELLS_MOST]; /* true for each column of the file that is not one of the kind's columns */
-    /* the names of the ignored columns of the file, except columns of notes */
+    bool other[CSV_CELLS_MOST];        /* true for each unknown column of the file */
+    /* the names of the unknown columns of the file, except columns of notes */
     char unused[200];
 };
 
@@ -91,7 +91,8 @@ void csv_close(struct csv_table *csv);
 /* Reads the next row. Returns false at the end. After an error, sets the file's problem and returns false. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of column k in the current row, or an empty cell at the beginning of the row. */
+/* Returns the cell of column k in the current row. If the row has no such cell, returns an empty cell whose
+ * position is the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
 /* Returns true if a value is in the range of a column. Otherwise writes a message and returns false. */
@@ -101,8 +102,8 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 /* Returns true if a value is in the range of column k. Otherwise sets the file's problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes the columns that the kind does not have, each after a comma. If `names` is true, writes names and
- * units, otherwise the cells of the current row. */
+/* Writes the unknown columns of the file, each after a comma. If `names` is true, writes their names and
+ * units, otherwise their cells in the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

@@ -127,8 +127,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* Turns a value without a unit into an angle if the other value is one, as in "thetac - 1". Returns true if
- * the units then agree. */
+/* Turns a number without a unit into an angle if the other value is an angle, as in "thetac - 1". Returns
+ * true if both values then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)

@@ -6,8 +6,8 @@
  * same precedence share one node, a chain. Its children are the operands. Each operand except the first
  * stores the operator before it.
  *
- * An expression ends at a blank if the next text cannot continue it: "1 - 2" is one expression, and "1 -2" is
- * two.
+ * An expression ends at a blank if what follows the blank cannot continue it: "1 - 2" is one expression, and
+ * "1 -2" is two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H

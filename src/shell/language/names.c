@@ -26,8 +26,8 @@ int names_index(const char *list, char separator, const char *name)
     return -1;
 }
 
-/* Returns the edit distance of two words, with swaps of neighbouring letters. Returns 32 if a word is longer
- * than that. */
+/* Returns the edit distance between two words. A swap of neighbouring letters counts as one edit. Returns 32
+ * if a word has more than 32 letters. */
 static size_t distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };

@@ -16,7 +16,7 @@ static const struct {
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
 /* Returns the ASCII text for the first character of `typed`, a text of `size` bytes. Stores the length of the
- * character. Other bytes are returned unchanged, in `byte`. */
+ * character. If the character is not in `letters`, returns its first byte, in `byte`, and stores 1. */
 static const char *plain_form(const char *typed, size_t size, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {

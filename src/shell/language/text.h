@@ -48,10 +48,10 @@ const char *skip_blanks(const char *c);
 const char *text_quote(const char *c);
 
 /* Returns the first character at or after c that is in `ends` or begins a comment. Characters in quotes do
- * not count. Otherwise, or if a quote is never closed, returns the end of the text. */
+ * not count. If there is no such character, or if a quote is never closed, returns the end of the text. */
 const char *text_end(const char *c, const char *ends);
 
-/* If the line continues on the next, removes the backslash at its end and returns true. */
+/* If a backslash continues the line, removes the backslash and returns true. */
 bool text_continues(char *line);
 
 /* Converts a position in text->line to its column in the line as it was typed. Columns count from 1. */

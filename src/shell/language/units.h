@@ -14,7 +14,7 @@ struct quantity {
     int length, time, angle, mass;
 };
 
-/* Returns true for a number or a power of an angle: no length, time or mass. */
+/* Returns true if the unit has no length, time or mass, as for a plain number or an angle. */
 static inline bool quantity_plain(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;
@@ -50,8 +50,8 @@ const char *unit_write(struct quantity quantity, const char *between, char text[
 /* The largest exponent that can be typed in a unit. */
 enum { UNIT_POWER_MOST = 9 };
 
-/* Returns a phrase such as "a length", "a time" or "in m^2 s^-1". It lives until the end of the block that
- * contains the call. */
+/* Returns a phrase such as "a length", "a time" or "in m^2 s^-1". The phrase lives until the end of the block
+ * that contains the call. */
 #define expression_kind(quantity) kind_write(quantity, (char[UNIT_TEXT]){""})
 const char *kind_write(struct quantity quantity, char text[UNIT_TEXT]);
 
@@ -70,8 +70,8 @@ static inline bool name_start(char c)
 /* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
 size_t name_length(const char *text);
 
-/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If it is too long, copies what fits
- * and returns false. */
+/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If the name is too long, copies what
+ * fits and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
 /* Multiplies *quantity by the unit at the beginning of a text. Returns the end of the unit, or NULL. The unit

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The text of a function. All copies of a variable share it, because each step of 'undo' has copies. */
+/* The text of a function. All copies of a variable share the text, because each step of 'undo' has a copy of
+ * every variable. */
 struct body {
     atomic_size_t users;
     char text[];

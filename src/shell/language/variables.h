@@ -23,7 +23,7 @@ struct variables {
 /* Returns the variable with this name, or NULL. */
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
-/* Adds a copy of a variable, or replaces the one with its name. Returns false if memory runs out. */
+/* Adds a copy of a variable, or replaces the variable of the same name. Returns false if memory runs out. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
 /* Removes the variable with this name, if there is one. */
@@ -34,8 +34,8 @@ bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
 
-/* Returns the left side of a definition, such as "f(s, d)". It lives until the end of the block that contains
- * the call. */
+/* Returns the left side of a definition, such as "f(s, d)". The text lives until the end of the block that
+ * contains the call. */
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
 #define variable_head(variable) variable_head_write(variable, (char[VARIABLE_HEAD]){""})
 const char *variable_head_write(const struct variable *variable, char text[VARIABLE_HEAD]);

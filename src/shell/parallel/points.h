@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the rows of an answer in parallel, for example those of a sweep or of 'curve'. */
+/* Computes the rows of an answer in parallel, for example the rows of a sweep or of 'curve'. */
 #ifndef SHELL_POINTS_H
 #define SHELL_POINTS_H
 

@@ -12,7 +12,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a worker's next block is at most this many times as large; later points may be slower */
+    /* a worker's next block is at most this many times as large as its last one, because later points may be
+     * slower */
     GROWTH = 4,
     WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
     BLOCK_MOST = 4096,
@@ -109,8 +110,8 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker the next block: number *block, with me->points points from *from on. Returns false if no
- * points are left. */
+/* Gives a worker the next block: sets *block to its number, *from to the index of its first point, and
+ * me->points to its number of points. Returns false if there are no more blocks. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)

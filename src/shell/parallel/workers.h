@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The thread pool, which computes points of curves and sweeps, and tasks of the library. A worker takes one
- * block of consecutive points after another. About once per millisecond, it takes the only lock. The output
- * does not depend on the number of workers, since blocks are written in order. */
+/* The thread pool, which computes points of curves and sweeps, and runs tasks of the library. A worker takes
+ * one block of consecutive points after another. A block takes about a millisecond, so that workers seldom
+ * wait for the only lock. Blocks are written in order, so the output does not depend on the number of
+ * workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
@@ -10,10 +11,11 @@
 
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
-    /* Computes a point, and writes its rows to `out`. May change only `context`, of which each worker has a
-     * copy. Returns false to stop the computation after this point. */
+    /* Computes a point, and writes its rows to `out`. May change only `context`, the worker's own copy.
+     * Returns false to stop the computation after this point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* The original of the copies. A copy for which `point` returns false is copied back. */
+    /* The context that each worker copies. If `point` returns false, the copy that it was called with is
+     * copied back. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */
