@@ -136,7 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends that are NaN, for data from `low` to `high`. The margin is `pad` times their range. */
+/* Sets the ends of an axis that are NaN, for data from `low` to `high`. The margin is `pad` times the range
+ * of the data. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -148,7 +149,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* Labels cannot show a very narrow range, which is treated as a single value. */
+        /* Labels cannot show a very narrow range, so such a range is treated as a single value. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
@@ -189,7 +190,7 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-/* Applies the user's range to an axis. Returns false if it contains no cell of a map. */
+/* Applies the user's range to an axis. Returns false if the range contains no cell of the map. */
 static bool range_choose(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;

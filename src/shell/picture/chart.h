@@ -16,7 +16,7 @@ enum chart_kind {
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN without a range */
+    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN if the point has none */
 };
 
 struct chart_curve {
@@ -51,8 +51,8 @@ struct chart_event {
 enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
 enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
 
-/* What the user chooses about a chart, with NULL or 0 for no choice. The arrays are for the x axis and the y
- * axis. */
+/* The user's choices for a chart. NULL or 0 means no choice. Element 0 of an array is for the x axis, and
+ * element 1 for the y axis. */
 struct chart_look {
     const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
     enum chart_scale scale[2];
@@ -65,7 +65,7 @@ struct chart_look {
     const char *family;   /* the name of a font */
 };
 
-/* The usual size of a picture in a file, in cm. */
+/* The default sizes of a picture in a file, and of its font. */
 #define CHART_WIDTH  16.0 /* cm */
 #define CHART_HEIGHT 12.0
 #define CHART_FONT   11.0 /* points */
@@ -121,7 +121,8 @@ bool chart_fit(struct chart *chart);
 /* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font, with usual values for those not chosen. */
+/* Returns the sizes of the picture and of its font, with defaults for the sizes that the user has not
+ * chosen. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* Returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end. */
@@ -138,7 +139,7 @@ struct ticks {
     char text[TICKS][TICK_TEXT];
 };
 
-/* Chooses about `most` ticks for an axis, or fewer. */
+/* Chooses the ticks of an axis, about `most` or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /* Returns where to write the name of an event, so that names do not overlap. `letter` is the width of a

@@ -95,8 +95,8 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/* Breaks `text` into similar lines of at most `most` characters, for a double-quoted gnuplot string. Returns
- * the number of lines. */
+/* Breaks `text` into lines of similar length, at most `most` characters, for a double-quoted gnuplot string.
+ * Returns the number of lines. */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };
@@ -147,8 +147,8 @@ static void legend_script(const struct chart *c, FILE *out)
                 most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
-/* Writes the title and the labels. Beside the y axis, a long label would be cut off, so it is written
- * above. */
+/* Writes the title and the labels. A long label would be cut off beside the y axis, so the label is written
+ * above the axis. */
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];

@@ -36,7 +36,8 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Reduces the interval [*from, *to] to the f for which start + f * change is in [low, high]. */
+/* Clips a line in one direction: narrows the interval [*from, *to] of f so that start + f * change is in
+ * [low, high]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;
@@ -125,7 +126,8 @@ static void map_ends(const struct chart_map *m, double *low, double *high)
         }
 }
 
-/* Returns the shade of a map at (x, y), given as fractions of the axes, or NaN if it has no value. */
+/* Returns the shade of a map at (x, y), given as fractions of the axes, or NaN if the map has no value
+ * there. */
 static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
 {
     int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
@@ -222,8 +224,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves from row `row` on. If `row` is negative, only counts the rows. Returns the
- * number of rows. */
+/* Writes the titles of the curves, beginning in row `row`. If `row` is negative, only counts the rows.
+ * Returns the number of rows. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;

@@ -9,8 +9,8 @@
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /* Returns the protocol with which the terminal of a stream shows pictures. DOMINO_GRAPHICS may be none, sixel
- * or kitty. Otherwise kitty is recognised by name, and other terminals are asked for sixel. A terminal
- * without colours shows no pictures. */
+ * or kitty. If the variable is not set, kitty is recognised by name, and other terminals are asked whether
+ * they support sixel. A terminal without colours shows no pictures. */
 enum graphics graphics_of(FILE *stream);
 
 /* Computes the size of a picture in pixels, with room for the prompt. The height is at most 2/3 of the

@@ -23,7 +23,7 @@ struct movie {
 bool movie_named(const char *path, struct problem *problem);
 
 /* Begins an animation whose frames are `delay` hundredths of a second apart. The caption of `stage` must have
- * as many lines as those of the frames. On failure, sets *problem and returns false. */
+ * as many lines as the captions of the frames. On failure, sets *problem and returns false. */
 bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -38,7 +38,7 @@ const struct ending *ending_of(const char *path)
 
 /* ---- Before a picture is drawn ---- */
 
-/* Returns true if the answer goes to a file whose extension is that of a picture. */
+/* Returns true if the answer goes to a file with the extension of a picture. */
 static bool is_filed(const struct answer *a)
 {
     return a->path && ending_of(a->path)->terminal;
@@ -100,7 +100,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
     /* the font 'sans' exists even on a minimal Debian system */
     const char *name = ending_of(path)->terminal, *family = look.family ? look.family : "sans";
     const bool svg = strcmp(name, "svg") == 0;
-    const double dots = svg ? 45 : 60; /* in a cm */
+    const double dots = svg ? 45 : 60; /* dots per cm */
     if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
         look.height = CHART_HEIGHT;
     if (chart->tex)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows the picture of a command where its answer goes. A terminal shows characters or, if it can, pixels. In
- * a file, the extension determines the format. */
+/* Draws a command's picture in the output of its answer. A terminal shows characters or, if it can, pixels.
+ * In a file, the extension determines the format. */
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 

@@ -10,7 +10,7 @@ enum { DOMINOES = 200, MORE = 32 };
 #define SMALLEST 0.01
 /* the maximum width of a picture, relative to its height; dominoes that do not fit are not drawn */
 #define WIDEST 2.4
-/* the height of a picture relative to the head; if the next domino is taller, it is cut off */
+/* the maximum height of a picture, relative to the head; a next domino that is taller is cut off */
 #define TALLEST 2.5
 
 /* ---- One domino ---- */
@@ -211,7 +211,8 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    /* With the finest tolerance, the chain includes light dominoes that are large enough to be seen. */
+    /* The finest tolerance keeps dominoes in the chain that are too light to matter, but large enough to be
+     * seen. */
     fine.tol = domq_arithmetic(fine.precision)->tol_floor;
     stage->unit = "h";
     stage->ruler = "x";

@@ -36,14 +36,14 @@ struct drawn {
     int number;
     enum part part;
     double height, thickness, theta;
-    double foot;   /* the position of the hinge, the lower front edge when upright */
+    double foot;   /* the position of the hinge, the lower front edge of the upright domino */
     double radius; /* the radius of the rounded edges, or 0 for sharp edges */
     /* The corners without rounding: front foot, front top, back top and back foot. */
     struct point corner[CORNERS];
     bool touched;         /* the follower of this domino touches it */
-    struct point contact; /* where the follower touches the domino; NaN without contact */
-    double force;         /* the push at the contact, in weights of the head; NaN if not known */
-    double of_own;        /* the push at the contact, in weights of this domino; NaN if not known */
+    struct point contact; /* where the follower touches the domino; NaN if it does not */
+    double force;         /* the push at the contact, in units of the head's weight; NaN if not known */
+    double of_own;        /* the push at the contact, in units of this domino's weight; NaN if not known */
 };
 
 enum { CAPTION = 1024 };
@@ -101,7 +101,7 @@ static inline bool drawn_marked(const struct drawn *domino)
 /* Returns the k-th domino, counted from 0, from the end towards which the dominoes fall. */
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
-/* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c, and room for 30 more dominoes.
+/* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c, and room for 32 more dominoes.
  * `behind` is the visible length behind the head, in heights of the head; 0 shows all followers that fit.
  * Free the stage even after an error. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
@@ -149,8 +149,9 @@ void sheet_follow(struct sheet *sheet, double at, double tall);
 /* Writes the gnuplot terminal setting for a file with this extension. */
 void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
 
-/* Draws a dot of each colour under white, because a gif has only the colours of its first frame. gnuplot
- * omits a frame that equals the previous one, so `shift` must alternate between 0 and 1. */
+/* Draws a dot in each colour, and finally in white, because a gif has only the colours of its first frame.
+ * gnuplot omits a frame that equals the previous one, so `shift`, which changes the white slightly, must
+ * alternate between 0 and 1. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */

@@ -152,8 +152,9 @@ struct labels {
     int count;
 };
 
-/* Writes a label at the position x on the ruler. `height` is the height of its centre in dots or, if
- * `upright` turns it by 90 degrees, of its lower end. Returns false if it would overlap another label. */
+/* Writes a label at the position x on the ruler. If `upright` is true, turns the label by 90 degrees.
+ * `height` is the height of the label's centre in dots or, for an upright label, of its lower end. Returns
+ * false if the label would overlap another one. */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
 {
@@ -209,14 +210,15 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     return drawn_marked(d) || (before > half && after > half);
 }
 
-/* Returns true if the previous domino has the same height, and this one is not marked. */
+/* Returns true if domino k is not marked, and has the same height as the previous domino. */
 static bool height_repeats(const struct stage *stage, size_t k)
 {
     return k > 0 && !drawn_marked(&stage->domino[k]) &&
            strcmp(height_of(stage, k - 1).text, height_of(stage, k).text) == 0;
 }
 
-/* Writes the number of a domino below it, and the height above it. Returns false if one has no room. */
+/* Writes the number of a domino below it, and the height above it. Returns false if one of the two does not
+ * fit. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -245,7 +247,7 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
 }
 
-/* Writes a line with the heights of the dominoes without labels, unless it would be too long. */
+/* Writes a line with the heights of the unlabelled dominoes, unless the line would be too long. */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
 {
@@ -275,7 +277,7 @@ static void labels_script(const struct stage *stage, const struct sheet *v, FILE
 {
     struct labels l = {.script = script, .sheet = v};
     bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
-    /* marked dominoes, then the others from the front, where the largest ones are, and then gaps */
+    /* first marked dominoes, then the others from the front, where the largest dominoes are, and then gaps */
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);
@@ -304,7 +306,8 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push as an arrow perpendicular to the back of a domino. Writes its size at the tail. */
+/* Draws the push as an arrow perpendicular to the back of a domino. Writes the size of the push at the
+ * tail. */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,

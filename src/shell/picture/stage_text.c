@@ -142,7 +142,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
     }
 }
 
-/* Writes the numbers of the dominoes, where marked dominoes have priority. */
+/* Writes the numbers of the dominoes. Marked dominoes have priority. */
 static void numbers_draw(struct grid *g, const struct stage *stage)
 {
     struct canvas *c = &g->canvas;

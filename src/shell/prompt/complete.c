@@ -72,7 +72,8 @@ static void emit_values(const struct completion *c)
         if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* The parser computes the value of a candidate, which may take long for a row. */
+        /* The parser checks a candidate by computing its value. This can take a long time for a row, so only
+         * commands about the train are checked. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }

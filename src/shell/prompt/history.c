@@ -15,8 +15,9 @@
 #include <readline/history.h>
 
 enum {
-    HISTORY_LINES = 2000,            /* the number of lines that are kept */
-    HISTORY_FILE = 2 * HISTORY_LINES /* a longer file is shortened; so this does not happen at every start */
+    HISTORY_LINES = 2000, /* the number of lines that are kept */
+    /* a file with more lines is shortened; twice HISTORY_LINES, so that this seldom happens */
+    HISTORY_FILE = 2 * HISTORY_LINES
 };
 
 /* How many seconds to wait for the lock. After this time, a line is appended without it. */
@@ -31,8 +32,8 @@ static void history_fails(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Returns true if the history file is a regular file. Otherwise no history is kept. Unless the file is a
- * device, a message says so. */
+/* Returns true if the history file is a regular file. If the file is anything else, no history is kept. A
+ * message says so, unless the file is a device. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))
@@ -96,7 +97,7 @@ void history_load(struct session *session)
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     FILE *in = fopen(history_file, "re");
-    /* Until the file has been replaced, no other session may append a line, which would be lost. */
+    /* No other session may append a line until the file has been replaced, because the line would be lost. */
     bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)

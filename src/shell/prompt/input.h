@@ -29,8 +29,8 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
  * DOMINO_HISTORY is empty or a device, no history is kept. */
 void history_load(struct session *session);
 
-/* Adds a line to the history and to its file, unless it is blank or repeats the previous line. The first
- * failure to write is reported, and ends the writing. */
+/* Adds a line to the history and to its file, unless it is blank or repeats the previous line. After an
+ * error, which is reported, nothing more is written to the file. */
 void history_keep(struct session *session, const char *text);
 
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */

@@ -21,7 +21,8 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint: the remainder of an earlier line in the history. Some keys insert it. It is "" without a hint. */
+/* The hint from the history, which some keys insert: the remainder of an earlier line, or "" if there is
+ * none. */
 static char rest[HINT];
 
 /* Returns true if the terminal has colours, and the screen shows only the typed line. */
@@ -107,7 +108,7 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow, as the command's usage shows them, or "". */
+/* Writes the arguments that may still follow, in the form of the command's usage, or "" if there are none. */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};

@@ -33,13 +33,13 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. Signals that would end the program end the session, which restores the
- * terminal. */
+/* The signals that are caught. A signal that would kill the program ends the session first, so that the
+ * terminal is restored. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The lines typed so far of a command that a backslash continues, or NULL. */
+/* The lines typed so far of a command that continues after a backslash, or NULL. */
 static char *unfinished;
 
 static bool is_joined;  /* The running command was typed in several lines. */

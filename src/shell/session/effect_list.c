@@ -9,7 +9,7 @@ const struct domq_effect engine_effect_feet = {
     .adds = "feet that can slip on the floor, instead of hinges",
     .help = "Feet are not hinged to the floor. A foot may lift off, and it slides if friction with the "
             "coefficient MU cannot hold it, during the motion or in a collision. The equations of the train "
-            "have one degree of freedom and cannot describe this, so a rigid-body engine, Chipmunk 7, runs "
+            "have one degree of freedom and cannot describe this, so the rigid-body engine Chipmunk 7 runs "
             "the row. 'fall' reports how far feet slide. The time step of the engine is halved until the "
             "verdict and the times no longer change. The result depends on the start: a push of more than "
             "sqrt(2 g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest "
@@ -31,8 +31,8 @@ const struct domq_effect engine_effect_bounce = {
     .synonyms = "restitution elastic elasticity rebound engine chipmunk",
     .adds = "dominoes that bounce off each other",
     .help = "After a collision, two dominoes separate at E times the speed at which they met. With E = 0, as "
-            "in the paper, they stay together, and with E = 1 no energy is lost. A rigid-body engine, "
-            "Chipmunk 7, runs the row. Dominoes that bounce collide again and again, more and more softly, "
+            "in the paper, they stay together, and with E = 1 no energy is lost. The rigid-body engine "
+            "Chipmunk 7 runs the row. Dominoes that bounce collide again and again, more and more softly, "
             "until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
     .plan = "rigid-body engine, with steps halved until the results no longer change",

@@ -15,8 +15,8 @@
 #include "session/effect_kinds.h"
 #include <math.h>
 
-/* Values that stand for the words "off" and "on". EFFECT_ON gives an effect its usual values, unless it is
- * on. */
+/* Values that stand for the words "off" and "on". EFFECT_ON gives an effect its usual values, unless the
+ * effect is already on. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 

@@ -44,7 +44,7 @@ static bool needs(int name, int other)
     return effect_at(name)->needs >> other & 1;
 }
 
-/* Writes which effects that are on need the row, as in ", together with push and placement". */
+/* Writes the names of the active effects that need the row, as in ", together with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';
@@ -171,8 +171,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes a path in double quotes. A path below `folder` begins with "./", so that script and file can be
- * moved together. */
+/* Writes a path in double quotes. A path below `folder` begins with "./", so that the script and the file can
+ * be moved together. */
 static void save_name(const char *path, const char *folder, FILE *out)
 {
     size_t length = folder ? strlen(folder) : 0;

@@ -16,19 +16,19 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
 /* Returns the path of the effect's file, or NULL if the user gave none. */
 const char *effect_file(const struct scene *scene, int name);
 
-/* Copies the `given` values of an effect to `all`, and adds the usual values. value[0] may be EFFECT_OFF or
- * EFFECT_ON. Sets *problem and returns false if a required value is missing, or if another effect needs this
- * one. */
+/* Fills `all` with the values of an effect: the `given` elements of `value`, and then the usual values.
+ * value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem and returns false if a required value is missing, or
+ * if the effect cannot be turned off because another effect needs it. */
 bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
-/* Sets value[0] of an effect to `value`, which may be EFFECT_OFF, and the others to `others`. If `others` is
- * NULL, they stay, or become the usual ones if the effect was off. The scene must not own its row, which is
- * not freed. */
+/* Sets value[0] of an effect to `value`, which may be EFFECT_OFF, and the other values to `others`. If
+ * `others` is NULL, the other values of an active effect do not change, and an inactive effect gets the usual
+ * ones. The row is not freed, so the scene must not own it. */
 void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 
-/* Returns true if all effects that `name` needs are on, and if it fits the current 'fuel'. Otherwise reports
- * the problem. */
+/* Returns true if all effects that `name` needs are on, and if `name` can be combined with the current
+ * 'fuel'. Otherwise reports the problem. */
 bool effect_needs(const struct scene *scene, int name, struct problem *problem);
 
 /* Reports a problem and returns false if the path of the row's file has a control character. In a saved
@@ -40,7 +40,7 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. An
- * earlier row is then turned off, since later answers would silently be about it. */
+ * earlier row is then turned off, so that later answers are not silently about the earlier row. */
 bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
                     struct problem *problem);
 

@@ -25,8 +25,8 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The engine's units: the height h and the mass of the first domino, and the time sqrt(h/g). So rounding
- * errors do not depend on the size of the row. */
+/* The engine's units: the height h and the mass of the first domino, and the time sqrt(h/g). With these
+ * units, rounding errors do not depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine: with effects that the model lacks, and after 'set method engine'. The
- * library's searches and studies call the engine through struct dom_engine. */
+/* Runs rows in the rigid-body engine, while an effect is on that the model lacks, or after 'set method
+ * engine'. The library's searches and studies call the engine through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
@@ -30,8 +30,8 @@ bool scene_has_engine(const struct scene *scene);
 /* Returns why the engine runs the row, such as "feet is on" or "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
-/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if it is not installed,
- * or cannot run so many dominoes or an effect that is on. */
+/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if the engine is not
+ * installed, cannot run that many dominoes, or does not include an active effect. */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 

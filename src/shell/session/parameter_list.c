@@ -49,7 +49,7 @@ static const char hints_help[] =
     "of the line, the right arrow, ^E and End accept the suggested line, and M-f accepts its next word. On a "
     "terminal without colours there are no hints.";
 static const char method_help[] =
-    "With 'engine', a rigid-body engine, Chipmunk 7, runs every row, as an independent check. The engine "
+    "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
     "changes. An answer takes about a thousand times as long, and a row can have at most 200 dominoes. With "

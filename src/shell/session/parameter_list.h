@@ -15,7 +15,7 @@ struct word {
 
 struct parameter {
     const char *name;
-    /* the description of the value; for an effect, an array with one for each value */
+    /* the description of the value; for an effect, an array with a description of each value */
     const struct domq_effect_argument *value;
     const char *help;     /* the text that 'help' shows; may be NULL */
     const char *synonyms; /* other words for the parameter, separated by blanks; may be NULL */

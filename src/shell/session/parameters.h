@@ -30,7 +30,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
  * several values. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* Returns a short phrase. */
+/* Returns what the parameter means, as a short phrase. */
 const char *parameter_meaning(const struct parameter *parameter);
 
 /* Return the text that 'help' shows, and a list of synonyms. Both may be NULL. */
@@ -78,16 +78,16 @@ struct assigned {
 enum { ASSIGNED_MAX = 8 };
 
 /* Sets parameters in a copy of a state. The copy shares the memory of the original, and must not be closed.
- * Sets *problem and returns false if a value is out of range, or cannot be combined with the others. */
+ * Sets *problem and returns false if a value is out of range, or cannot be combined with the other values. */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to the `given` elements of `value`; only effects take several. The state must own its
- * memory. On failure, sets *problem, changes nothing and returns false. */
+/* Sets a parameter to the first `given` elements of `value`; only effects take more than one. The state must
+ * own its memory. On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Returns parameter k, counted from 0, or NULL after the last one. In this order, 'set' and 'effect' can
- * restore the state. */
+/* Returns parameter k, counted from 0, or NULL after the last one. The order is one in which 'set' and
+ * 'effect' commands can restore the state. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

@@ -131,8 +131,8 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 /* A value without a unit is probably a mistake if it is this many times the current value. */
 #define SLIP_OF_UNIT 50
 
-/* Checks a value typed without a unit, and so in m or kg. A height of 25 is probably meant in mm. If the
- * value is not plausible, reports the problem and returns false. */
+/* Checks a value that was typed without a unit, and is therefore in m or kg. If the value is not plausible,
+ * reports the problem and returns false: a height of 25 is probably meant in mm. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -220,7 +220,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
     return true;
 }
 
-/* Changes the row of a scene that owns it. On failure, sets *problem and returns false. */
+/* Changes the row of a scene, which must own the row. On failure, sets *problem and returns false. */
 static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
                        const struct row_range *range, int ranges, struct problem *problem)
 {

@@ -27,12 +27,12 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
  * height, unless the file or 'change' gives it. A change of the height does not change the width. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Returns true if the masses of the row are known. Then energies are in J, and otherwise in units of m g h/2
- * of the first domino. */
+/* Returns true if the masses of the row are known. If they are, energies are in J; otherwise they are in
+ * units of m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. The radius is
- * that of 'effect edges' unless the domino has its own. */
+/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. Unless the
+ * domino has a radius of its own, the radius is the radius of 'effect edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 

@@ -149,7 +149,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all dominoes. Writes the unused columns to `others`, with a NUL byte after each line. */
+/* Reads all dominoes. Writes the unknown columns to `others`, with a NUL byte after each line. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MEASURE_MASS] && csv->column[DENSITY])

@@ -12,8 +12,8 @@
 struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
                             bool standard, const struct csv_kind *kind, struct problem *problem);
 
-/* Closes a table. Returns true if it was read without a problem. Otherwise copies its problem to *problem and
- * returns false. If it is NULL, only returns false. */
+/* Closes a table. Returns true if the table was read without a problem. Otherwise copies the table's problem
+ * to *problem and returns false. If `csv` is NULL, just returns false. */
 bool csv_end(struct csv_table *csv, struct problem *problem);
 
 /*
@@ -30,17 +30,17 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  * - A lean is the distance of the top from plumb. A backward lean is negative.
  * - The column "domino" is ignored. Unknown columns are kept as text.
  */
-/* The columns of the file. The first ones are those of enum row_measure, in the same order. */
+/* The columns of the file. The first columns are the measurements of enum row_measure, in the same order. */
 extern const struct csv_kind rowfile_kind;
 
-/* Returns ROW_MEASURES if a domino can have all its measurements and stands on a slope of `slope` radians.
- * Otherwise returns the measurement that is wrong, and writes a message. */
+/* Returns ROW_MEASURES if the measurements of a domino fit together and, if the domino leans, it stands on a
+ * slope of `slope` radians. Otherwise returns the measurement that is wrong, and writes a message. */
 enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
-/* Reads all dominoes of a table. The dominoes must stand on a slope of `slope` radians. On failure, stores
- * the problem in the table, leaves *rows empty and returns false. Free *rows with listed_free. */
+/* Reads all dominoes of a table. Leaning dominoes must stand on a slope of `slope` radians. On failure,
+ * stores the problem in the table, leaves *rows empty and returns false. Free *rows with listed_free. */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The scene is everything on which the numbers in an answer depend. The state adds the settings, and the
- * variables of 'let'. Its members include the parameters of parameter_list.c. */
+/* The scene is everything on which the numbers in an answer depend. The state consists of the scene, the
+ * settings, and the variables of 'let'. The parameters of parameter_list.c are members of the state. */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
@@ -34,11 +34,11 @@ struct listed_row {
     bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
     char *path;
-    /* The unused columns of the file as csv: a line of names, and then a line for each domino. Each cell
+    /* The unknown columns of the file as csv: a line of names, and then a line for each domino. Each cell
      * begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    /* The changed measurements of each domino, and NaN for all others; or NULL. A mass is a factor, because
-     * it also changes with the size. */
+    /* The changed measurements of each domino. Unchanged measurements are NaN. The pointer is NULL if nothing
+     * has been changed. A changed mass is stored as a factor, because the mass also changes with the size. */
     struct domq_domino *change;
     size_t changes; /* the number of elements of `change` */
     bool saved;     /* the changes have been saved to a file */
@@ -100,7 +100,7 @@ void listed_free(struct listed_row *row);
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which dominoes are boxes, or 0 if all are boxes or all are solid. */
+/* Returns the height in m above which dominoes are boxes, or 0 if all dominoes are boxes or all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
@@ -120,11 +120,11 @@ domq_real lean_offset(const struct domq_domino *domino);
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Reports that the walls do not fit into domino k, or into the train's domino if k = 0. Returns false. */
+/* Reports that the walls do not fit into domino k or, if k = 0, into a domino of the train. Returns false. */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
 
-/* Reports that the slope exceeds `limit` radians, so that domino k, or the train's if k = 0, cannot stand.
- * Returns false. */
+/* Reports that domino k or, if k = 0, a domino of the train cannot stand, because the slope exceeds `limit`
+ * radians. Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
 /* Returns true for DOM_OK. Reports any other status as a problem, and returns false. */

@@ -59,7 +59,7 @@ bool session_stops(const struct session *session, long errors)
 /* the indentation, in columns, of a typed line that is printed again above a caret */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line has no control characters, as a pasted line may have. */
+/* Returns true if the typed line has no control characters. A pasted line may have some. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed.text, (size_t)session->typed.length);
@@ -86,7 +86,7 @@ static void session_caret(const struct session *session, int column)
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error of a script between the answers, if the output format can represent errors. */
+/* Writes a script's error message among the answers, if the output format can represent errors. */
 static void session_tell(struct session *session, const struct problem *problem)
 {
     const struct format *format = formats[session->state.settings.style.output];

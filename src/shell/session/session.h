@@ -48,7 +48,8 @@ void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer: that of the output file's name, or else that of 'set output'. */
+/* Returns the format of the next answer. The extension of the output file decides, and otherwise 'set
+ * output'. */
 const struct format *session_answers(const struct session *session);
 
 /* Returns a query for a command in the session's state. The caller sets `given` and `next`. */
@@ -60,7 +61,7 @@ void session_problem(struct session *session, const struct problem *problem);
 /* Like session_problem, for an error without a position in the line. */
 #define session_error(session, ...) session_say(session, true, __VA_ARGS__)
 
-/* Writes a message to stderr that is not an error. */
+/* Writes a message that is not an error to stderr. */
 #define session_note(session, ...) session_say(session, false, __VA_ARGS__)
 void session_say(struct session *session, bool is_error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -8,11 +8,11 @@
 
 enum {
     STEPS = 100,        /* the maximum number of steps */
-    HELD_MOST = 4000000 /* the maximum number of dominoes and changed dominoes that all steps store */
+    HELD_MOST = 4000000 /* the maximum number of dominoes and changed dominoes in all steps together */
 };
 
 /* The first `done` steps hold the state before their command, and can be undone. The other steps hold the
- * state after it, and can be redone. */
+ * state after their command, and can be redone. */
 struct undo {
     struct step {
         struct state *state;

@@ -17,8 +17,8 @@ struct state *undo_begin(const struct state *state);
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
-/* Undoes the last command if `back` is true, and otherwise redoes the one undone last. Returns the command,
- * or NULL if there is none. */
+/* Undoes the last command or, if `back` is false, redoes the command that was undone last. Returns the text
+ * of the command, or NULL if there is none. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
 void undo_free(struct undo *undo);
