@@ -33,7 +33,7 @@ static const struct column plot_columns[] = {
     {"barrier", "mgh/2", "fall: energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
     {"spare", "", "fall: margin divided by barrier; empty for a domino that needs no energy", 0},
-    {"place", "m", "speed: how far the front foot of this domino is from that of domino 1", 0},
+    {"place", "m", "speed: how far this domino stands from domino 1, front foot to front foot", 0},
     {"speed", "m/s", "speed: speed of the front from this domino to the next one", 0},
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
     {"low", "m", "gaps: smallest gap of a range in which all dominoes fall", 0},

@@ -56,7 +56,7 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
     snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu domino%s is to fall",
              scene->row.count, scene->row.count == 1 ? "" : "es");
     snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
-             "%zu rows at each error, with the 95 %% interval", rows);
+             "%zu rows for each point, with the 95 %% interval", rows);
     if (unknown)
         snprintf(chart->note, sizeof chart->note,
                  "The upper ends of the intervals count undecided rows as rows that fall.");

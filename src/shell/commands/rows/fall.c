@@ -29,7 +29,7 @@ const struct column verdict_columns[] = {
     {"domino", "", "the last domino that is hit", 0},
     {"short_by", "mgh/2", "the energy that the last domino lacks; in J if masses are known", 0},
     {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
-    {"weakest", "", "the domino with the least energy to spare, among those that tip over", 0},
+    {"weakest", "", "the domino with the least energy to spare, among the dominoes that tip over", 0},
     {"spare", "share", "the spare energy of the weakest domino, divided by the energy that it needs", 0},
     {NULL, NULL, NULL, 0},
 };

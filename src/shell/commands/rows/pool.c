@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes a study of random rows in parts. Each part writes counts for blocks of 100 rows. The command
- * 'pool' adds them, and prints the answer that 'placement' would have printed. */
+ * 'pool' adds the counts, and prints the answer that 'placement' would have printed. */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
 #include "session/random_errors.h"

@@ -344,7 +344,8 @@ const struct command row_commands[] = {
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
      .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
-             "compares its energy with the energy that it needs. 'effect row' enters a row.",
+             "compares the energy of each domino with the energy that it needs to tip over. 'effect row' "
+             "enters a row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,

@@ -291,15 +291,15 @@ const struct command study_commands[] = {
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
-     .help =
-         "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. First "
-         "enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
-         "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also run "
-         "without each of them, with the same random numbers for the others. The answer then says which "
-         "error makes the most rows fail, and where they stop because of it. With the same 'seed', row "
-         "number i is always the same, with any number of 'threads'. ^C ends the study, and the answer is "
-         "then about the rows that have been run. With 'domino --shard 2/7' the answer is the second of "
-         "seven parts of the study. It has counts for blocks of 100 rows, and 'pool' adds them up.",
+     .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. "
+             "First enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
+             "error_thickness 1 %' or 'effect error_friction 0.05'. If there are several errors, each row "
+             "is also run without each error in turn, with the same random numbers for the other errors. "
+             "The answer then says which error makes the most rows fail, and at which domino. With the same "
+             "'seed', row number i is always the same, with any number of 'threads'. ^C ends the study, and "
+             "the answer is then about the rows that have been run. With 'domino --shard 2/7' the answer is "
+             "the second of seven parts of the study. It has counts for blocks of 100 rows, and 'pool' adds "
+             "them up.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -308,10 +308,11 @@ const struct command study_commands[] = {
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "the answer of 'placement', from the parts of a study",
-     .help = "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N. Collect "
-             "the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The answer is "
-             "the same as that of the undivided study, digit for digit. If rows are missing, the answer says "
-             "so. It is an error if a row occurs twice, or if blocks come from different studies.",
+     .help = "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N. "
+             "Collect the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The "
+             "answer equals the answer of the undivided study, digit for digit. If rows are missing, the "
+             "answer says so. It is an error if a row occurs twice, or if blocks come from different "
+             "studies.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",

@@ -10,7 +10,7 @@
 
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
-    {"place", "m", "position of the domino: from the back of domino 1 to the back of this one", 8},
+    {"place", "m", "position: the distance from the back of domino 1 to the back of this domino", 8},
     {"from", "m", "the smallest position at which all fall, if no other domino is moved", 8},
     {"to", "m", "the largest position at which all fall, if no other domino is moved", 8},
     {"gap", "m", "clear distance to the domino before it", 8},

@@ -205,7 +205,7 @@ static bool point_answer(struct sweeper *w, size_t k)
     if (!done || !w->answered) {
         struct cell row[ANSWER_COLUMNS] = {{.kind = CELL_NONE}};
         memcpy(row, w->value, (size_t)w->grid->axes * sizeof *row);
-        row_write(w, row, done ? "there is no answer here" : w->problem.text);
+        row_write(w, row, done ? "there is no answer at this point" : w->problem.text);
     }
     return true;
 }
