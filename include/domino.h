@@ -133,7 +133,7 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* These two functions return the defaults: those of DOM_TRAIN_PARAMETERS without effects, and those of
+/* These two functions return the defaults of DOM_TRAIN_PARAMETERS, with all effects off, and of
  * DOM_SCALE_PARAMETERS. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
@@ -337,7 +337,7 @@ struct dom_barrier {
  * - DOM_NO_FUEL: theta_m and barrier are written, and the other members are NaN.
  *
  * All functions about a cycle give the same verdict. If the tolerance is too coarse for a verdict, they
- * compute with a finer one.
+ * compute with a finer tolerance.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);

@@ -47,8 +47,8 @@ struct dom_proof_work {
 
 /* What is proved about the largest growth. */
 enum dom_proof_end {
-    DOM_PROVED_BARRIER, /* the train keeps falling from `from` to `low` and stops at `high` */
-    DOM_PROVED_REACH,   /* the train keeps falling from `from` to 1/s; low <= 1/s <= high */
+    DOM_PROVED_BARRIER, /* the train keeps falling with growths from `from` to `low`, and stops with `high` */
+    DOM_PROVED_REACH,   /* the train keeps falling with growths from `from` to 1/s; low <= 1/s <= high */
     /* A train with r = 1 stops. For a pair, larger growths were tried, too, and none keeps falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling with every growth from `from` to `low`. If `low` is NaN, nothing is proved.
@@ -109,9 +109,9 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
  * Proves *least <= n <= *most for the smallest n with first * r^n >= height, as in dom_count_find. Infinity
  * means that no n is large enough. If nothing is proved, the bounds are 0 and infinity.
  *
- * If the powers of r are exact in double, as those of 2 are, the arguments count as exact. Otherwise the
- * bounds hold for all numbers that round to the arguments. *least < *most if n depends on that rounding. The
- * status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
+ * If the powers of r are exact in double, as for r = 2, the arguments count as exact. Otherwise the bounds
+ * hold for all numbers that round to the arguments. *least < *most if n depends on that rounding. The status
+ * is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

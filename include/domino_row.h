@@ -96,8 +96,8 @@ typedef void dom_progress(size_t done, size_t of, void *context);
 /*
  * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
  * run them. The callback runs task(0, context) to task(count - 1, context), each once, in any order and on
- * any threads. It waits for all of them, and returns DOM_OK or the reason why tasks were left out, such as
- * DOM_INTERRUPTED. The library passes `pool` to the callback unchanged.
+ * any threads. It waits until all tasks are done, and returns DOM_OK or the reason why tasks were left out,
+ * such as DOM_INTERRUPTED. The library passes `pool` to the callback unchanged.
  */
 typedef void dom_task(size_t index, void *context);
 typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
@@ -436,8 +436,9 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 
 /*
  * Finds a row as dom_design_find does, but one that can be built:
- * - Sizes and gaps are multiples of the grid, except those of the first domino and the last height.
- * - Thicknesses are those of boards, if there are any.
+ * - Sizes and gaps are multiples of the grid, except the sizes of the first domino and the height of the
+ *   last.
+ * - If there are boards, thicknesses are taken from them.
  * - The rounded row still has the safety of the wish and fits into its hall.
  *
  * The results about the endless train are those before rounding. The members `sizes`, `hall` and `heaviest`
@@ -450,7 +451,7 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
 
 /*
  * Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last.
- * The separation is as close to that of dom_design_find as the hall and the start of the row allow.
+ * The separation is as close to the separation of dom_design_find as the hall and the start of the row allow.
  * wish->least and wish->engine are not used. `limits` may be NULL. The limit is DOM_DESIGN_SAFETY if no such
  * row falls, and DOM_DESIGN_HALL if the hall is too short even without gaps.
  */
@@ -506,8 +507,7 @@ struct dom_study {
 /*
  * Counts how many rows fall. Unless `stops` is NULL, stops[k] is set to the number of rows that ended at
  * domino k + 1, without the unknown rows. The result does not depend on placement->parallel. The tolerance is
- * 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the counts are those of the rows that were
- * run.
+ * 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED, only the rows that were run are counted.
  *
  * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN for
  * errors of leans with rounded edges or an engine. Other statuses are those of dom_row_run and of

@@ -8,7 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Reserves memory for a space with this many boxes. Returns false if there is not enough. Thread-safe. */
+/* Reserves memory for a space with this many boxes. Returns false if there is not enough memory.
+ * Thread-safe. */
 bool room_take(size_t boxes);
 
 /* Ends the reservation for a space with this many boxes, after the space has been freed. */

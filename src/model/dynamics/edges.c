@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rounded edges. geometry/rounded.h has the equations of one contact, and geometry/rolling.c the sums over
- * the chain. The inertia i(theta) of a rolling domino depends on its tilt. So the inertia of the chain and
- * the collision are
+ * the chain. The inertia i(theta) of a rolling domino depends on its tilt. So the inertia of the chain, and
+ * the angular velocity after the collision, follow from
  *
  *     J = sum r^-(q+1)i i(theta_i) theta_i'^2,
  *     J(0) omega(0) = (J(0) - i(0)) omega_1.

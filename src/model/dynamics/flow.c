@@ -126,8 +126,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes. So their number is fixed, in spite of
-     * rounding. */
+    /* All sums over one piece must include the same dominoes. So the number of dominoes is fixed, although
+     * rounding might change it. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};

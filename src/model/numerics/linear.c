@@ -119,7 +119,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* A panel takes a small remainder of [lo, hi], too. */
+        /* A small remainder of [lo, hi] is added to the last panel. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
