@@ -35,7 +35,7 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
 /* Returns true if a picture can be drawn in the output of the answer. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns the words that explain the marks of a picture, which depend on the output of the answer. */
+/* Returns the words that explain the marks of a picture. The marks depend on the output of the answer. */
 struct marks picture_marks(const struct answer *a);
 
 /* Writes the head of a gnuplot script that draws a .pdf file of the same name. */

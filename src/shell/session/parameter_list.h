@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of all parameters: those of the model, the settings of the calculator, and the effects. Completion
- * and commands such as set, show and save work from it. Code that only one parameter needs is a hook in its
- * entry. */
+/* The list of all parameters: the parameters of the model, the settings of the calculator, and the effects.
+ * Completion and commands such as set, show and save work from this list. Code that only one parameter needs
+ * is a hook in its entry. */
 #ifndef SHELL_PARAMETER_LIST_H
 #define SHELL_PARAMETER_LIST_H
 
@@ -29,7 +29,7 @@ struct parameter {
     bool setting;
     /* the default and the lower bound depend on the precision, as for tol */
     bool of_precision;
-    /* the name of a parameter that may change when this one is set; may be NULL */
+    /* the name of a parameter that may change when this parameter is set; may be NULL */
     const char *moves;
     size_t offset; /* the offset of the value in struct state; not used for effects */
 

@@ -128,7 +128,7 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {
-    /* words come first: the range of tol depends on the precision */
+    /* words come first, because the range of tol depends on the precision */
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < count; i++) {
             const struct assigned *a = &assigned[i];

@@ -67,7 +67,7 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* Returns the options for the library, which request error bounds after 'set errors on'. */
+/* Returns the options for the library. After 'set errors on', these options request error bounds. */
 static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;
@@ -75,7 +75,7 @@ static inline struct domq_compute query_options(const struct query *query)
     return compute;
 }
 
-/* Returns a pointer to a copy of these options, which lives until the end of the caller's block. */
+/* Returns a pointer to a copy of these options. The copy lives until the end of the caller's block. */
 #define query_compute(query) ((const struct domq_compute[]){query_options(query)})
 
 static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)

@@ -78,7 +78,7 @@ static const struct csv_column columns[KINDS] = {
     [MEASURE_WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
     [DENSITY] = {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3",
                  WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
-    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by that of the first domino", 1e-40, 1e38,
+    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by the mass of the first domino", 1e-40, 1e38,
                   "1e-40 .. 1e38"},
     [DOMINO] = {"domino", "nr,no,no.,number", 0, PLAIN "the number of the domino, which the program ignores",
                 1, 1e6, "1 .. 1e6"},
