@@ -294,8 +294,9 @@ struct dom_mend {
  *
  * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than this height,
  * and all dominoes fall with a gap of this height, `to` is this height. In each direction, the search takes
- * up to 40 steps of increasing length, the first 1/64,000 of the range, and then bisects. It can miss an
- * interval of gaps that is narrower than a step. The statuses are those of dom_row_run.
+ * up to 40 steps of increasing length, the first 1/64,000 of the range, and then bisects. With an engine,
+ * there are up to 10 steps, the first 1/1,000 of the range. The search can miss an interval of gaps that is
+ * narrower than a step. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -338,10 +339,10 @@ struct dom_window {
  * of its wood.
  *
  * The search makes the same steps as dom_row_mend. All dominoes fall with `low` and with `high`. In between,
- * the search can miss an interval narrower than a step in which the row does not fall. With an engine, there
- * are only 10 steps in each direction, and `low` and `high` have three digits. If the engine cannot decide
- * how the row ends with a value, this value is outside the window. Calls progress, which may be NULL, for
- * each window. The statuses are those of dom_row_run.
+ * the search can miss an interval narrower than a step in which the row does not fall. With an engine, `low`
+ * and `high` have three digits. If the engine cannot decide how the row ends with a value, this value is
+ * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
+ * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
