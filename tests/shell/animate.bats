@@ -141,7 +141,7 @@ END
     "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
     "$BATS_TEST_DIRNAME/gif" b.gif >said
     same tower "$(csv 'effect row 8; animate a.gif rate 5')" "$(csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d)"
-    wrong 'animate a.gif tower' "'tower' shows the row of the last answer, if that was a count"
+    wrong 'animate a.gif tower' "'tower' works only if the last answer was a count"
     wrong 'count 5 m; animate a.gif tower 4' "'4' is one argument too many"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \
         "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif speed 1')"

@@ -327,7 +327,7 @@ END
     # Drawing does not change the session.
     same scene "$(json 'show')" "$(json 'count 112 m 1.6; draw tower' >/dev/null; json show)"
     all_fail <<END
-draw tower|shows the row of the last answer, if that was a count; first enter 'count 112 m'
+draw tower|works only if the last answer was a count; first enter 'count 112 m'
 count 1 cm; draw tower|the last 'count' needs no dominoes
 count 112 m 1; draw tower|the last 'count' needs too many dominoes
 count 112 m; draw tower 3|one argument too many

@@ -22,7 +22,7 @@ static const struct column thetac_columns[] = {
     {"theta_c", "rad", "tilt at which the head hits the next domino: sin theta_c = r s (2; a2)", 0},
     {"theta_u", "rad", "tilt at which a single domino just tips over: tan theta_u = d (4; b1)", 0},
     {"theta_inf", "rad", "tilt of followers far behind the head: cos theta_inf = d/(s+d) (40; A16)", 0},
-    {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, else theta_inf", 0},
+    {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, otherwise theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino when its follower detaches", 0},
     {"detaches", "", "whether followers become too short to lean on their leaders, and detach (41; A17)", 9},
     {NULL, NULL, NULL, 0},

@@ -227,7 +227,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     if (is_engine)
         return;
     if (is_row)
-        part_row(a, "contact", "signs of the forces, from a bound or else from the forces at four tilts", n,
+        part_row(a, "contact",
+                 "signs of the forces, from a bound or, if needed, from the forces at four tilts", n,
                  "no contact may pull");
     else
         part_row(a, "barrier",

@@ -21,8 +21,8 @@ static const char *no_growth(struct domq_limit limit)
                  "release no energy, because a fallen domino has as much potential energy as an upright one"
            : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
            : limit.why == DOM_OUT_OF_REACH
-               ? "no growth possible: with edges as round as these, even equal dominoes (r = 1) fall past "
-                 "each other at this s; use a smaller s"
+               ? "no growth possible: with edges this round, even equal dominoes (r = 1) fall past each "
+                 "other at this s; use a smaller s"
                : "no growth possible: at this s and d even equal dominoes (r = "
                  "1) have too little energy to keep falling";
 }

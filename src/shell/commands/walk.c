@@ -114,7 +114,7 @@ struct impulses {
 static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
-    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino, on which no other leans */
+    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino; no other domino leans on it */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",
@@ -215,7 +215,7 @@ static void say_fall(const struct place *p)
     answer_say(
         p->answer,
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
-        "contact force is 0. The detached domino comes to rest at theta_f = %s with all dominoes behind it, "
+        "contact force is 0. Like all dominoes behind it, the detached domino comes to rest at theta_f = %s "
         "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
         "keeps a potential energy of %.6g.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,

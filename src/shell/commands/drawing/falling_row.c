@@ -168,7 +168,7 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
     text[0] = '\0';
     if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
         snprintf(text, SENTENCE, "Weakest%s: domino %zu (%s), with %.150s.",
-                 v->end == DOM_ROW_FALLS ? "" : " of those that fall", v->weakest, row->marks.weakest,
+                 v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall", v->weakest, row->marks.weakest,
                  energy_words(v->spare + 1).text);
 }
 

@@ -30,8 +30,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     const struct ans *ans = query->ans;
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,
-                             "'tower' shows the row of the last answer, if that was a count; first enter "
-                             "'count 112 m'");
+                             "'tower' works only if the last answer was a count; first enter 'count 112 m'");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
     if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
