@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Mend: the smallest change with which a row falls.
+# Mend: the smallest change that makes a row fall.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "a row that stops: where, and how much energy is missing; mend finds the smallest change, with which the row falls" {
+@test "verdict says where a row stops and how much energy is missing, and mend finds the smallest change that makes the row fall" {
     scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
     verdict=$(json "$scene; verdict")
     same stops 'stops 8' "$(values verdict <<<"$verdict") $(values domino <<<"$verdict")"

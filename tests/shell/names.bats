@@ -5,7 +5,7 @@
 
 load common
 
-@test "unique beginnings of commands, parameters, topics, words and keys" {
+@test "a unique beginning stands for a command, a parameter, a topic, a word or a key" {
     plain=$(json 'fuel; thetac; show digits')
     while IFS='|' read -r short long; do
         same "$short" "$(json "$long")" "$(json "$short")"
@@ -81,7 +81,7 @@ END
     same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
 }
 
-@test "the names of the last value in other calculators lead to 'ans'" {
+@test "names that other calculators use for the last value lead to 'ans'" {
     local line
     for line in _ % %1 ans2 _*2; do wrong "2+2; $line" "the last value is 'ans'"; done
 }
@@ -116,7 +116,7 @@ goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
 END
 }
 
-@test "among the numbers of the model only q has words, and tol has its own help" {
+@test "of the numeric parameters, only q accepts words, and only 'help tol' explains the tolerance" {
     same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
     for name in s r d tol h g mass; do
         wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"

@@ -5,7 +5,7 @@
 
 load common
 
-@test "several -e, -f and FILE run in one session, in their order" {
+@test "several -e, -f and FILE run in one session, in the order given" {
     echo 'set output json; set s 0.2' >a
     echo 'show s' >b
     same '-f -e FILE -e' $'0.2\n0.3\n0.3' \
@@ -69,7 +69,7 @@ END
     grep -q '^usage: ' <<<"$stderr"
 }
 
-@test "-e, -f and FILE stop at the first error, standard input with --bail; with --keep-going all go on" {
+@test "an error stops -e, -f and FILE, except with --keep-going; it stops standard input only with --bail" {
     printf 'set output json\nfuel; foo; fuel\nfuel\n' >bad
     text=$(cat bad)
     bad_ways() {
@@ -96,7 +96,7 @@ END
     same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | grep -c reason)"
 }
 
-@test "output that cannot be written: a message and a status" {
+@test "output that cannot be written gives a message and status 1" {
     [ -c /dev/full ] || skip 'no /dev/full'
     for arguments in '-e fuel' '-e help' '--help' '--version' '-e curve\ 0.1\ 0.9\ 200'; do
         full() { eval "\"\$DOMINO\" $arguments" >/dev/full; }
@@ -121,7 +121,7 @@ trap '' PIPE;|1|domino: cannot write the output
 END
 }
 
-@test "both streams keep their order if they share a file" {
+@test "answers and errors keep their order if both streams go to the same file" {
     "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >both 2>&1 || true
     same 'the error is between the answers, as an object and as a message' '2 3' \
         "$(grep -n 'foo' both | cut -d: -f1 | paste -sd ' ' -)"
@@ -175,7 +175,7 @@ END
     done
 }
 
-@test "a file that cannot be read: its name and why; the other files run" {
+@test "a message says which file cannot be read and why, and the other files run" {
     echo 'set output json; show s' >good
     ln -s loop loop
     touch closed && chmod 000 closed

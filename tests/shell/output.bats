@@ -5,8 +5,8 @@
 
 load common
 
-# Prints the answer to each command in each format, as if the command were alone. A line with a
-# number comes before each answer.
+# Prints a script that runs each command in each format, always after a reset. The script marks the beginning of each
+# answer with the format and a number, and the end with 'end'.
 in_one_session() {
     local call number
     for format in table csv json; do
@@ -70,14 +70,14 @@ calls() {
     done
 }
 
-# Prints the value of a key in the row that jq selects, and whether the row has the reason.
+# Checks that a key is null in the row that jq selects, and that the row has the reason.
 null_of() { # COMMANDS SELECTION KEY REASON
     local said
     said=$(json "$1" | jq -r "select($2) | \"\(.$3)|\(.reason)\"")
     [[ $said =~ ^null\|.*$4 ]] || same "$1" "null|$4" "$said"
 }
 
-@test "every command answers with its keys, in every way to enter it" {
+@test "every command answers with its keys, with -e, -f, '#!' and from standard input" {
     for way in -e stdin -f '#!'; do answers_in "$way"; done
 }
 
@@ -212,7 +212,7 @@ END
                 # The layout of a table does not depend on the precision.
                 if [ "$style$precision" = csvfloat ] || [ "$style$precision" = tablequad ]; then continue; fi
                 echo "set output $style; set precision $precision; set errors on; $scene" >session.dom
-                # Quad is slow, so only some commands are run that show how numbers are written.
+                # Quad is slow, so it runs only a few commands, which show how numbers are written.
                 if [ "$precision" = quad ]; then grep -E '^(print|row|launch|draw)' calls.dom; else cat calls.dom; fi >>session.dom
                 status=0
                 "$DOMINO" -n --keep-going session.dom >out 2>err || status=$?

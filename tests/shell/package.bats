@@ -9,7 +9,7 @@ build=$(dirname "$DOMINO")
 
 soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\).*"/\1/p' "$root/include/domino.h")
 
-# Run the compiler on each of the public headers.
+# These functions run the compiler on domino.h and on domino_quad.h.
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
 
 header_quad() { cc -std=c17 "$@" -I"$root/include" -I"$build/include" -include domino_quad.h -x c /dev/null -E -P; }
@@ -90,7 +90,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     done
 }
 
-@test "with any PREFIX, even with blanks, programs and the example in Python find the shared library there" {
+@test "with any PREFIX, even with blanks, programs and the Python example find the shared library there" {
     local prefix="$PWD/my app"
     plain_make -C "$root" B="$build" install PREFIX="$prefix"
     export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
@@ -115,7 +115,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     [ ! -e "$dest/usr/lib" ]
 }
 
-@test "the example in Python does what the one in C does" {
+@test "the Python example gives the same output and status as the C example" {
     [[ "$(checked "$build/libdomino.a")" != *sanitize* ]] || skip "Python has no runtime of the sanitizers"
     install_there
     examples=$dest/usr/share/doc/domino/examples
@@ -133,7 +133,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     run -2 "$examples/rmax.py" ''
 }
 
-@test "a program in quad gets more digits than one in double has" {
+@test "a program in quad gets more digits than double has" {
     cat >quad.c <<'C'
 #define _GNU_SOURCE
 #include <domino_quad.h>
@@ -170,7 +170,7 @@ C
     done
 }
 
-@test "pkg-config says that the library has no __float128 if it was built without it" {
+@test "pkg-config passes -DDOM_NO_FLOAT128 if the library was built without __float128" {
     for flags in '' -DDOM_NO_FLOAT128; do
         pc=$PWD/pc$flags
         plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
@@ -211,7 +211,7 @@ C
     same_file declared static.api
 }
 
-@test "the interface is that of the first library with this soname, and the check reports a change" {
+@test "the interface is compatible with the first library of this soname, and the check reports incompatible changes" {
     kept=$root/tests/abi/$soname.py
     now=$PWD/now.py
     python3 "$root/src/python/header.py" "$soname" cc "$root/include/domino_proof.h" >"$now"
@@ -279,7 +279,7 @@ END
     cmp "$archive" "$tree/.build/$name.tar.gz"
 }
 
-@test "a program in C++ gets the answers" {
+@test "a C++ program gets the same answers" {
     command -v g++ >/dev/null || skip "no compiler of C++"
     cat >both.cc <<'END'
 #include <domino_quad.h>
@@ -312,7 +312,7 @@ END
     local fresh=$PWD/root
     mkdir -p "$fresh"/var/lib/dpkg/{info,updates,triggers}
     touch "$fresh/var/lib/dpkg/status"
-    # The dependencies are installed only in the root of the machine.
+    # The dependencies are not installed in this root, so dpkg must not insist on them.
     if [ "$(id -u)" -eq 0 ]; then
         dpkg --root="$fresh" --force-depends --force-script-chrootless -i "$build"/deb/*.deb >dpkg.log 2>&1
     else
@@ -337,7 +337,7 @@ END
     if command -v lintian >/dev/null; then run -0 lintian --fail-on error "$build"/deb/*.deb; fi
 }
 
-# Checks that a package depends on the C library, or on the package of the library.
+# Checks that a package depends on the C library or on libdomino.
 expects_depends() { # PACKAGE
     [[ $(dpkg-deb -f "$1" Depends) =~ libc6|libdomino ]]
 }

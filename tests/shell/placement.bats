@@ -16,11 +16,11 @@ parts() { # PARTS ROWS
     one=$(json "$scene; set threads 1; placement 400")
     for threads in 2 3 7 0; do same "$threads threads" "$one" "$(json "$scene; set threads $threads; placement 400")"; done
     differ 'another seed' "$one" "$(json "$scene; set seed 2; placement 400")"
-    # Without errors all of 200 rows fall, and the interval is exactly 0.025^(1/200) .. 1.
+    # Without errors all 200 rows fall, and the interval is exactly 0.025^(1/200) .. 1.
     exact=$(json 'effect row 5; effect placement 0; placement 200')
     same all '200 1' "$(values fall <<<"$exact") $(values high <<<"$exact")"
     close low "$(awk 'BEGIN { printf "%.15g", exp(log(0.025) / 200) }')" "$(values low <<<"$exact")"
-    # With the sigma of the budget, the requested share of the rows falls, within the interval.
+    # With the sigma that budget finds, 80 % to 81 % of the rows fall.
     sigma=$(json "$scene; budget 0.8 400" | values sigma)
     share=$(json "$scene; effect placement $sigma m; placement 400" | values probability)
     within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.0125'
@@ -31,11 +31,11 @@ parts() { # PARTS ROWS
     wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
 }
 
-@test "budget: finds sigma without an effect, and says how many rows fall with this sigma" {
+@test "budget finds sigma while the effect placement is off, and says how many rows fall with this sigma" {
     said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
     grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
     same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
-    # The interval is that of the study with this sigma.
+    # The interval agrees with a study of placement with this sigma.
     answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')
     same low 92 "$(values low <<<"$answer" | awk '{ print int(100 * $1) }')"
     same high 98 "$(values high <<<"$answer" | awk '{ print int(100 * $1) + 1 }')"
@@ -61,7 +61,7 @@ parts() { # PARTS ROWS
     [[ $(sed -n 2p out) =~ ^0\.95,[0-9.e-]+,.*,interrupted ]]
 }
 
-@test "placement in parts: rows do not depend on the number of parts, and pool answers as the whole study" {
+@test "placement in parts: rows do not depend on the number of parts, and 'pool' gives the answer of the whole study" {
     parts 1 530 >whole
     same blocks 7 "$(wc -l <whole)"
     for n in 2 3 7; do
@@ -78,8 +78,7 @@ parts() { # PARTS ROWS
         "$(sort whole | "$DOMINO" -e 'pool -')"
     same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool whole")" \
         "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' whole | "$DOMINO" -e 'pool -')"
-    # Row number i is the same in any study, so the first hundred of 530 rows are those of a study
-    # of 100.
+    # Row number i is the same in every study, so a study of 100 rows agrees with the first 100 of 530 rows.
     same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p whole | cut -d , -f 7-)"
 }
 
@@ -107,7 +106,7 @@ parts() { # PARTS ROWS
     grep -q 'safe session' <<<"$stderr"
 }
 
-@test "errors of every kind are effects: they are saved, undone and swept, and need the effect to which they belong" {
+@test "random errors of every kind are saved, undone and swept like effects, and may need the effect to which they apply" {
     scene='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect push 3'
     all='effect placement 2 mm uniform; effect error_place 1 mm; effect error_thickness 2 %; effect error_mass 5 % uniform
 effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 deg; effect error_push 0.2'
@@ -131,7 +130,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     wrong 'effect row 4; budget 0.9 20 all' 'there are no errors to scale'
 }
 
-@test "placement: the cost of each error agrees with a study without it, and pool adds up the costs" {
+@test "placement: the cost of an error agrees with a study without this error, and 'pool' adds up the costs" {
     row='set q hollow; set r 1.66; set s 0.45; effect friction 0.3; effect row 11'
     errors='effect placement 3 mm; effect error_thickness 1 %; effect error_friction 0.05'
     answer=$(json "$row; $errors; placement 330")
@@ -147,7 +146,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     "$DOMINO" -e "$row; $errors; placement 330" | grep -q '^Most rows are lost to'
 }
 
-@test "budget: the size of any error, and the factor of all errors" {
+@test "budget finds the size of any single error, and one factor for all errors" {
     row='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect placement 2 mm; effect error_thickness 2 %'
     size=$(json "$row; budget 0.8 100 thickness" | values sigma)
     share=$(json "$row; effect error_thickness $size; placement 100" | values probability)

@@ -44,7 +44,7 @@ END
     same thin ' 1 2 48.0 7.0; 1 2 48.0 24.0; 1 2 24.0 7.0' "$(board 'set q hollow' | sed 's/ ;/;/g; s/ $//')"
 }
 
-@test "plan: A4 pages, for forty dominoes, for a single one, and for a row that does not fall" {
+@test "plan: A4 pages for forty dominoes and for a single domino; a row that does not fall is an error" {
     "$DOMINO" -e "set h 4 cm; set r 1.12; effect row 40; plan title \"Forty 'long' rows\" > forty.pdf; plan > forty.svg
         plan > forty.gp; effect row 1; plan > one.svg"
     same A4 '/MediaBox [ 0 0 595' "$(tr '\0' '\n' <forty.pdf | grep -aoE '/MediaBox \[ 0 0 59[0-9]' | head -n 1)"
@@ -75,7 +75,7 @@ END
     same 'mass of a wider domino' 'relative,1,1,2' "$("$DOMINO" -e 'set r 1; effect row 3; set output csv; change 3 width 48 mm; row' | cut -d, -f5 | paste -sd,)"
 }
 
-@test "plan: improve sizes keeps the proportions of each domino, also its width" {
+@test "plan: 'improve sizes' keeps the proportions of each domino, including its width" {
     proportions() { "$DOMINO" -e "$1; effect placement 5 mm; improve sizes; plan > p.csv" > /dev/null; awk -F, 'NR > 1 { printf "%.6g ", $13 / $7 }' p.csv; }
     same 'from the parameters' '0.5 0.5 0.5 0.5 ' "$(proportions 'effect row 4')"
     same 'a changed width' '0.5 0.416667 0.5 0.5 ' "$(proportions 'effect row 4; change 2 width 30 mm')"

@@ -60,7 +60,7 @@ END
     "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
 }
 
-@test "plot: no text of a picture is cut off, broken within 'r = 1.5', or written over another; the legend takes little height" {
+@test "plot: no text is cut off, broken within 'r = 1.5', or written over another text; the legend takes little height" {
     local what title label
     while IFS='|' read -r what title label; do
         "$DOMINO" -e "$row; plot $what > a.svg"
@@ -84,7 +84,7 @@ END
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
 }
 
-@test "plot: every point is drawn, up to the ends of the axes, and also where all values are nearly equal" {
+@test "plot: every point is drawn, up to the ends of the axes, even if all values are nearly equal" {
     circles() { grep -c "href='#gpPt5' transform" a.svg; }
     "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
     same 'errors of the gaps, and one in the legend' 14 "$(circles)"
@@ -119,7 +119,7 @@ END
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
     same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # When the head hits, each domino has the tilt at which its follower began the cycle.
+    # When the head hits, domino i has the tilt at which domino i + 1 began the cycle.
     csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
         END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
     # There are no values after a stop.
@@ -160,7 +160,7 @@ END
         same "$scene" "$(cat fall)" "$(csv "$scene; plot fall" | cut -d, -f 1-4)"
         csv "$scene; plot fall" | awk -F, 'NR > 2 { d = $5 - $4 / $3; if (!(d < 1e-9 && d > -1e-9)) exit 1; n++ } END { exit n < 1 }'
     done
-    # Between two hits, the front moves from the front edge of one foot to that of the next.
+    # Between two hits, the front moves from the front edge of one foot to the front edge of the next foot.
     csv "$row; row" >row
     csv "$row; fall" >fall
     csv "$row; plot speed" >speed
@@ -173,7 +173,7 @@ END
         END { exit bad || n < 4 }' row fall speed
 }
 
-@test "plot placement: the data agree with placement, begin without errors, and have the interval" {
+@test "plot placement: the data agree with placement, begin at sigma 0, and include the 95 % interval" {
     csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
     same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
     same 'no errors' 1 "$(sed -n 2p likely | cut -d, -f 2)"
@@ -196,7 +196,7 @@ END
     same 'the same picture' "$(grep -v Produced b.svg)" "$(grep -v Produced a.svg)"
     # The values of a grid may decrease.
     same 'a map' "$("$DOMINO" -e 'plot sweep s 0.1 0.9 9 d 0.1 0.3 7 : rmax')" "$("$DOMINO" -e 'plot sweep s 0.9 0.1 9 d 0.3 0.1 7 : rmax')"
-    # Each word is a curve, logarithmic grids have logarithmic axes, and points without an answer are
+    # Each word of a grid has its own curve, logarithmic grids have logarithmic axes, and points without an answer are
     # counted.
     "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
     for words in 'fuel = exact' 'fuel = paper'; do grep -q "$words" picture; done
@@ -265,10 +265,9 @@ END
     sed 's/again/growth/g' again.gp | diff growth.gp -
 }
 
-@test "plot: title, labels, width, height and font of a file, with no text cut off from 6 to 30 cm" {
+@test "plot: title, labels, width, height and font of a file; no text is cut off at any width from 6 to 30 cm" {
     cd "$BATS_TEST_TMPDIR"
-    # A plot of a row, of a train and of a sweep at each width. The words come after the argument,
-    # or before a grid.
+    # Plots of rows, trains and sweeps at each width. 'width' comes after an argument, but before a grid.
     while IFS='|' read -r scene before after; do
         for width in 6 8 12 30; do
             "$DOMINO" -e "$scene; plot $before width $width cm $after > a.svg" >/dev/null
@@ -340,7 +339,7 @@ plot growth family "a,b" > a.svg|the name of a font family may contain only lett
 END
 }
 
-@test "plot sweep: several answers are curves of one picture, with units if these differ" {
+@test "plot sweep: several answers are curves of one picture, with units if their units differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
     for words in 'rmax, pair, 1/s against s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
         grep -q "$words" <<<"$picture" || same 'three curves' "$words" "$picture"

@@ -5,7 +5,7 @@
 
 load common
 
-# Prints a number in quad with this many digits.
+# Checks the first digits of a number in quad.
 quad() { # COMMANDS KEY DIGITS
     obtained=$(json "set precision quad; $1" | values "$2")
     same "$1: $2" "$3" "${obtained:0:${#3}}"
@@ -51,7 +51,7 @@ quad() { # COMMANDS KEY DIGITS
     same quad "$value" "$(json "set precision quad; set r $value; show r" | values value)"
 }
 
-@test "tol follows the precision while it has its default; it is raised to the smallest possible one; digits do not change" {
+@test "the default of tol follows the precision; a chosen tol changes only if the precision cannot reach it; digits never change" {
     show='show tol; show digits'
     state() { json "$1; $show" | values value | paste -sd ' ' -; }
     same double '1e-12 6' "$(state '')"
@@ -104,7 +104,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
-@test "a smaller tol gives smaller errors and takes longer trains" {
+@test "a smaller tol gives smaller errors, and chains of more dominoes" {
     exact=$(json 'set precision quad; rmax' | values r_max)
     before=0
     for tol in 1e-1 1e-3 1e-6 1e-12; do

@@ -21,11 +21,11 @@ same_at_the_prompt() { # FORMAT
     grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
 }
 
-@test "every command answers at the prompt: table" { same_at_the_prompt table; }
-@test "every command answers at the prompt: json" { same_at_the_prompt json; }
+@test "tables at the prompt are the same as with -e, for every command" { same_at_the_prompt table; }
+@test "json at the prompt is the same as with -e, for every command" { same_at_the_prompt json; }
 @test "the first screen is a banner that mentions help, and a prompt" { prompt banner; }
 @test "^D leaves with status 0, but only on an empty line" { prompt end_of_input; }
-@test "an error is a caret and one line, and the session goes on" { prompt error_goes_on; }
+@test "an error is shown by a caret and one line, and the session goes on" { prompt error_goes_on; }
 @test "the caret counts columns, not bytes" { prompt caret_utf8; }
 @test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
 @test "TAB TAB lists all possible words" { prompt complete_list; }
@@ -39,24 +39,24 @@ same_at_the_prompt() { # FORMAT
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C in a budget: the answer so far, with its interval" { prompt interrupt_budget; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
-@test "^C stops gnuplot at work on an animation, and leaves no file" { prompt interrupt_animation; }
+@test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
-@test "^Z during a computation suspends when it is done" { prompt suspend; }
-@test "watch: keys move the point, and every way out puts the terminal in order" { prompt watch; }
+@test "^Z during a computation suspends the session when the computation is done" { prompt suspend; }
+@test "watch: keys move the point, and every way out restores the terminal" { prompt watch; }
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
-@test "a line goes on below after a backslash" { prompt backslash; }
+@test "a backslash at the end continues the line below" { prompt backslash; }
 
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
-@test "start-up file: an error says where, and the session opens" { prompt init_error; }
+@test "start-up file: an error says where it is, and the session opens" { prompt init_error; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
 @test "inputrc: vi keys" { prompt inputrc_vi; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
 @test "letters: Greek on a UTF-8 terminal, but not in files, csv and json" { prompt letters; }
-@test "colour: on a terminal that has it, not in pipes" { prompt colour; }
+@test "colour: on terminals with colours, but not in pipes" { prompt colour; }
 @test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
 @test "progress: on stderr, for a terminal only" { prompt progress; }
 @test "lines of 4000 letters" { prompt long_line; }
@@ -67,6 +67,6 @@ same_at_the_prompt() { # FORMAT
     wrong 'watch s 0.1 0.9:' "the answer is missing after ':'"
 }
 @test "^Z while gnuplot draws: the picture is finished, then the program stops" { prompt suspend_drawing; }
-@test "signals that end the program give the terminal back" {
+@test "a signal that ends the program restores the terminal" {
     for signal in USR1 ALRM QUIT XCPU VTALRM; do prompt end_signal "$signal"; done
 }

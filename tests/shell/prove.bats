@@ -76,13 +76,13 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
-@test "prove works in a sweep, with the same output on any number of cores" {
+@test "prove works in a sweep, with the same output on any number of threads" {
     grid='sweep s 0.2 0.5 4 q 3, 4 : prove rmax'
     same rows "$(json "set threads 1; $grid" | md5sum)" "$(json "set threads 4; $grid" | md5sum)"
     same results 8 "$(json "$grid" | values result | grep -c barrier)"
 }
 
-@test "a run reproduces the atlas of proved growths, and another arithmetic confirms its rows" {
+@test "a run reproduces the atlas of proved growths, and an independent check confirms its rows" {
     cd "$BATS_TEST_TMPDIR" || false
     table=$(realpath "$root")/examples/atlas.csv
     same rows 228 "$(grep -vc '^[#s]' "$table")"
@@ -102,7 +102,7 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
-@test "prove count says that it computes without a proof whether the row starts" {
+@test "prove count says that the start of the row is computed, but not proved" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"
     grep -q '"reason":"with a first domino that just tips over, the row ends at domino 2' <<<"$answer"

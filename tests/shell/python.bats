@@ -12,7 +12,7 @@ setup() {
     if [ -n "$(checked "$build/libdomino.a")" ]; then skip 'Python does not load a library with sanitizers'; fi
 }
 
-@test "the module answers as the program does, also for arrays, and errors name the parameter" {
+@test "the module gives the same answers as the program, also for arrays, and errors name the parameter" {
     export DOMINO_LIBRARY=$build/libdomino.so PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1
     run python "$root/tests/python/test_domino.py"
     [ "$status" -eq 0 ] || { echo "$output" && false; }

@@ -33,7 +33,7 @@ END
         done < <(paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other"))
         same "$name: falls" 3 "$falls"
     done
-    # The csv output of 'row' is such a file.
+    # The csv output of 'row' can be read again.
     "$DOMINO" -e "effect row plain.csv; set output csv; row > again.csv"
     same again "$plain" "$(json "effect row again.csv; effect push 8; verdict; fall")"
     "$DOMINO" -e "set q 3; effect row 4; set output csv; row > train.csv"
@@ -41,7 +41,7 @@ END
         "$(json "effect row train.csv; verdict" | cut -c 1-60)"
 }
 
-@test "rows from csv: errors have file, line and column, and nothing is loaded" {
+@test "rows from csv: an error names the file, the line and the column, and nothing is loaded" {
     while IFS='|' read -r name text pattern; do
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $name.csv" "$name\\.csv:$pattern"
@@ -195,7 +195,7 @@ END
     grep -qxF 'All would fall if the top of domino 2 were off by 1.7 mm backwards to 1.03 cm forwards; it is now off by 3 mm backwards.' <<<"$said"
 }
 
-@test "row > out.csv, effect row out.csv: the same row, digit for digit" {
+@test "'row > FILE' and then 'effect row FILE' give the same row, digit for digit" {
     for scene in 'effect row 7' 'set q hollow; effect row 4; set mass 1; place 3 25 mm >/dev/null' 'set errors on; effect row 3'; do
         "$DOMINO" -e "$scene; row > out.csv; effect row out.csv; row > again.csv"
         same_file out.csv again.csv

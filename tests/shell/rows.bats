@@ -24,14 +24,14 @@ END
         "$(json 'set q 3; set s 0.35; set r 1.9; set r 2; set s 0.42; effect row 41; row' | tail -n 1 | values height)"
 }
 
-@test "rowmax converges to rmax with the length of the row" {
+@test "rowmax converges to rmax as the row gets longer" {
     train=$(json 'set q hollow; rmax' | values r_max)
     row=$(json 'set q hollow; effect row 60; effect push 20; rowmax' | values r_max)
     close 'of the train' 2.06377177270466132 "$train"
     within rowmax "$train" "$row" 'd > -5e-10 && d < 5e-7'
 }
 
-@test "rowmax of a row that stops at r = 1, and of one that falls at no growth" {
+@test "rowmax of a row that stops at r = 1 but falls at larger growths, and of a row that does not fall at any growth" {
     scene='set q 2; set d 0.4; set s 0.5180007117763072; effect slope 0.01'
     same 'as the pair' "$(json "$scene; pair" | values r_max | cut -c1-12)" "$(json "$scene; effect row 2; rowmax" | values r_max | cut -c1-12)"
     said=$("$DOMINO" -e "$scene; effect row 2; rowmax")
@@ -40,7 +40,7 @@ END
         "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
 }
 
-@test "much friction: a stop before a lock is a verdict, with mend and placement" {
+@test "with much friction, a row that stops before friction would lock it has a verdict; mend and placement work, too" {
     printf 'height (mm), thickness (mm), gap (mm)\n30, 3.4, -\n40, 18, 3.4\n' | file lock.csv
     scene='effect row lock.csv; effect friction 1.35'
     verdict=$(json "$scene; verdict")

@@ -71,7 +71,7 @@ END
     same 'nothing else is left' 0 "$(find . -name '*.??????' | wc -l)"
 }
 
-@test "source: the commands of a file, its errors with its name; one that sources itself" {
+@test "source runs the commands of a file, errors name the file, and a file that sources itself is an error" {
     printf 'set s 0.3\nfoo\n\n  show s; qux 1\n' >inner
     printf 'set output json\nsource inner\nshow s' >outer
     run -1 --separate-stderr "$DOMINO" --keep-going outer
@@ -95,7 +95,7 @@ END
         [[ $stderr =~ nested.*itself ]] || same "$file" 'nested ... itself' "$stderr"
         same "$file: the session goes on" 7 "$output"
     done
-    # Files may be sourced one after the other in any number.
+    # Only the depth of nesting is limited, not the number of files.
     echo 'set s 0.3' >plain
     same 'forty in a row' 0.3 \
         "$(json "$(for _ in $(seq 40); do echo 'source plain'; done); show s" | values value)"

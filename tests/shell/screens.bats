@@ -1,7 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plots on a terminal of 80 x 24: a golden screen, colours, and bitmap pictures.
-# GOLDEN=write writes the golden screen again, for you to read.
+# GOLDEN=write writes the golden screen again; check the new one by eye.
 
 load common
 
@@ -65,7 +65,7 @@ screens() {
     on_terminal 20 6 '' 'set output csv; draw' | grep -q ,
 }
 
-@test "colours change no characters, and there are as many as the terminal has" {
+@test "colours change no characters, and a terminal gets only colours that it has" {
     local scene='effect row 6; effect friction 0.1; plot fall'
     plain() { sed 's/\x1b\[[0-9;]*m//g; s/<asked>//'; }
     expected=$(NO_COLOR=1 on_terminal 80 24 '' "$scene")

@@ -5,9 +5,9 @@
 
 load common
 
-# Checks that columns of words are aligned to the left, with a blank before each column, and that the FILLED columns
-# are not empty.
-columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
+# Checks a table on stdin: every column begins below its header, after a blank, and has a word in each row if FILLED
+# lists it. WHAT names the table in messages.
+columns_in_line() { # WHAT FILLED
     awk -v what="$1" -v filled=" $2 " '
         NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
         NR > 1 {
@@ -81,7 +81,7 @@ END
     done
 }
 
-@test "timing: a time after every answer for people" {
+@test "timing: a time follows every answer, in csv and json on standard error" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
         run -0 --separate-stderr "$DOMINO" -e "set timing on; $commands"
@@ -129,7 +129,7 @@ END
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
-@test "set s, r and d say that they do not change a row from a file, and what does" {
+@test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do
         same "$name" "$name does not change the row, whose dominoes come from record.csv; 'effect row N' makes a row from s, r, d and h." \
             "$("$DOMINO" -e "effect row $root/examples/record.csv; set $name 1")"

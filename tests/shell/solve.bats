@@ -5,7 +5,7 @@
 
 load common
 
-# The change of one number per line: parameter, decrease and increase in percent.
+# The lines below have a parameter, 'less' or 'more' by 1 %, and the change of r_max in percent.
 @test "sensitivity: known changes of r_max, the largest first" {
     json 'effect friction 0.2; sensitivity rmax' >answers
     same order 'edges slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
@@ -23,7 +23,7 @@ END
     grep -qE '^q +4 +1 % +0\.489 +-0\.477$' <<<"$output"
 }
 
-@test "sensitivity: of a key, with arguments, of an expression; the session does not change" {
+@test "sensitivity accepts a key, arguments or an expression, and does not change the session" {
     close key -1 "$(json 'sensitivity duration.tau' | grep '"h"' | values less | awk '{ print 200 * $1 }')" 6e-3
     differ arguments "$(json 'sensitivity rmax 0.3' | grep '"d"' | values more)" "$(json 'sensitivity rmax' | grep '"d"' | values more)"
     same 's is given' 0 "$(json 'sensitivity rmax 0.3' | grep '"s"' | values more)"

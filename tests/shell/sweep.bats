@@ -23,15 +23,14 @@ set errors on; sweep s 0.9 0.3 13 : barrier
 set angle deg; sweep r 1.2 2 5 : thetac
 curve 0.02 0.9 100'
 
-# Prints a script that runs SETTING, and writes each of the sweeps on stdin in each FORMAT to the file
-# NUMBER.FORMAT.
+# Prints a script that writes each of the sweeps on stdin in each FORMAT to the file NUMBER.FORMAT, after SETTING.
 each_sweep() { # SETTING FORMAT...
     local sweep number=0 format setting=$1
     shift
     while IFS= read -r sweep; do
         number=$((number + 1))
         for format in "$@"; do
-            # No file name ending means a table, so tables go to .txt files.
+            # Tables have no extension of their own, so they go to .txt files.
             printf 'reset; %s; set output %s; %s > %s\n' "$setting" "$format" "$sweep" "$number.${format/table/txt}"
         done
     done
@@ -47,7 +46,7 @@ each_sweep() { # SETTING FORMAT...
     for file in *; do [ "$(wc -l <"$file")" -gt 2 ] || same "$file" 'some rows' "$(cat "$file")"; done
 }
 
-@test "workers share data that the first one makes: functions, rows, the engine, leans, studies, designs" {
+@test "workers share data that the first worker makes: functions, rows, the engine, leans, studies, designs" {
     while IFS= read -r line; do
         same "$line" "$("$DOMINO" -n -e "set output csv; set threads 1; $line")" "$("$DOMINO" -n -e "set output csv; set threads 4; $line")"
     done <<'END'
@@ -60,7 +59,7 @@ set q hollow; sweep s 0.3 0.5 3 : design 1 m
 END
 }
 
-@test "any number of parts concatenate to the whole sweep, in csv and json" {
+@test "the parts of a sweep, however many, concatenate to the whole sweep, in csv and json" {
     some=$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")
     mkdir "$BATS_TEST_TMPDIR/whole" && cd "$BATS_TEST_TMPDIR/whole"
     each_sweep 'set hints off' csv json <<<"$some" | "$DOMINO" --bail
@@ -153,13 +152,13 @@ END
     run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each of them\.$' <<<"$output"
-    # Reasons from an argument, from a command inside an expression, and from a row.
+    # The command, an argument, an expression, a row or an effect may be the cause.
     grep -q 'a fallen domino has as much potential energy as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max has no value here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
     grep -q "'fuel paper' cannot be combined with friction" <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
-    # The rows before a stop, and the reason for the stop.
+    # A train that stops has its rows before the stop, and then a row with the reason.
     same 'stops' 3 "$(csv 'sweep r 1.9 1.9 1 : step 9' | wc -l)"
     grep -q 'the train has stopped' <<<"$(csv 'sweep r 1.9 1.9 1 : step 9' | tail -n 1)"
     run -0 "$DOMINO" -e 'sweep s 0.9 0.1 3 : cycle 2'
@@ -234,8 +233,8 @@ END
     run -2 --separate-stderr "$DOMINO" -e rmax --shard
 }
 
-# Replaces the program. Writes which part is computed, and kills the worker and itself once, in the middle of the
-# second part.
+# Makes a script that replaces the program. The script logs which part it computes. In the middle of the second part, it
+# kills its worker and itself once.
 mortal() {
     cat >mortal <<END
 #!/bin/bash
@@ -274,7 +273,7 @@ END
     [[ $(head -n 1 part) = 0.501,0.001,* ]]
 }
 
-@test "examples/cluster: improvements from several seeds are parts of a sweep" {
+@test "examples/cluster: the parts of a sweep of 'improve' over several seeds add up to the whole" {
     # Rows of three with precise gaps all fall, which needs no search.
     sed 's/placement 5 mm/placement 0.01 mm/; s/row 11/row 3/; s/ 20 20 / 4 4 /' "$root/examples/cluster/improve.dom" >scene.dom
     for part in 1 2 3; do "$DOMINO" --shard $part/3 -f scene.dom; done >parts

@@ -22,7 +22,7 @@ teardown() {
 
 terminal() { tmux -u -S "$socket" -f /dev/null "$@"; }
 
-# A tmux server that ends still answers under its name for a moment, so the next one gets a new name.
+# A tmux server that ends still answers on its socket for a moment, so the next server gets a new socket.
 close_terminal() {
     terminal kill-server
     socket+=x
@@ -106,7 +106,7 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
 # Commands whose answers must fit in 40 columns without a cut word: 'screen -J' would join a line that tmux had to wrap.
 narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 'cycle 3' 'curve 0.1 0.9 3' effects
     'set errors on; thetac')
-@test "answers fit in 40 columns, and in 60, where no word is cut" {
+@test "answers fit in 40 and in 60 columns, and no word is cut" {
     fits 40 "${narrow[@]}"
     close_terminal
     fits 60 "${narrow[@]}"
@@ -250,15 +250,15 @@ gone() { ! terminal has-session 2>/dev/null; }
     see '^1820$'
     see_last "$prompt"
 }
-at_end() { # LINE WIDTH: is the cursor behind the line?
+at_end() { # LINE WIDTH: is the cursor just past the end of the line?
     [ "$(cursor)" -eq $(((8 + ${#1}) % $2)) ]
 }
 
-@test "300 lines pasted, between brackets and without" {
+@test "300 pasted lines are all run, with and without bracketed paste" {
     echo foo >"$BATS_TEST_TMPDIR/lines" # an error, after which the other lines are run
     for i in {1..299}; do echo "set s 0.0$((100 + i))"; done >>"$BATS_TEST_TMPDIR/lines"
     echo 'print s*10000' >>"$BATS_TEST_TMPDIR/lines"
-    for option in -p -d; do # -p pastes with brackets, as modern terminals do
+    for option in -p -d; do # -p is bracketed paste, as in modern terminals
         open_session 80 24
         terminal load-buffer "$BATS_TEST_TMPDIR/lines"
         terminal paste-buffer "$option"
@@ -271,7 +271,7 @@ at_end() { # LINE WIDTH: is the cursor behind the line?
     done
 }
 
-# ^Z and fg under a shell with jobs.
+# Opens a session under a shell with job control, for ^Z and fg.
 suspended_session() {
     open_terminal 80 24 bash --norc --noprofile -i
     press -l "PS1='shell> '"
@@ -388,7 +388,7 @@ commands_are() { until_true cyan_is "$1"; } # WORDS
     commands_are ''
     press -l 'fuel'
     commands_are fuel
-    press C-r # not in a search
+    press C-r # commands have no colour in a search
     press -l 'zz'
     see 'search'
     commands_are ''
@@ -398,7 +398,7 @@ commands_are() { until_true cyan_is "$1"; } # WORDS
     press C-u
 }
 
-# Prints the faint text on the screen, before which a colour may end.
+# Prints the faint text on the screen, without colour codes.
 faint() { terminal capture-pane -p -e | sed -n 's/\x1b\[3[69]m//g; s/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
 hint_is() { [ "$(faint)" = "$1" ]; }
 hint() { until_true hint_is "$1"; } # HINT
@@ -408,7 +408,7 @@ hinted() { # TEXT HINT
     hint "$2"
 }
 
-@test "a hint is the rest of the usage, or of an earlier line, which keys accept" {
+@test "a hint shows the rest of the usage or of an earlier line; the right arrow, ^E and M-f accept an earlier line" {
     unset NO_COLOR
     open_session 80 24
     for case in 'count |H [R]' 'count 112 m| [R]' 'curve 0.1 |TO N' 'set s |1e-06 .. 1' 'set fuel |exact|paper' 'effect friction |MU' \
@@ -419,7 +419,7 @@ hinted() { # TEXT HINT
     press -l 'theta1 0.1'
     press Enter
     see 'arm_b'
-    hinted 'theta1 0' '.1' # after the line is shown again
+    hinted 'theta1 0' '.1'
     press Right
     see 'theta1 0\.1$'
     hint ''
@@ -431,7 +431,7 @@ hinted() { # TEXT HINT
     hint ' 0.1'
     press C-e
     see 'theta1 0\.1$'
-    press C-a # only at the end of the line
+    press C-a # a hint is shown only at the end of the line
     hint ''
     press C-e C-u Up
     see 'theta1 0\.1$'
@@ -449,7 +449,7 @@ hinted() { # TEXT HINT
 }
 shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
 
-@test "a hint stays in its screen line, whatever the width, and is not shown without colours" {
+@test "a hint is cut at the edge of the terminal, and is not shown without colours" {
     unset NO_COLOR
     open_session 40 12
     hinted 'effect placement ' 'SIGMA [HEIGHTS'
@@ -471,7 +471,7 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     done
 }
 
-@test "long answers go through less, while they are computed; q and ^C end them, and the session goes on" {
+@test "less shows long answers while they are computed; q and ^C end them, and the session goes on" {
     command -v less || skip 'without less'
     unset PAGER
     open_session 80 24

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""terminal.py COLUMNS ROWS ATTRIBUTES COMMAND...: runs a command on a terminal of this size, which answers ATTRIBUTES
-when it is asked for them ('' for a terminal that does not answer), and prints what it writes there."""
+"""terminal.py COLUMNS ROWS ATTRIBUTES COMMAND...: runs a command in a pseudo-terminal of this size, and prints its
+output. If the command asks for the attributes of the terminal, it gets ATTRIBUTES, or no answer if ATTRIBUTES is empty.
+In the output, '<asked>' stands for the question."""
 import fcntl
 import os
 import pty

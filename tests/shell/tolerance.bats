@@ -35,7 +35,7 @@ verdicts() { # COMMANDS...
     same friction 'yes no' "$(verdicts "effect friction $high" "effect friction 1.0001*$high")"
 }
 
-@test "tolerance: a height changes one domino and its mass" {
+@test "tolerance: the window of a height is for one domino, whose mass changes with the height" {
     "$DOMINO" -e "$scene; set mass 0.01; row > row.csv; tolerance > t.csv"
     for k in 1 3 6; do
         for column in 9 10; do
@@ -50,7 +50,7 @@ verdicts() { # COMMANDS...
     done
 }
 
-@test "tolerance: sentences, in which windows are rounded inwards; and a row that does not fall" {
+@test "tolerance: windows in sentences are rounded inwards; for a row that does not fall, they say what saves it" {
     said=$("$DOMINO" -e 'effect row 5; tolerance')
     grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the tightest limits of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
@@ -63,7 +63,7 @@ verdicts() { # COMMANDS...
     within 'top backwards' "$(values lean_low <<<"$exact")" -0.0017 'd <= 0 && d > -0.01'
     # The first domino may lean until its centre is above its front edge: the top is off by h sin(theta_u).
     within 'top forwards' "$(json 'effect row 5; tolerance' | head -n 1 | values lean_high)" 0.00692673 'd*d < 1e-10'
-    for precision in float double quad; do # in no precision does the search try a domino that falls over by itself
+    for precision in float double quad; do # the search never tries a domino that falls over by itself
         grep -q '^Set domino 2 up plumb: ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; tolerance")"
         grep -q '^Set domino 1 up square ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; effect slope 0.1; tolerance")"
     done
@@ -78,7 +78,7 @@ verdicts() { # COMMANDS...
     wrong tolerance 'there is no row'
 }
 
-@test "tolerance: the table has the windows of each domino, and sentences have the rest" {
+@test "tolerance: the table has only windows of places, gaps and heights, and marks the tightest limits" {
     run -0 "$DOMINO" -e 'effect row 4; tolerance'
     same heads 'domino from to gap_low gap_high height_low height_high first' "$(echo ${lines[0]})"
 }

@@ -53,7 +53,7 @@ END
     same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"
 }
 
-@test "undo: its steps share the texts of functions" {
+@test "undo: the steps share one copy of each function's text" {
     awk 'BEGIN { for (k = 0; k < 150; k++) { printf "let g%d(x) = x", k; for (i = 0; i < 5000; i++) printf "+1.000001"; print "" } }' >many.dom
     echo 'undo > /dev/null' >>many.dom
     # The sanitizers need more memory than this limit.

@@ -123,7 +123,7 @@ END
     [[ $output == *'each domino can be 1.000002 times as large'* ]]
 }
 
-@test "kinds of units that do not fit: the message names both" {
+@test "units of kinds that do not fit: the message names both kinds" {
     all_wrong <<'END'
 7|count 112 deg|^count: H is a length, not an angle
 7|count 3 s|^count: H is a length, not a time
@@ -168,7 +168,7 @@ END
 END
 }
 
-@test "the square of an angle is not an angle, and messages name it" {
+@test "the square of an angle is not an angle, and messages give its unit" {
     wrong_at 8 'theta1 0.1 rad * 1 rad' '^theta1: T is an angle, not in rad\^2'
 }
 
@@ -180,7 +180,7 @@ END
         for key in $keys; do
             close "$command: $key" "$(deg "$(values "$key" <<<"$rad")")" "$(values "$key" <<<"$answer")"
         done
-        for key in $others; do # which do not change
+        for key in $others; do # these values do not change
             same "$command: $key" "$(values "$key" <<<"$rad")" "$(values "$key" <<<"$answer")"
         done
     done <<'END'
@@ -218,7 +218,7 @@ END
     same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
 }
 
-@test "a message suggests the right unit after a misspelling, and functions and units are topics of help" {
+@test "a message suggests the right unit after a misspelling, and functions and units are help topics" {
     wrong_at 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
     wrong_at 9 'print 3 furlong' "^print: 'furlong' is not a unit"
     for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Variables and functions of one line: let.
+# Let: variables and one-line functions.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -49,7 +49,7 @@ rmax x|(nothing)
 END
 }
 
-@test "let: a function of one line" {
+@test "let: a one-line function" {
     all_print <<'END'
 let f(s) = rmax(s)*s; f(0.3)|0.454336
 let f(a, b) = a^b; f(2, 10)|1024
