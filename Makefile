@@ -24,18 +24,18 @@ CFLAGS  ?= $(OPTIM) $(HARDEN)
 # The linker and the archiver of macOS have different options from those of GNU, LLVM and FreeBSD.
 DARWIN  := $(filter Darwin,$(shell uname -s))
 LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now $(RELR))
-# A compact table of the addresses that the dynamic linker adjusts, 140 KB smaller. The option is used if the linker
-# accepts it without a warning and the C library runs the result.
+# With this option the table of addresses that the dynamic linker adjusts is compact, which saves 140 KB. The option is
+# used if the linker accepts it without a warning and a program linked with it runs here.
 RELR     = $(if $(shell echo 'int main(void) { return 0; }' | { $(CC) -x c - $(PACKED) -o $(B)/relr && $(B)/relr; } 2>&1 || echo no),,$(PACKED))
 PACKED  := -Wl,-z,pack-relative-relocs
-# Results must have the same digits on every machine, so there is no contraction and no -ffast-math. The code never
-# reads errno after a square root, which is a single instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
 # POSIX and the usual extensions of C libraries. Only a file that uses more defines _GNU_SOURCE, because <math.h> is then
 # three times as long.
 STD     := -std=c17 -D_DEFAULT_SOURCE
 # Large data are on the heap, since stacks may be small. 'make WERROR=1' treats warnings as errors.
 STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
+# Results must have the same digits on every machine, so there is no contraction and no -ffast-math. The code never
+# reads errno after a square root, and without errno a square root is a single instruction.
 C_FLAGS := $(STD) $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -fno-asynchronous-unwind-tables $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 BSD     := $(if $(PORTABLE),-lbsd)
@@ -46,9 +46,9 @@ THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
-# The remaining files of src/model are the source of the kernels, which precision/*.c include, and compare/gsl.c also
-# includes the kernel in double. TYPED is compiled twice: with the types of <domino.h>, and with those of
-# <domino_quad.h>, which the kernels in float and quad have.
+# The remaining files of src/model are the source of the kernels, and precision/*.c include them. The kernel in double
+# is compiled within compare/gsl.c, which includes precision/double.c. TYPED is compiled twice: once with the types of
+# <domino.h>, and once with the types of <domino_quad.h>, which the kernels in float and quad use.
 TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/dispatch/dispatch.c \
            $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
 DOUBLE  := src/model/texts.c src/model/numerics/quiet.c src/model/dispatch/bridge.c \
@@ -165,13 +165,13 @@ LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPE
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
-# With -O1, compiling takes two thirds of the time or less. Code that waits for the kernels in float and double is as
-# fast with -O1, and so is the kernel in quad, which waits for library functions that multiply and add. The kernels in
-# float and double need the same options, because 'cost' compares their times.
+# With -O1, compiling takes at most two thirds of the time. Code that waits for the kernels in float and double is as
+# fast with -O1. The kernel in quad is as fast, too, because it waits for library functions that multiply and add. The
+# kernels in float and double need the same options, because 'cost' compares their times.
 QUICK := $(call OBJ,$(SHELL_C) $(TYPED) src/model/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) src/model/precision/quad.c)
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
-# With -Og, compiling takes less again. The code that runs once for each command needs the same number of instructions, but
-# a line would take 16 % more, and quad with friction 10 % more.
+# With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.
+# With -Og everywhere, a line would take 16 % more instructions, and quad with friction 10 % more.
 ONCE  := $(filter src/shell/commands/% src/shell/picture/% src/shell/prompt/% src/model/planning/% src/model/effects/%,$(SHELL_C) $(TYPED))
 $(call OBJ,$(ONCE)) $(patsubst %.c,$(B)/objq/%.o,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
 $(B)/objq/%.o: %.c | $(FIRST)
@@ -186,8 +186,7 @@ $(B)/libdomino.a: $(LIB_OBJ)
 	$(Q)rm -f $@
 	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $^
 
-# If a structure or a function changes, the major version, which is the number in the soname, must
-# increase.
+# If a structure or a function changes, the major version must increase. It is the number in the soname.
 MAJOR  := $(firstword $(subst ., ,$(VERSION)))
 SONAME := libdomino.so.$(MAJOR)
 # The library exports the functions that begin with dom_ or domq_.
@@ -215,8 +214,7 @@ $(B)/shared/domino: PROGRAM := $(GSL) -lreadline
 $(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
 	$(call LINK,$(PROGRAM))
 
-# Programs find a shared library in /usr/lib without help. For other folders, domino.pc adds an
-# rpath.
+# Programs find a shared library in /usr/lib without help. For other folders, domino.pc adds an rpath.
 PC_PATH = "$(1)=$$(printf %s "$(2)" | sed 's/[[:blank:]]/\\&/g')"
 PC_TEXT = printf '%s\n' $(call PC_PATH,libdir,$(LIBDIR)) $(call PC_PATH,includedir,$(INCLUDEDIR)) \
   'rpath=$(if $(filter-out /usr/lib /usr/lib/%,$(LIBDIR)),-Wl$(,)-rpath$(,)$${libdir})' '' \
@@ -291,8 +289,7 @@ $(B)/tap/shell/%.count: tests/shell/% all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
 
-# Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the
-# sweeps.
+# Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the sweeps.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
 QUICK_BATS := $(patsubst %,tests/shell/%.bats,output count growth effects rows precision draw cycle)
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
@@ -314,8 +311,8 @@ $(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/li
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
 
-# Makes the table of proved growths in parts, as on a cluster, and checks it by other means, which takes a minute.
-# Every run gives the same bytes.
+# Makes the table of proved growths in parts, as on a cluster. Then tests/atlas checks the table by other means, which
+# takes a minute. Every run gives the same bytes.
 ATLAS_PARTS := 1 2 3 4
 atlas: all
 	@echo '  ATLAS  examples/atlas.csv'
@@ -345,9 +342,10 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 -D_GNU_SOURCE $(WARN) -O2 -fPIC -shared $< -o $@
 
-# Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and store rows under
-# sanitizers. The examples run in 'make valgrind' instead, and every command in 'make fuzz'. A leak is a failure. Counts
-# the lines of the model that the tests run. With -g1, which records only lines, gcc takes half as long.
+# Runs the following under sanitizers: the unit tests, three suites of hard cases, and the sessions that read lines and
+# files and store rows. A leak is a failure. The examples run in 'make valgrind' instead, and every command in 'make
+# fuzz'. Then tests/coverage counts the lines of the model that the tests have run. With -g1, which records only lines,
+# gcc takes half as long.
 SANITIZED := $(patsubst %,tests/shell/%.bats,prompt assert complete draw effects errors escape expressions files fifo help lines \
   mend names options placement prove rowfiles rows save settings tolerance undo units variables)
 sanitize: | $(FIRST)
@@ -385,7 +383,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Measures ratios of times in one run. SciPy takes part if it is installed.
+# Compares the times of this library and of other programs in one run. SciPy takes part if it is installed.
 BENCH := bench compare curve floor front growth lengths lines measure rows start waits
 bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
@@ -398,14 +396,15 @@ $(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(c
 $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 	$(call LINK,$(GSL))
 
-# Compares instructions of answers with tests/bench/instructions.csv; 'make guard KEEP=1' writes that file again.
+# Compares the numbers of instructions of answers with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
+# file again.
 guard: all $(B)/answers
 	@echo '$(CFLAGS)' > $(B)/flags
 	@KEEP=$(KEEP) tests/bench/guard $(B)
 
 # ---- Checks ----
 
-# Compares the binary interface with that of the first library of this soname.
+# Compares the binary interface with the interface of the first library that had this soname.
 abi: $(B)/python/domino/_api.py
 	@$(if $(KEEP),cp $< tests/abi/$(SONAME).py)
 	@tests/abi/check tests/abi/$(SONAME).py $<
@@ -433,8 +432,8 @@ lint: $(HEADERS) | $(FIRST)
 	printf '%s\n' $(DOUBLE) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
 	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(MUSL_READ) -DDOMQ
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
-	@# These two read the source of the kernels once, as the kernel in double. cppcheck takes the order of the series in
-	@# one precision for that in another.
+	@# The next two checkers read the source of the kernels once, as the kernel in double. In all precisions at once,
+	@# cppcheck would mistake the order of the series in one precision for the order in another.
 	printf '%s\n' $(CHECKED) | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet "$$@" -- $(STD) $(INCLUDES)' clang-tidy
 	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) $(CHECKED)
@@ -450,7 +449,7 @@ format:
 
 # ---- Installation ----
 
-# The folder under PREFIX for Python modules, preferably one in which Python looks. Empty without Python.
+# The folder under PREFIX for Python modules, preferably one that Python searches. Empty without Python.
 PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
   print(next((d[len(sys.argv[1]) + 1:] for d in sys.path if d.startswith(sys.argv[1] + "/lib") and d.endswith("-packages")), \
              "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The separation at which a train can grow by GROWTH: a dialogue with the program domino, line by line, as
- * client.py has it.
+ * Finds the separation at which a train can grow by GROWTH, in a line-by-line dialogue with the program
+ * domino. client.py does the same in Python.
  *
  *   cc client.c -o client
  */
@@ -24,7 +24,7 @@ static pid_t start(void)
     if (child == 0) {
         dup2(in[0], STDIN_FILENO);
         dup2(out[1], STDOUT_FILENO);
-        close(in[1]); /* else the program would wait for its own end of the pipe */
+        close(in[1]); /* otherwise the program would never see the end of its input */
         execlp("domino", "domino", (char *)NULL);
         _exit(127);
     }
@@ -35,19 +35,20 @@ static pid_t start(void)
     return to && from ? child : -1;
 }
 
-/* Asks one question, and finds a number in the object that answers it; ends the program where none is. */
+/* Asks one question, and returns the number with this key in the answer, which is a JSON object. Ends this
+ * program if there is no such number. */
 static double ask(const char *question, const char *key)
 {
     char answer[4096], name[64];
     fprintf(to, "%s\n", question);
-    fflush(to); /* the program cannot answer what it has not got */
+    fflush(to); /* otherwise the question would wait in the buffer */
     if (!fgets(answer, sizeof answer, from)) {
         fprintf(stderr, "client: no answer; is domino installed?\n");
         exit(1);
     }
     snprintf(name, sizeof name, "\"%s\":", key);
     const char *value = strstr(answer, name);
-    if (!value) { /* the object of an error says what is wrong */
+    if (!value) { /* after an error, the object holds the message instead */
         fprintf(stderr, "client: no %s in %s", key, answer);
         exit(1);
     }
@@ -67,10 +68,10 @@ int main(int argc, char **argv)
         perror("client");
         return 1;
     }
-    fprintf(to, "set output json\n"); /* answers nothing: the output is not json before it */
+    fprintf(to, "set output json\n"); /* no answer, because the output is not yet json */
     snprintf(question, sizeof question, "print %s", argv[1]);
     double growth = ask(question, "value");
-    double low = 0.001, high = ask("best", "s"); /* up to there the largest growth increases with s */
+    double low = 0.001, high = ask("best", "s"); /* up to `high`, the largest growth increases with s */
     for (int i = 0; i < 40; i++) {
         double middle = (low + high) / 2;
         snprintf(question, sizeof question, "rmax %.17g", middle);

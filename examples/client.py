@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The separation at which a train can grow by GROWTH: a dialogue with the program domino, line by line.
+"""Finds the separation at which a train can grow by GROWTH, in a line-by-line dialogue with the program domino.
 
-Each question depends on the answer before, so neither side may wait for more than one line.
+Each question depends on the previous answer, so neither side may wait for more than one line.
 
 usage: client.py GROWTH
 """

@@ -16,7 +16,7 @@ int main(int argc, char **argv)
     }
     enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
     if (status == DOM_OK)
-        status = limit.why; /* there may be no growth */
+        status = limit.why; /* no growth may be possible at this separation */
     if (status != DOM_OK) {
         fprintf(stderr, "rmax: s = %g: %s\n", train.s, dom_status_text(status));
         return 1;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The largest growth at a separation, as rmax.c finds it, through ctypes and the shared library.
+"""The largest growth at a separation. Does the same as rmax.c, through ctypes and the shared library.
 
 usage: rmax.py SEPARATION
 """
@@ -24,7 +24,7 @@ class Limit(ctypes.Structure):
 
 
 def library():
-    """Loads libdomino: that of the variable LIBDOMINO, the one installed with this example, or any other."""
+    """Loads libdomino: the file that $LIBDOMINO names, the library installed with this example, or any other."""
     installed = os.path.join(os.path.dirname(os.path.realpath(__file__)), "../../../../lib/libdomino.so")
     domino = ctypes.CDLL(os.environ.get("LIBDOMINO")
                          or (installed if os.path.exists(installed) else None)

@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Scenes in parts, under GNU parallel: on the processors of this machine, or with its option --sshlogin on those of
-# others that share FOLDER.
+# Computes scenes in parts with GNU parallel, on the processors of this machine. With PARALLEL='--sshlogin ...' in the
+# environment, the parts run on other machines that share FOLDER.
 #
-#   parallel.sh [PARTS] [FOLDER] [SCENE...]     FOLDER/SCENE.csv of each scene; by default all scenes but map.dom and improve.dom
+#   parallel.sh [PARTS] [FOLDER] [SCENE...]     writes FOLDER/SCENE.csv for each scene; by default for all scenes but
+#                                               map.dom and improve.dom
 #
-# A part whose program is killed is computed again, twice at most. If the script itself was stopped, run it again: it
+# A part whose program is killed is computed again, at most twice. If the script itself was stopped, run it again: it
 # computes only the parts that are missing. The parts are in FOLDER/SCENE.parts.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -14,7 +15,7 @@ folder=${2:-.}
 shift $(($# < 2 ? $# : 2))
 [ $# -gt 0 ] || set -- "$here/sweep.dom" "$here/placement.dom" "$here/errors.dom"
 
-# Each part uses one thread, since there are as many parts at a time as processors.
+# GNU parallel computes one part per processor at a time, so each part uses one thread.
 for scene; do
     name=$(basename "$scene" .dom)
     mkdir -p "$folder/$name.parts"

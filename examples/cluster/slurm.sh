@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A scene as a job array of Slurm: task I of N computes part I of N.
+# Computes a scene as a job array of Slurm: task I of N computes part I of N.
 #
 #   sbatch slurm.sh                               20 parts of the sweep, part-01.csv ... part-20.csv
 #   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement; errors.dom likewise
@@ -12,7 +12,7 @@
 #   cat part-*.csv > sweep.csv                    for a sweep, as in sweep.dom, map.dom and improve.dom
 #   cat part-*.csv | domino -e 'pool -'           for a study
 #
-# If tasks were lost, the same command computes only the parts that are missing. To run only tasks 7 and 31, use
+# If tasks were lost, submit the same command again: it computes only the parts that are missing. To run only tasks 7 and 31, use
 # '--array=7,31', and give the number of parts with '--export=ALL,PARTS=50'.
 #
 #SBATCH --job-name=domino
@@ -27,5 +27,5 @@ parts=${PARTS:-$SLURM_ARRAY_TASK_COUNT}
 # Slurm runs a copy of this script, in the folder from which it was submitted.
 here=$(cd "$(dirname "$scene")" && pwd)
 
-# Names whose order is that of the parts, however many there are.
+# These file names sort in the order of the parts, however many there are.
 THREADS=${SLURM_CPUS_PER_TASK:-1} "$here/part.sh" "$scene" "$part" "$parts" "part-$(printf "%0${#parts}d" "$part").csv"
