@@ -5,7 +5,7 @@
 
 load common
 
-# Replaces gnuplot by a program that stores its script.
+# Replaces gnuplot with a wrapper that stores the script in $PWD/script.
 keep_scripts() {
     mkdir bin
     printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$PWD" "$(command -v gnuplot)" \
@@ -29,8 +29,8 @@ record="effect row \"$root/examples/record.csv\""
     same rows 96 "$(wc -l <frames)"
     awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
         { before = $1; n[$2]++ }
-        # There are 1 + sqrt(r) + r cycles. The number of frames of a cycle is proportional to its
-        # duration, and theta grows in each cycle up to theta_c.
+        # The 3 cycles last 1 + sqrt(r) + r times as long as the first one. The number of frames of a cycle is
+        # proportional to its duration, and theta grows in each cycle up to theta_c.
         END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' frames
     awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
         END { exit bad || pairs < 80 }' frames
@@ -51,7 +51,7 @@ record="effect row \"$root/examples/record.csv\""
     csv "$record; animate a.gif rate 10" >data
     same keys 'time,domino,theta' "$(head -n 1 data)"
     same 'a frame each row, and ten more' "$frames" "$(($(wc -l <data) - 1 + 10))"
-    # The times are evenly spaced up to the end, which is the same as for 'fall'.
+    # The times are evenly spaced up to the end, which is at the time that 'verdict' gives.
     awk -F, -v end="$(json "$record; verdict" | values seconds)" 'NR == 2 && !($1 < 0) { bad = 1 }
         NR > 3 && before < end - 0.1 { d = $1 - before - 0.1; if (d > 1e-9 || d < -1e-9) bad = 1 }
         NR > 2 && $2 < domino { bad = 1 } { before = $1; domino = $2 }
@@ -63,7 +63,7 @@ record="effect row \"$root/examples/record.csv\""
     read -r _ _ fast _ <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
     read -r _ _ slow _ <<<"$("$BATS_TEST_DIRNAME/gif" b.gif)"
     awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
-    # A row that stops is also shown, and a row in which the view follows the front.
+    # A row that stops, and a row in which the view follows the front, make valid gifs.
     "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
     "$BATS_TEST_DIRNAME/gif" a.gif
     "$BATS_TEST_DIRNAME/gif" b.gif
@@ -107,13 +107,12 @@ END
     for picture in *.gif; do same "$picture" "$("$BATS_TEST_DIRNAME/gif" "$root/examples/pictures/$picture")" "$("$BATS_TEST_DIRNAME/gif" "$picture")"; done
 }
 
-@test "animate: the number of the head stands on the head in every frame of every cycle" {
+@test "animate: the number of the head is between its feet in every frame of every cycle" {
     keep_scripts
     local scene
     for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
         "$DOMINO" -e "$scene; animate a.gif"
-        # In a frame, the head is a part of its own. Its number follows in the data, and stands between the feet
-        # of the head.
+        # In each frame, the block $part2 has the corners of the head. The label 0 must be between the feet.
         awk '/^\$part2/ { heads++; n = 0; next } /^END/ { n = -1 } n >= 0 && NF == 2 { x[n++] = $1 }
             /^set label .0. at/ {
                 labels++
@@ -137,7 +136,8 @@ END
     same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
         "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
             'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
-    # With 'tower' the row of the last count falls towards a tower. The data are those of the row alone.
+    # With 'tower' the row of the last count falls towards a tower. The data are the same as without the
+    # tower.
     "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
     "$BATS_TEST_DIRNAME/gif" b.gif >said
     same tower "$(csv 'effect row 8; animate a.gif rate 5')" "$(csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d)"

@@ -15,7 +15,7 @@ load common
     wrong 'assert (rmax(0.4) > 2)' 'assert: not true'
 }
 
-@test "--check after a command names assert" {
+@test "--check after a command: the message says how to use assert instead" {
     run --separate-stderr "$DOMINO" --keep-going -e 'verdict --check; prove --check; design 1 m --check'
     same 'what would be right' "'assert verdict' 'assert prove WHAT [VALUE]' 'assert design H [WISHES]'" \
         "$(grep -o "'assert [^']*'" <<<"$stderr" | paste -sd ' ' -)"

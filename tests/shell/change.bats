@@ -42,7 +42,7 @@ END
     same 'of the first' 0.9 "$(column mass 'set mass 1; effect row 3; change 1 mass 0.9 kg' | cut -d' ' -f1)"
     same 'relative' '1 3.375 11.390625' "$(column relative 'effect row 3')"
     same 'relative, changed' '1 6.75 11.390625' "$(column relative 'effect row 3; change 2 mass 200 %')"
-    # The first domino has the mass of 'set mass', to which the change applies.
+    # Masses are relative to the first domino, so this change doubles the others.
     same 'relative, first' '1 6.75 22.78125' "$(column relative 'effect row 3; change 1 mass 50 %')"
     # Energies are in m g h / 2 of the first domino, so they do not change if all masses are
     # doubled.
@@ -57,7 +57,7 @@ END
     done
 }
 
-@test "change: saved by 'save' and by 'row', taken back by undo, and valid for a sweep" {
+@test "change: 'save' and 'row' save it, undo takes it back, and sweeps use it" {
     scene="set mass 1; effect row 5; change 2-4 thickness +10 %; change 2 mass 130 %; change 3 lean = -1 mm; change 5 gap 25 %
         change 4 radius 1 mm"
     "$DOMINO" -e "$scene; save scene.dom; row > saved.csv; change 2 height 7 cm; undo > /dev/null; row > undone.csv" >/dev/null

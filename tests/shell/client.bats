@@ -5,8 +5,8 @@
 
 load common
 
-# A program that writes each command of the table, and also other kinds of lines, and waits for each
-# answer. The timeout matters only if the test fails.
+# Sends each command of the table, and waits for its answer. The answer ends where the answer to a following
+# 'print 7' begins. The timeout matters only if the test fails.
 talk() { # READ-FROM WRITE-TO: descriptors
     local call line
     while IFS='|' read -r call _; do
@@ -36,7 +36,7 @@ setup() {
     wait "$process"
 }
 
-@test "a program that waits for each answer gets it: a pipe with a name, by -f and by 'source'" {
+@test "a program that waits for each answer gets it: a named pipe, with -f and with 'source'" {
     mkfifo commands answers
     local by
     for by in '-f commands' '-e source\ commands'; do
@@ -109,7 +109,7 @@ def ask(line):
 domino.stdin.write("set output json\n")
 ask("effect row 13")
 answered = threading.Event()
-def interrupt(): # until the study has begun, and the answer to the interrupt has come
+def interrupt(): # repeats the signal, because the study may not have begun
     while not answered.wait(0.2):
         domino.send_signal(signal.SIGINT)
 thread = threading.Thread(target=interrupt)

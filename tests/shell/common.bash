@@ -51,7 +51,7 @@ session() { # WAY COMMANDS
     stdin) printf '%s\n' "$text" | "$DOMINO" ;;
     -f) printf '%s\n' "$text" >"$script" && "$DOMINO" -f "$script" ;;
     '#!')
-        ln -sf "$DOMINO" "$BATS_TEST_TMPDIR/domino" # its path has no blanks that '#!' would split
+        ln -sf "$DOMINO" "$BATS_TEST_TMPDIR/domino" # '#!' needs a path without blanks
         printf '#!%s -f\n%s\n' "$BATS_TEST_TMPDIR/domino" "$text" >"$script"
         chmod +x "$script"
         "$script"
@@ -69,7 +69,8 @@ bare() {
     sed -uE '/^\{"command":"[a-z0-9]*"\}$/d; /^\{"command":[^,]*,"error":/d; s/^\{"command":"[a-z0-9]*",/{/'
 }
 
-# Print the keys of the first json answer on stdin, and the value of a key in each answer that has it.
+# 'keys' prints the keys of the first json answer on stdin. 'values' prints the value of a key in each answer
+# that has the key.
 keys() { bare | head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
@@ -83,8 +84,8 @@ two_dominoes='height (mm), thickness (mm), gap (mm)
 # shellcheck disable=SC2034
 root=${BATS_TEST_DIRNAME%/tests/*}
 
-# Checks before every test that the program runs, because otherwise tests that something does not happen would
-# pass. Each test begins in an empty folder.
+# Checks before every test that the program runs. Without this check, tests that expect nothing to happen
+# would pass. Each test begins in an empty folder.
 setup() { begin; }
 begin() { answers_at_all && mkdir -p "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
 answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
@@ -94,14 +95,14 @@ file() { cat >"$1"; }
 completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
 mode() { find "$1" -prune -perm "$2"; }
-# Runs a program with a time limit, so that no test waits for ever.
+# Runs a program with a time limit, so that no test waits forever.
 soon() { timeout 30 "$@"; }
 
 # Runs a scenario at a terminal. The scenarios of NAME.bats are in NAME.exp.
 prompt() { timeout 300 expect -f "${BATS_TEST_FILENAME%.bats}.exp" "$@" </dev/null; }
 
-# Fails if an expected text is empty, because a program that prints nothing would pass. Write '(nothing)'
-# to expect nothing.
+# Fails if an expected text is empty, because then a program that prints nothing would pass. To expect
+# nothing, write '(nothing)'.
 expects() { # WHAT EXPECTED
     [[ $2 == *[![:space:]]* ]] || { printf '%s: the expectation is empty\n' "$1" && false; }
 }
@@ -116,7 +117,7 @@ same() { # WHAT EXPECTED OBTAINED
     [ "$expected" = "$obtained" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
-# Checks that two answers exist and differ, so that comparisons elsewhere mean something.
+# Checks that two answers exist and differ, because comparing empty or constant answers would prove nothing.
 differ() { # WHAT ONE OTHER
     expects "$1" "$2" && expects "$1" "$3" || return
     [ "$2" != "$3" ] || { printf '%s\ntwice: %s\n' "$1" "$2" && false; }
@@ -151,8 +152,8 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
     return 1
 }
 
-# Checks that a command fails with this message in one line, and that the session goes on. Sets the variables of
-# 'run'.
+# Checks that a command fails with a one-line message that matches PATTERN, and that the session goes on. Sets
+# the variables of 'run'.
 # shellcheck disable=SC2154
 wrong() { # COMMANDS PATTERN
     run --separate-stderr "$DOMINO" --keep-going -e "$1; print 41 + 1"
@@ -163,7 +164,7 @@ wrong() { # COMMANDS PATTERN
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
 
-# Checks the same as 'wrong', and that no row is written.
+# Like 'wrong', but also checks that the command writes nothing to standard output.
 wrong_line() { # COMMANDS PATTERN
     wrong "$@"
     [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
@@ -198,7 +199,7 @@ all_mean() {
     while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
 }
 
-# Checks the output of 'print' for rows of VALUE|UNIT|EXPRESSION on stdin, where '-' means no unit.
+# Checks the output of 'print' for lines VALUE|UNIT|EXPRESSION on stdin, where '-' means no unit.
 all_worth() {
     local value unit expression rows answers
     mapfile -t rows
@@ -212,10 +213,10 @@ all_worth() {
     done
 }
 
-# Checks rows of COLUMN|COMMAND|MESSAGE on stdin in one session. Each command must fail with one error at the column,
-# which matches the regular expression MESSAGE, and must change no parameter. Column 0 means that the error is about
-# the whole command.
-all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are written
+# Checks lines COLUMN|COMMAND|MESSAGE on stdin in one session. Each command must fail with one error at the
+# column, and must change no parameter. The message must match the regular expression MESSAGE. Column 0 means
+# that the error is about the whole command.
+all_wrong() { # [WAY...]: how domino gets the commands: stdin, -e, or the name of a file to write
     local column command message place way rows errors i each=()
     mapfile -t rows
     "$DOMINO" -e 'set output json; show' >"$BATS_TEST_TMPDIR/shown"
@@ -248,11 +249,11 @@ all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are writte
 }
 wrong_at() { all_wrong stdin <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE
 
-# Prints the libraries that are needed to link a library that was built with sanitizers.
+# Prints the options for linking with a library that was built with sanitizers or for coverage.
 checked() {
     if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
     if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi
 }
 
-# Debian's Python has Debian's NumPy; another one that is first on PATH may have none.
+# Prefers the system's Python, because another Python that is first on PATH may have no NumPy.
 python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 "$@"; fi; }

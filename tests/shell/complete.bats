@@ -5,7 +5,7 @@
 
 load common
 
-@test "'complete LINE' takes the whole line, and runs nothing of it" {
+@test "'complete LINE' takes the whole line, and runs none of it" {
     run -0 --separate-stderr "$DOMINO" -e 'complete fuel; th'
     same "';'" "$("$DOMINO" -e 'complete th')" "$output"
     same "';': stderr" '(nothing)' "$stderr"
@@ -132,7 +132,7 @@ END
     same 'no functions' '(nothing)' "$("$DOMINO" -e 'complete print rmax.' | grep -x 'rmax\.sin')"
 }
 
-@test "complete: files, where files belong" {
+@test "complete: file names, where a command takes a file" {
     touch alpha.dom beta.dom
     mkdir alps
     for line in 'source ' 'save ' 'fuel > ' 'fuel >> ' 'rmax 0.3 > '; do
@@ -145,7 +145,7 @@ END
     same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
 
-@test "words that completion offers after a word are accepted there" {
+@test "the words that completion offers are accepted as the next word" {
     local line word refused=''
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
         'plot gr' 'plot sweep' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \

@@ -14,7 +14,7 @@ load common
     grep -q '^For 6 digits the solvers of GSL take [0-9.e+]* times our time\.$' <<<"$output"
 }
 
-@test "cost: errors are as small as requested for every method that answers, down to 1e-33 for our own" {
+@test "cost: errors are as small as requested for every method that answers, down to 1e-33 for our own method" {
     for command in rmax barrier duration launch fuel pair; do
         "$DOMINO" -e "set output csv; cost $command" >cost
         same "$command" method,precision,tol,error,dominoes,passes,time,times "$(head -n 1 "$PWD/cost")"
@@ -37,7 +37,7 @@ load common
     done
 }
 
-@test "cost: commands without a tolerance or an answer are errors in one line" {
+@test "cost: a command without a tolerance or an answer gives a one-line error" {
     run -1 "$DOMINO" --keep-going -e 'cost thetac'
     same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
     run -1 "$DOMINO" --keep-going -e 'cost brier'

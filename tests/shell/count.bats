@@ -38,7 +38,7 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
         '^ *solid *yes;.* 1\.64423 .* 16 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
-    # The toppled domino is one growth larger than the last of the 20.
+    # The toppled domino is r times as tall as the last of the 20.
     close 'the 20th' "$(json 'count 112' | values last_height)" "$(json 'print 1.5 * h * 1.5^19' | values value)"
     same 'r 2 with solid dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
@@ -65,12 +65,12 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     same 'feasible: no reason' '(nothing)' "$(values reason <<<"$answer")"
 }
 
-# Runs the row of a count with 'fall'. Its first domino tips over or is pushed.
+# Prints the verdict on the row of a count. The first domino tips over or is pushed.
 falls() { # SCENE DOMINOES
     json "$1; effect row $(($2 + 1)); verdict" | values verdict
 }
 
-@test "count answers for a row with a start, as 'verdict' runs it" {
+@test "count agrees with 'verdict' about a row whose first domino tips over or is pushed" {
     while IFS='|' read -r scene dominoes feasible goes_on; do
         answer=$(json "$scene; count 112" | tail -n 1)
         same "$scene: dominoes" "$dominoes" "$(values dominoes <<<"$answer")"
@@ -100,7 +100,7 @@ effect edges 0.01; set r 1.5|20|true|true
 END
 }
 
-@test "count says how a row ends if its first domino just tips over, and how many dominoes it takes at a growth that such a row can have" {
+@test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
     for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
         'just tips over, the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
@@ -110,7 +110,7 @@ END
     answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2')
     grep -q 'ends at domino 1: the first domino touches the second before it tips over' <<<"$answer"
     grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
-    # The longest row that starts agrees with 'rowmax', and json has the reason.
+    # The largest growth at which a row starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
     json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over, the row ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
@@ -126,6 +126,6 @@ END
     same 'on ice' false "$(json 'effect row 2; effect feet 0.05; count 1 m' | values feasible)"
 }
 
-@test "count: the bound of the last height is a few units in its last place" {
+@test "count: the error bound of the last height is a few units in the last place" {
     within 'height of the last domino' 1e-13 "$(json 'set errors on; count 112' | values last_height_error)" 'o > 0 && o < 1e-12'
 }

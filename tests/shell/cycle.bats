@@ -45,7 +45,7 @@ evenly() { # COUNT
     "$DOMINO" -e 'cycle 2' | grep -q 'mgh/2'
 }
 
-@test "cycle: a follower that detaches is an event, in both orders with the top" {
+@test "cycle: a follower that detaches is an event, before or after the top" {
     same 'fall, then top' 'launch fall top hit' \
         "$(json 'set q hollow; set s 0.54; set r 1.8518; cycle 4' | values event | grep . | paste -sd ' ' -)"
     same 'top, then fall' 'launch top fall hit' \
@@ -103,14 +103,14 @@ evenly() { # COUNT
     same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"
 }
 
-@test "other parameters begin the walk again, and say so" {
+@test "after a change of parameters the walk begins again, and a message says so" {
     run -0 "$DOMINO" -e 'step 2; set r 1.4; where'
     [[ $output == *'The parameters have changed, so the steps begin again at the launch.'* ]]
     same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"
     same 'output does not count' top "$(json 'step 2; set digits 5; where' | tail -n 1 | values event)"
 }
 
-@test "why: the verdict, the term that decides, and that dominoes stay in contact" {
+@test "why: the verdict, the term that decides it, and whether the dominoes stay in contact" {
     run -0 "$DOMINO" -e 'why'
     for words in 'The train keeps falling: it has 730 % of the energy that it needs to push the next domino over.' 'K >= B (26; c8)' \
         'may be up to 1.64423 times as large' 'The dominoes stay in contact, as the paper assumes'; do
@@ -125,7 +125,8 @@ evenly() { # COUNT
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
     [[ $output == *'The growth is limited by the reach: with r above 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
-    # The first two sentences have no symbol, and give advice: other gaps, less growth, thinner dominoes.
+    # The first two lines have no symbols. The second line gives advice: other gaps, less growth, thinner
+    # dominoes.
     while IFS='|' read -r scene advice; do
         run -0 "$DOMINO" -e "$scene; why"
         same "$scene" "$advice" "${lines[1]}"
@@ -157,7 +158,7 @@ END
         same "$change" "$("$DOMINO" -e "$change; draw train 0.2")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw train")"
     done
-    # The walk has a tolerance of its own, so that every state of the walk can be drawn.
+    # The walk has its own tolerance, so that every state of the walk can be drawn.
     for change in 'set tol 0.1' 'set tol 0.01' 'set tol 1e-13'; do
         same "$change" "$("$DOMINO" -e 'set r 1.7; goto stop > /dev/null; draw')" \
             "$("$DOMINO" -e "$change; set r 1.7; goto stop > /dev/null; draw")"

@@ -44,7 +44,7 @@ pkg|pkg install -y readline bats-core gnuplot-lite
 END
 }
 
-@test "every package of the Makefile has a line, and without root and sudo the command is shown" {
+@test "deps knows every package of the Makefile, and without root or sudo it shows the command" {
     for goal in run test faults fuzz bench verify lint portable valgrind; do
         make -s -C "$root" -pn deps $goal 2>/dev/null | sed -n 's/^NEEDED := //p'
     done | tr ' ' '\n' | sort -u >needed

@@ -7,8 +7,8 @@ load common
 
 wood='set q hollow; effect friction 0.3'
 
-# The published rows were found in steps of 0.02 in s: 0.46, 0.48 and 0.54. The row of the first separation is 12.0 m
-# long before it falls.
+# The published rows have s = 0.46, 0.48 and 0.54, and were found in steps of 0.02 in s. The first of these
+# rows is 12.0 m long before it falls.
 @test "design: rows from 48 mm to 8 m, with friction 0.3" {
     while read -r q safety s r steps feet; do
         answer=$(json "$wood; set q $q; design 8 m safety $safety")
@@ -25,7 +25,7 @@ massive 2 0.54 1.482 13 16.77
 END
 }
 
-@test "design: the numbers agree with those of barrier and fall" {
+@test "design: the numbers agree with 'barrier' and 'verdict'" {
     json "$wood; design 8 m; barrier; verdict" >answers
     close train "$(awk -v k="$(values kinetic <answers)" -v b="$(values barrier <answers)" 'BEGIN { printf "%.12g", k / b }')" \
         "$(values train <answers)" 1e-9
@@ -35,7 +35,7 @@ END
     close seconds "$(values seconds <answers | tail -n 1)" "$(values seconds <answers | head -n 1)" 1e-9
 }
 
-@test "design: the session gets the row, and a file has it in a form that effect row reads" {
+@test "design: the row becomes the row of the session, and 'effect row' can read it from a file" {
     "$DOMINO" -e "$wood; design 8 m hall 20 m > hall.csv; fall > typed.csv; show s > s.json"
     same head 'domino,height (m),thickness (m),gap (m),relative' "$(head -n 1 hall.csv)"
     same last 12,8 "$(tail -n 1 hall.csv | cut -d , -f 1,2)"
@@ -60,7 +60,7 @@ END
     grep -qE '^mass +433\.6' <<<"$output"
     run -0 "$DOMINO" -e "$wood; set q massive; design 8 m"
     grep -qE '^domino +height +thickness +gap +at +relative +volume$' <<<"$output"
-    # The volume is that of the wood, also if only the dominoes above 10 cm are boxes.
+    # The volume counts only the wood, even if only the dominoes above 10 cm are boxes.
     for above in 0 0.1; do
         volume=$(json "effect walls 2 mm $above m; set q 3; design 20 cm; plan > boxes.csv" | values volume)
         wood=$(awk -F, -v above=$above 'NR > 1 {
@@ -71,7 +71,7 @@ END
     done
 }
 
-@test "design: what does not fit, and the number that would fit" {
+@test "design: if no row meets the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
     same hall "infeasible: the shortest row with safety 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
@@ -111,7 +111,7 @@ END
         echo "$(values safety <<<"$a") $(values weakest <<<"$a") $(values train <<<"$a")"; done)"
 }
 
-@test "design: a wrong wish gives an error in one line" {
+@test "design: an invalid wish gives a one-line error" {
     wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
     wrong 'design 8 m safety 1' "the safety must be more than 1, not 1:.*'safety 2'"
@@ -131,7 +131,7 @@ END
     row="$scene; set s $(values s <<<"$answer"); set r (30/4.8)^(1/"
     same rows "$(values probability <<<"$answer")" "$(json "$row$steps); effect row $((steps + 1)); placement 2000" | values probability)"
     within fewer 0.9 "$(json "$row$((steps - 1))); effect row $steps; placement 2000" | values low)" 'o < e'
-    # The session gets the row, for which 'placement' has the same result.
+    # With small errors, all random rows fall. A table compares the numbers of dominoes.
     run -0 "$DOMINO" -e "$scene; effect placement 0.1 mm; design 30 cm falls 90 %; show row"
     grep -qE "^dominoes +length +relative +fail +rows +falls +low$" <<<"$output"
     grep -qE '^ +[0-9]+ .* 0 +2000 +100 +99\.816$' <<<"$output"
@@ -147,7 +147,7 @@ END
     wrong "$scene; design 1 m falls 2 m" "'falls' is a probability of at most 99.99 %"
 }
 
-@test "design: whole mm and boards, and the rounded row is the one that has the safety" {
+@test "design: with whole mm and boards, the rounded row still has the requested safety" {
     boards='boards 9, 12, 15, 18, 25, 30, 50, 70, 100, 150, 250, 400, 700, 1100 mm'
     json "$wood; design 8 m grid 1 mm $boards; row; fall" >answers
     values safety <answers >safety

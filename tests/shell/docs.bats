@@ -11,7 +11,7 @@ digits() {
 
 build=$(dirname "$DOMINO")
 
-@test "domino-effects(7) has a section with an example that runs for each effect" {
+@test "domino-effects(7) has a section for each effect, with an example that runs" {
     page=$root/man/domino-effects.7
     same effects "$("$DOMINO" -e 'complete effect ' | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
     sed -n 's/^\.Dl //p' "$page" >examples

@@ -40,8 +40,7 @@ record="effect row \"$root/examples/record.csv\""
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
     "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the domino that is pushed: 0: '
     same 'a safe session draws in characters' "$output" "$("$DOMINO" --safe -e 'draw 0.3')"
-    # The next domino is 1.5 times as tall as the head, and the width of the head is right to a
-    # character.
+    # Measured in lines, the next domino is about 1.5 times as tall as the head.
     next=$(grep -c '#' <<<"$("$DOMINO" -e 'draw 0' | head -n -2)")
     head=$(grep -c '0 *#\|000' <<<"$("$DOMINO" -e 'draw 0' | sed '1d;/-----/,$d')")
     awk -v n="$next" -v h="$head" 'BEGIN { exit !(n / h > 1.3 && n / h < 1.7) }'
@@ -58,13 +57,13 @@ record="effect row \"$root/examples/record.csv\""
         "$("$DOMINO" -e 'goto 0.2 > /dev/null; set s 0.3; draw')"
 }
 
-@test "draw: a picture with forces has a legend, and a text file has the characters" {
+@test "draw: a picture with forces has a legend, and a .txt file has the drawing in characters" {
     "$DOMINO" -e 'draw 0.3 forces > a.svg; draw forces > a.txt'
     same text "$("$DOMINO" -e 'draw forces')" "$(cat a.txt)"
     for words in 'to scale' 'x \[h\]' '>next<' 'dots: contacts' 'arrows: the push'; do grep -q "$words" a.svg; done
 }
 
-@test "what cannot be drawn: an error in one line that says what to do, and no file" {
+@test "what cannot be drawn gives a one-line error that says what to do, and no file" {
     dir=$PWD
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
@@ -101,7 +100,7 @@ record="effect row \"$root/examples/record.csv\""
     [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate full/a.gif'
 }
 
-@test "without gnuplot: an error in one line that says what to install, and the data are still available" {
+@test "without gnuplot, a one-line error says what to install, and the data are still available" {
     dir=$PWD
     mkdir "$dir/empty"
     for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
@@ -149,7 +148,7 @@ END
         [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
         same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
     done
-    # In a low picture of a row, heights have the same unit as the 0.
+    # In a low picture of a row, the axis of heights has a single unit, which stands in the place of the 0.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
     "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
     same 'the unit' cm "$(grep -x '[cm]*m' texts)"
@@ -171,8 +170,7 @@ for k, (own, seen) in enumerate(zip(row, draw)):
     at += own["thickness"]
     assert abs(seen["x"] - at) < 1e-12 and abs(seen["top_front_z"] - own["height"]) < 1e-12
 END
-    # When domino 8 is hit, domino 7 touches it at the height that follows from the cosine of its
-    # tilt.
+    # When domino 8 is hit, the top of domino 7, which is 1.9 m tall, has crossed the gap of 64 cm.
     hit=$(csv "$record; fall" | awk -F, '$1 == 8 { print $3 }')
     same 'a time or its domino' "$(csv "$record; draw at domino 8" | cut -d, -f 4 | cut -c 1-9)" \
         "$(csv "$record; draw at $hit s" | cut -d, -f 4 | cut -c 1-9)"
@@ -266,7 +264,7 @@ set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
 END
 }
 
-@test "rows that cannot be drawn: an error in one line that says what works" {
+@test "rows that cannot be drawn give a one-line error that says what works" {
     one_line "'draw at' shows a row at a given moment; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows that moment" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
@@ -318,9 +316,9 @@ END
         'Above the row, [0-9.]* times larger: dominoes 1 to 9\.' '^domino .* 19 *20 *tower$'; do
         grep -q "$words" <<<"$answer" || same 'draw tower' "$words" "$answer"
     done
-    # The spire is narrower than the foot, and the tower as tall as the picture.
+    # The spire is narrower than the foot.
     awk '/##/ { n = match($0, /#+$/); if (n && !top) top = length($0) - n; if (n) low = length($0) - n } END { exit !(top < low) }' <<<"$answer"
-    # The data are for the growth of the count, not for that of the session.
+    # The data are for the growth of the count, not for the growth of the session.
     same data "$(csv 'set r 1.6; effect row 17; draw')" "$(csv 'count 112 m 1.6; draw tower' | sed 1,2d)"
     "$DOMINO" -e 'count 112 m; draw tower > a.svg; draw tower > a.png; set r 1.2; count 60 m; draw tower > b.svg'
     grep -q '>tower<' a.svg && grep -q 'times larger: dominoes 1 to' b.svg

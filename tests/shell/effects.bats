@@ -6,7 +6,7 @@
 
 load common
 
-@test "effects are off by default, and then no code of them runs; each effect runs only its own code" {
+@test "effects are off by default, and then none of their code runs; each effect runs only its own code" {
     run -0 json effects
     same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
     same entered '0 0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
@@ -103,7 +103,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'with r above 1.08727 the head'* ]]
 }
 
-@test "edges: step, why, thetac and scene name their equations; no paper fuel, no proof; a file of the row keeps radii" {
+@test "edges: step, why, thetac and scene name their equations; there is no paper fuel and no proof; a row file keeps the radii" {
     run -0 "$DOMINO" -e 'effect edges 0.01; step; step; step; why; thetac; scene'
     for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Halley's method"; do
         [[ $output == *"$text"* ]]
@@ -132,7 +132,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 
 @test "effects that need each other, or cannot be combined, say so" {
     wrong 'effect push 3' "'effect push' needs a row; first enter 'effect row N'"
-    # Errors may come before the row, but 'placement' runs a row.
+    # 'effect placement' may come before the row, but the command 'placement' needs a row.
     wrong 'effect placement 1 mm; placement' "there is no row; first enter 'effect row N'"
     same 'the order' "$(json 'effect row 9; effect placement 3 mm; placement 100')" \
         "$(json 'effect placement 3 mm; effect row 9; placement 100')"
@@ -242,7 +242,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     # The boxes in the rigid-body engine have the same moment of inertia.
     local train='set r 1.3; set s 0.3; effect row 6; effect friction 0.1; effect walls 1 mm'
     [ -n "${SANITIZED-}" ] || close 'in the engine' "$(json "$train; verdict" | values seconds)" "$(json "$train; set method engine; verdict" | values seconds)" 2e-3
-    # Solid up to a height, and boxes above it.
+    # Dominoes up to a given height are solid, and taller dominoes are boxes.
     local tall='set r 1.5; set density 600; effect row 7'
     same 'all solid' "$(json "$tall; row; verdict")" "$(json "$tall; effect walls 12 mm 1 m; row; verdict")"
     close 'mass of the last block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^4; print 600 * h * h / 2 * h * 7 / 48 }')" \
@@ -250,7 +250,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close 'mass of the first box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; t = h * 7 / 48; print 600 * (h * h / 2 * t - (h - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; row" | values mass | sed -n 6p)" 1e-9
     differ 'time of the boxes' "$(json "$tall; effect walls 12 mm 30 cm; verdict" | values seconds)" "$(json "$tall; verdict" | values seconds)"
-    # If a changed height turns a block into a box, the mass is that of the wood in its walls.
+    # If a changed height turns a block into a box, its mass becomes the mass of its walls.
     close 'a block becomes a box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^4; t = h * 7 / 48; print 600 * (0.4 * h / 2 * t - (0.4 - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; change 5 height 40 cm; row" | values mass | sed -n 5p)" 1e-9
     close 'a box becomes a block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; print 600 * 0.2 * h / 2 * 0.05 }')" \
@@ -290,13 +290,14 @@ END
 @test "effects: columns are aligned, however long the settings are" {
     count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
     for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
-        # Headers of numbers are aligned to the right with the numbers.
+        # Headers of numeric columns are right-aligned, like the numbers.
         "$DOMINO" -e "$scene; effects" | sed '/^Each time is/,$d' | awk -v count="$count" '
             NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
             END { exit bad || rows != count }'
     done
-    # The method that each effect needs, and the method of the scene, which 'scene' names as well.
+    # 'effects' names the method that each effect needs, and agrees with 'scene' about the method of the
+    # scene.
     methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene; this is now ([a-z]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
     same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
     same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"

@@ -6,9 +6,9 @@
 
 load common
 
-# Checks the output for $PWD/junk, to which a last line is added that shows whether the session goes
-# on.
-junk() { # EXPECTED MESSAGE; the junk is in $PWD/junk
+# Checks that the commands in $PWD/junk give a single message, which matches PATTERN, and that the session
+# goes on.
+junk() { # PATTERN
     printf '\nset output json; show s\n' >>junk
     run -1 --separate-stderr "$DOMINO" --keep-going junk
     same 'the session goes on' 0.4 "$(tail -n 1 <<<"$output" | values value)"
@@ -158,7 +158,7 @@ END
         same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ ^-e:1:\ ${command% *}:\ 'r s = 1.2 > 1: '.*1/s\ =\ 1.25$ ]] || same "$command" 'r s = 1.2 > 1: ... 1/s = 1.25' "$stderr"
     done
-    # Commands for which r does not matter accept it.
+    # These commands do not need r s <= 1.
     for command in rmax pair best 'curve 0.5 0.9 3' 'count 112' show; do
         same "$command" '{' "$(json "set s 0.8; $command" | cut -c 1 | sort -u)"
     done
@@ -179,7 +179,7 @@ set s 1e-6; set r 1e6; set q 100|fuel,barrier,duration|range of the precision.*(
 END
 }
 
-@test "file:line counts every line, in each file, also in text with CRLF" {
+@test "file:line counts every line of each file, even with CRLF line ends" {
     printf '# a comment\n\nfuel; foo; fuel\n  qux # baz' >one
     printf 'fuel\r\nfoo\r\n\r\nqux\r\n' >two
     run -1 --separate-stderr "$DOMINO" --keep-going -f one two -e 'foo' -
@@ -190,7 +190,7 @@ two:4:1: unknown command 'qux'
 -e:1:1: unknown command 'foo'" "${stderr//; \'help\' lists the commands/}"
 } </dev/null
 
-@test "lines in the text of -e are counted, too" {
+@test "lines in the text of -e are also counted" {
     run -1 --separate-stderr "$DOMINO" --keep-going -e $'set s 0.3\n\nfoo'
     [[ $stderr == -e:3:1:* ]] || same place -e:3:1: "$stderr"
 }

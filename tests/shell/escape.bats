@@ -81,7 +81,7 @@ harmless() { # FILE
     same files row.csv "$("$DOMINO" -e 'complete source r')"
 }
 
-@test "no file is written whose name has control characters" {
+@test "no file with control characters in its name is written" {
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
         for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate "NAME.gif" 1'; do

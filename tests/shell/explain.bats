@@ -16,7 +16,7 @@ check=$root/tests/derivations/check.py
     read -r scenes lines ended <<<"$output"
     echo "$output"
     [ "$scenes" -gt 950 ] && [ "$lines" -gt 3500 ] && [ "$ended" -gt 300 ]
-    # The check finds a number that is off by a billionth.
+    # The check finds a wrong number.
     sed -E '0,/("quantity":"K".*"value":)([0-9.]*)/s//\11.00000001/' answers.json >wrong.json
     run -1 python "$check" check <wrong.json
 }
@@ -108,7 +108,7 @@ END
     close 'r_max of the paper' 2.1686 "$(at 'r_max' paper)" 1e-4
     close 'best s' 0.432413 "$(at 's of' paper)" 1e-6
     close 'best s' 0.443615 "$(at 's of' program)" 1e-6
-    # The paper's search for the maximum ends at the first one, which is at theta = 0 here.
+    # The paper's search ends at the first maximum, which is at theta = 0 here.
     answer=$(json 'set q hollow; set s 0.54; set r 1.8518; set tol 1e-8; recipe')
     close 'first maximum' 0 "$(at 'H(theta_m)' paper)"
     close 'largest maximum' "$(json 'set q hollow; set s 0.54; set r 1.8518; barrier' | values barrier)" "$(at 'H(theta_m)' program)"
@@ -167,7 +167,7 @@ END
     same train "$(json 'explain why')" "$(json 'explain verdict')"
 }
 
-@test "explain names the terms of sums, and says where a number has no value" {
+@test "explain names the terms of sums, and says when a quantity has no value" {
     "$DOMINO" -e 'explain fuel' | grep -q '^    next_i: tilt of domino i when the head hits the next domino, at theta_c$'
     answer=$("$DOMINO" -e 'set s 0.05; explain why')
     grep -q "^      = no value: this train has no such cycle; 'why' says more" <<<"$answer"

@@ -5,8 +5,8 @@
 
 load common
 
-# Prints TEXT COUNT times. The text is doubled in each step, since a million calls of printf would
-# take long.
+# Prints TEXT COUNT times. The text is doubled in each step, because a million calls of printf would take a
+# long time.
 repeat() { # TEXT COUNT
     awk -v text="$1" -v n="$2" 'BEGIN {
         for (many = text; n > 0; many = many many) { if (n % 2) printf "%s", many; n = int(n / 2) } }'
@@ -104,7 +104,7 @@ END
     same 'two words of an expression' "$(json 'curve 0.05 0.3 3')" "$(json 'curve 0.1 - 0.05 0.3 3')"
 }
 
-@test "parameters, commands and answers are names" {
+@test "in an expression, names of parameters, commands and answers stand for their values" {
     all_worth <<'END'
 0.4|-|s
 0.048|m|h
@@ -185,7 +185,7 @@ END
     [[ $stderr =~ ^-e:1:.*'has no value here' ]] || same 'no growth' 'has no value here' "$stderr"
 }
 
-@test "errors in expressions: the column is right, also after letters of several bytes" {
+@test "errors in expressions: the column is right, even after multibyte letters" {
     all_wrong <<'END'
 7|print foo|^print:.*'foo' has no value
 11|print 1 + foo|^print:.*'foo' has no value
@@ -252,8 +252,8 @@ END
     same 'a comment' 2 "$(json 'print 2 #3; print 4' | values value)"
 }
 
-@test "nonsense that is nested deeply or a megabyte long: one line, no crash" {
-    deep() { # BEGIN REPEATED COUNT END
+@test "deeply nested or megabyte-long nonsense gives a one-line error, and no crash" {
+    deep() { # BEGIN REPEATED COUNT END [STATUS]
         printf '%s' "$1" >deep
         repeat "$2" "$3" >>deep
         printf '%s\nset output json; show s\n' "$4" >>deep
@@ -276,7 +276,7 @@ END
     deep 'help ' 'a' 1000000 ''
     deep 'apropos ' 'a' 1000000 ''
     deep '' 'θ' 1000000 ''
-    # Long expressions that are right.
+    # Long expressions that are valid.
     deep 'print ' '1+' 100000 1 0
     deep 'print 1' ' ' 1000000 '' 0
     deep 'print 0.5' '0' 1000000 '' 0
@@ -369,7 +369,7 @@ END
         `' verdict.seconds rowmax.r_max design.steps improve.probability placement.probability budget.sigma slip.motion' "$list"
 }
 
-@test "every command as a function, with 0 to 4 values: a value or one line" {
+@test "every command, called as a function of 0 to 4 arguments, gives a value or a one-line error" {
     local name arguments names
     names=$("$DOMINO" -e complete)
     [ "$(wc -l <<<"$names")" -gt 40 ]

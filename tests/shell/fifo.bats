@@ -40,7 +40,7 @@ load common
 
 @test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
 
-@test "FIFOs, pipes and devices are read and written as files are" {
+@test "FIFOs, pipes and devices are read and written like files" {
     answer=$("$DOMINO" -e fuel)
     mkfifo fifo
     echo 'fuel' >fifo &

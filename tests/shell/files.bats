@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Answers in files: > and >>, endings of names, links, permissions, and files after an error.
+# Answers in files: > and >>, file extensions, links, permissions, and files after an error.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -8,7 +8,7 @@ load common
 @test "'> FILE' and '>> FILE' after any command" {
     while IFS='|' read -r call _; do
         case $call in design*) continue ;; esac # a file gets the designed row: see plan.bats
-        plain='set header off; ' asked=$plain # otherwise an existing file gets no second header
+        plain='set header off; ' asked=$plain # because '>>' to an existing file writes no header
         for format in table csv json; do
             plain+="set output $format; $call; "
             asked+="set output $format; $call > $format; $call >> $format; $call; "
@@ -37,7 +37,7 @@ load common
     same 'nothing else' 'close,csv,json,nested,out,table,with  blanks,x;y #z' "$(inside)"
 }
 
-@test "'apropos WORD' ends like every other command" {
+@test "';' and '>' work after 'apropos WORD' as after every other command" {
     same "';'" "$("$DOMINO" -e 'apropos hollow')"$'\n'1 "$("$DOMINO" -e 'apropos hollow; print 1' | grep .)"
     "$DOMINO" -e "apropos hollow > out"
     same '>' "$("$DOMINO" -e 'apropos hollow')" "$(cat out)"
@@ -73,7 +73,7 @@ load common
     same 'through the link' "$("$DOMINO" -e fuel)" "$(cat target)"
 }
 
-@test "paths that cannot be written: named, with the reason; the session goes on" {
+@test "paths that cannot be written: the message has the path and the reason, and the session goes on" {
     mkdir directory
     echo old >file
     all_wrong <<'END'
@@ -124,7 +124,7 @@ END
     same 'nothing was written' '(nothing)' "$(inside)"
 }
 
-@test "'> FILE' keeps links and names, needs no blank, and finds standard output" {
+@test "'> FILE' keeps hard links, needs no blank, and can write to /dev/stdout" {
     echo old >one && ln one two
     "$DOMINO" -e 'print 1>one; print 2 >> two'
     same 'a file of two names' $'1\n2' "$(cat two)"
@@ -174,7 +174,7 @@ END
     same 'one after the other' "$("$DOMINO" -e fuel)" "$(cat out)"
 }
 
-@test ".csv and .json choose the format; .txt, or no ending, means the format of 'set output'" {
+@test ".csv and .json choose the format; .txt, or no extension, means the format of 'set output'" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
         same "$output: csv" "$("$DOMINO" -e 'set output csv; effect row 5; fall')" "$(cat fall.csv)"
@@ -190,10 +190,10 @@ END
     "$DOMINO" -e 'rmax 0.3 > all.csv; rmax 0.5 >> all.csv'
     same 'appended' "$("$DOMINO" -e 'set output csv; rmax 0.3; rmax 0.5')" "$(cat all.csv)"
     "$DOMINO" -e 'rmax > .csv; rmax > a.b/../c' 2>/dev/null || true
-    same 'a hidden file has no ending' "$("$DOMINO" -e rmax)" "$(cat .csv)"
+    same 'a hidden file has no extension' "$("$DOMINO" -e rmax)" "$(cat .csv)"
 }
 
-@test "a picture is drawn whatever 'set output' says; csv and json are its data" {
+@test "a picture is drawn whatever 'set output' says; a .csv or .json file gets its data" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; draw > d.svg; plot energy > e.svg; draw > d.csv; plot energy > e.json"
         for name in d.svg e.svg; do
@@ -208,7 +208,7 @@ END
     same 'characters' "$("$DOMINO" -e draw)" "$(cat d.txt)"
 }
 
-@test "an ending that does not fit is an error before anything is computed, and leaves no file" {
+@test "a file extension that does not suit the answer is an error before anything is computed, and leaves no file" {
     for name in a.jpg a.gif a.xlsx a.foo v.dat; do
         wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
         wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
@@ -299,7 +299,7 @@ END
     same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; tee /dev/null; source script; fuel' | tail -n 3)"
 }
 
-@test "files whose names are as long as a name may be" {
+@test "a file name may have the maximum length, but not a byte more" {
     local name ascii other
     ascii=$(printf 'x%.0s' {1..255}) other=$(printf 'ü%.0s' {1..127})
     for name in "${ascii:0:248}" "${ascii:0:249}" "$ascii" "$other" "x$other"; do

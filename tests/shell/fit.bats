@@ -40,11 +40,11 @@ END
     for file in errors plain sheet commas; do
         close "$file" 0.25 "$(json "fit friction $file.csv" | values friction | head -n 1)" 1e-5
     done
-    # Errors of 0.01 m/s cause an uncertainty, and smaller errors a smaller one.
+    # The uncertainty is proportional to the errors.
     wide=$(json 'fit friction errors.csv' | values friction_sd | head -n 1)
     sed -i 's/,0\.01$/,0.005/' errors.csv
     close uncertainty "$wide" "$(json 'fit friction errors.csv' | values friction_sd | head -n 1 | awk '{ print 2 * $1 }')" 1e-3
-    # The picture in the terminal has the title and the range that were given, and the data are those of 'fit'.
+    # The picture in the terminal has the given title, and its data are the same as for 'fit'.
     "$DOMINO" -e 'plot fit title "Mine" xrange 0 1 friction errors.csv' >picture
     for words in '^ *Mine$' 'measured = fitted' 'fitted speed in m/s'; do grep -q "$words" picture || same plot "$words" "$(cat picture)"; done
     same 'its data' "$(csv 'fit friction errors.csv')" "$(csv 'plot fit friction errors.csv')"
@@ -55,7 +55,7 @@ END
     grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$output"
 }
 
-@test "fit: errors in a file are reported in one line" {
+@test "fit: an error in a file gives a one-line message" {
     : >empty.csv
     printf 'gap (mm), speed (m/s)\n' >head.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n9, 1.31\n' >one.csv
@@ -134,7 +134,7 @@ noisy_hits() { # SEED
     awk '{ exit !($1 == 40 && $2 >= 34 && $3 >= 34 && $2 + $3 < 80) }' inside
 }
 
-@test "fit: hit times drift if gaps vary, and a parameter stays within its range" {
+@test "fit: messages about hit times that drift, a parameter at the limit of its range, and one that has no influence" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
     grep -q '^The best fit is friction 0, which is the limit of its range\.$' <<<"$fit"

@@ -68,7 +68,7 @@ END
         "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
 }
 
-@test "rmax names both limits if a row starts only at a smaller growth than the one at which a train keeps falling" {
+@test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
     for words in '1\.64423 times as large' 'just tips over falls with a growth of up to 1\.59459' \
         'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do
@@ -79,7 +79,7 @@ END
     # If the reach limits both growths, they are equal.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
     ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is for a train'
-    # Programs get the limit of a row that starts, as 'count' gives it.
+    # In json, 'rmax' and 'count' give the same r_start.
     answer=$(json 'rmax; count 112; set q hollow; rmax 0.1')
     same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"
     close ans 1.59459196 "$(json 'rmax; print ans.r_start' | values value)" 1e-8

@@ -5,7 +5,7 @@
 
 load common
 
-@test "lesson: in a pipe it shows the tutorial without waiting, and in a file the rest of the file" {
+@test "lesson: in a pipe it shows the tutorial without waiting, and within a file it shows the rest of the file" {
     golden=$BATS_TEST_DIRNAME/golden/tutorial.out
     same steps 10 "$(grep -c '^---- ' "$golden")"
     for way in -e stdin; do
@@ -53,7 +53,7 @@ END
     examples=0
     names=$(paste -sd ' ' "$PWD/names")
     help=$("$DOMINO" -e help)
-    # The example is that of a fresh session, whatever has been set, and changes nothing.
+    # The example is run in a fresh session, whatever has been set, and does not change this session.
     changed='set s 0.3; set digits 4; set fuel paper; set angle deg'
     "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.txt"/' names | paste -sd ';' -)" -e show >shows
     same 'help changes nothing' "$(head -n "$(($(wc -l <shows) / 2))" shows)" "$(tail -n "$(($(wc -l <shows) / 2))" shows)"

@@ -11,13 +11,13 @@ load common
     prompt history_device "$BATS_TEST_TMPDIR/link"
 }
 
-@test "history: the target of a link keeps its mode" { prompt history_link; }
+@test "history: a link remains a link, and its target keeps its mode" { prompt history_link; }
 
 @test "history: a FIFO is reported and not used" { prompt history_fifo; }
 
 @test "history: SIGKILL loses nothing" { prompt history_crash; }
 
-@test "history: half a line and a long file" { prompt history_long; }
+@test "history: a last line without a newline, and a long file" { prompt history_long; }
 
 @test "history: four sessions that end at once" { prompt history_many 4 5; }
 

@@ -30,7 +30,7 @@ set output json\r\n\r\nset s 0.3\r\nfuel
 END
 }
 
-@test "'quit' in the middle ends the session, in every way" {
+@test "'quit' in the middle ends the session, however the commands are given" {
     for way in -e stdin -f '#!'; do
         run -0 --separate-stderr session "$way" $'set output json\nfuel; quit; foo\nfoo'
         same "$way" "$(json fuel)" "$output"
