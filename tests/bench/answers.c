@@ -3,9 +3,9 @@
  * Computes the answers whose instructions `make guard` counts, and prints their names in the same order. Each
  * answer is one call of answer(), and callgrind counts the instructions of each call.
  *
- * usage: answers computes all of them
- *        answers NAME            computes this one alone; prints its passes and dominoes
- *        answers NAME SECONDS    prints its time, too, in us: the least of those that so many seconds allow
+ * usage: answers                 computes all answers, except those that are apart
+ *        answers NAME            computes one answer, and prints its passes and dominoes
+ *        answers NAME SECONDS    also prints its time in us, the shortest within so many seconds
  */
 #include "domino_quad.h"
 #include <stdio.h>

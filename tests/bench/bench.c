@@ -69,11 +69,10 @@ static void machine_print(void)
            "gcc",
 #endif
            __VERSION__, BENCH_FLAGS);
-    puts("Times are the least of several, taken in turns in this one run. An error is the worst relative one "
-         "of a\n"
-         "table's questions, against our quad precision at 1e-18. We are asked for the target itself, others "
-         "for\n"
-         "the loosest tolerance (a power of 10) with which they reach it.");
+    puts("Each time is the shortest of several, and all programs take turns in this one run. An error is\n"
+         "the largest relative error of a table's questions, measured against our quad precision at 1e-18.\n"
+         "Our tolerance is the target itself. The tolerance of another program is the largest power of 10\n"
+         "with which it reaches the target.");
 }
 
 /* Prints the errors of our quad precision, compared with tables from other programs. All other errors are
@@ -165,8 +164,8 @@ static struct process curve_command(const char *domino, const char *threads)
     return best;
 }
 
-/* Results of the curve that are compared with goals. Efficiencies are in percent of the gain that the machine
- * allows. */
+/* Results of the curve that are compared with goals. Efficiencies are in percent of the speed-up that the
+ * machine allows. */
 struct curve_goals {
     double library, efficiency, command_efficiency, megabytes;
 };
@@ -202,7 +201,7 @@ static struct curve_goals curve_print(const char *domino)
     return goals;
 }
 
-/* Returns the largest number of passes that r_max takes for separations up to 0.01 from s. */
+/* Returns the largest number of passes that r_max takes for separations from s - 0.01 to s + 0.01. */
 static double passes_near(double s, double q)
 {
     size_t most = 0;
@@ -217,8 +216,7 @@ static double passes_near(double s, double q)
     return (double)most;
 }
 
-/* Returns the time of a contender divided by ours. Returns NaN if one of the two times is missing, or if the
- * contender does not reach the error. */
+/* Returns the time of a contender divided by ours, or NaN if the contender was not measured. */
 static double ratio(const struct result *result, enum contender contender)
 {
     return result[contender].compared ? result[contender].seconds / result[OURS].seconds : NONE;
@@ -287,9 +285,9 @@ int main(int argc, char **argv)
     contenders_end();
 
     static const char of_rmax[] =
-        "no lower bound forbids it. By 'The lower bound of r_max' above, there are nearly as few passes as "
-        "in a "
-        "search that knows the root, but a domino takes six times as long as its bare recurrence";
+        "no lower bound rules this goal out. By 'The lower bound of r_max' above, there are nearly as few "
+        "passes as in a search that knows the root, but a domino takes six times as long as its bare "
+        "recurrence";
     const struct goal own[] = {
         {"r_max at 1e-12, mean of 178 questions", "links", 561, 420, all[OURS].seconds / link, false,
          of_rmax},
@@ -302,25 +300,26 @@ int main(int argc, char **argv)
         {"r_max of hollow dominoes near s = 0.54", "passes", 280, 60, passes_near(0.54, 3), false, NULL},
         {"  of solid ones near s = 0.62", "passes", 221, 60, passes_near(0.62, 4), false, NULL},
         {"  with rounded edges, times as long as with sharp ones", "x", 4.4, 2, with_edges / in_double, false,
-         "no lower bound forbids it. By 'The cost of rounded edges' above, both searches visit as many "
-         "dominoes, but a bare link takes three times as long"},
+         "no lower bound rules this goal out. By 'The cost of rounded edges' above, both searches visit "
+         "as many dominoes, but a bare link takes three times as long"},
         {"  in quad, times as long as in double", "x", 64, 50, in_quad / in_double, false,
          "quad has no instructions of its own: each operation is a function of the compiler"},
         {"one cycle's duration to 1e-12", "links", 1761, 1300, cycle[OURS].seconds / link, false,
-         "no lower bound forbids it. By its lower bound above, the operations of dominoes take the time"},
+         "no lower bound rules this goal out. By its lower bound above, the operations of dominoes take "
+         "the time"},
         {"verdict of a random row of 20, r = 1.3", "links", NONE, 6000, row.plain / link, false, NULL},
         {"  with friction 0.2", "links", NONE, 15000, row.friction / link, false, NULL},
         {"a row of 10,000 equal dominoes", "s", NONE, 1.5, length, false, NULL},
         {"a curve of 10,000 points on one core, by the library", "ms", 61, 45, 1e3 * curve.library, false,
          of_rmax},
-        {"  its efficiency on all cores (100 %: all that they can gain)", "%", NONE, 80, curve.efficiency,
+        {"  its efficiency on all cores (100 %: all the machine allows)", "%", NONE, 80, curve.efficiency,
          true, NULL},
         {"  efficiency of the command 'curve' (three curves)", "%", NONE, 80, curve.command_efficiency, true,
          NULL},
         {"  peak memory of this command", "MB", NONE, 10, curve.megabytes, false, NULL},
         {"100,000 lines 'print 2+2', times as long as '2+2' in bc", "x", 0.70, 1, lines.print, false,
-         "no lower bound forbids it. A line takes half a microsecond, in a hundred functions of which none "
-         "takes more than 6 % of it"},
+         "no lower bound rules this goal out. A line takes half a microsecond, in a hundred functions of "
+         "which none takes more than 6 % of it"},
         {"lines 'rmax 0.4', times as long as the library for both fuels", "x", NONE, 1.5, lines.rmax, false,
          "no lower bound is known. The command also finds the growth up to which a row of 24 dominoes "
          "starts"},

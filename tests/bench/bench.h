@@ -2,8 +2,7 @@
 /*
  * The benchmark measures how long this library and other programs take for a question, compares these times
  * with a lower bound, and shows how they grow. Everything is measured in one run, the contenders take turns,
- * and the shortest of several times counts, so that other work of the machine affects all of them in the same
- * way.
+ * and the shortest of several times counts. So other work of the machine affects all contenders alike.
  */
 #ifndef BENCH_H
 #define BENCH_H
@@ -63,11 +62,12 @@ void contenders_end(void);
 
 struct result {
     bool compared;
-    /* the largest tolerance with which the target is reached; for our own library, the target itself */
+    /* The largest tolerance with which a contender reaches the target or, if it never does, misses the fewest
+     * questions. For our own library, the target itself. */
     double tol;
     double seconds; /* mean time of one question */
-    double error;   /* the largest relative error of the questions that are not missed */
-    size_t missed;  /* number of questions whose error is above the target at any tolerance */
+    double error;   /* the largest relative error that is within the target */
+    size_t missed;  /* number of questions whose error is above the target with `tol` */
     /* the largest error of the missed questions, and the separation for which it occurs */
     double worst, missed_s;
 };
@@ -75,7 +75,7 @@ struct result {
 /*
  * Asks some contenders the same n questions, with the same target for the relative error, and prints a table.
  * `contender` is a set of bits 1 << enum contender. Errors are measured against our answers in quad
- * precision. In the table, `scale` questions count as one.
+ * precision. The table gives the time of `scale` questions.
  */
 void compare(const char *title, const struct question *question, size_t n, double target, unsigned contender,
              double scale, struct result result[CONTENDERS]);
@@ -99,9 +99,9 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi);
 double curve_library(size_t points, unsigned threads);
 
 /*
- * The shortest of several times for this curve on some number of threads. `given` is how many times the work
- * of one thread the machine does if that many threads do nothing but multiply, since virtual cores may be
- * less than they seem.
+ * The shortest of several times for this curve on some number of threads. `given` is the speed-up that the
+ * machine allows: the speed-up of a loop of multiplications on as many threads. It may be less than the
+ * number of threads, because a virtual core may be less than a real one.
  */
 struct threaded {
     double seconds, given;
@@ -120,12 +120,12 @@ struct goal {
     double first; /* measured before the goal was set, on another machine */
     double goal, measured;
     bool at_least;      /* the goal is a lower bound */
-    const char *reason; /* what forbids the goal; printed if the goal is not met; may be NULL */
+    const char *reason; /* why the goal may be missed; printed if it is missed; may be NULL */
 };
 
-/* Writes the questions that people wait for, at most WAITS_MOST, and returns their number. The memory of a
- * process includes that of the process that started it, so call this function before the benchmark itself
- * takes much memory. */
+/* Measures the questions for which people have to wait. Writes at most WAITS_MOST goals, and returns their
+ * number. Call this function before the benchmark itself takes much memory: the system counts it as memory of
+ * the processes that the benchmark starts. */
 enum { WAITS_MOST = 24 };
 size_t waits_measure(const char *build, struct goal *goal);
 
@@ -139,8 +139,8 @@ struct rows_goals {
 
 struct rows_goals rows_print(void);
 
-/* Prints times for many lines. Returns our times divided by those of bc, and by those of the library
- * alone. */
+/* Prints the times for many lines. Returns our time for 'print' divided by the time of bc, and our time for
+ * 'rmax' divided by the time of the library alone. */
 struct lines_goals {
     double print, rmax;
 };
@@ -152,25 +152,25 @@ double start_print(const char *domino);
 
 /* ---- floor.c ---- */
 
-/* The time of the bare recurrence in nanoseconds per domino, for one train after the other and for four
- * trains at a time. */
+/* The time of the bare recurrence in nanoseconds per domino, for one train at a time and for four trains at a
+ * time. */
 struct recurrence {
     double one, four;
 };
 
 struct recurrence recurrence_measure(void);
 
-/* Prints the operations, unless they are NULL, the passes and the lower bound of the time, next to the time
- * of one of n answers. */
+/* Prints the mean time of n answers in seconds next to its lower bound, with the numbers of passes and
+ * dominoes. `operations` describes what the processor executes for a domino, and may be NULL. */
 void floor_print(const char *title, const struct question *question, size_t n, double seconds,
                  const char *operations);
 
-/* Prints the times of r_max with sharp edges and with rounded ones, and what the ratio of both would be if
- * both searches visited the same number of dominoes. */
+/* Prints the times of r_max with sharp and with rounded edges, and their ratio. Also prints what this ratio
+ * would be if the two searches visited the same number of dominoes. */
 void floor_print_edges(const struct question *sharp, double sharp_seconds, const struct question *rounded,
                        double rounded_seconds);
 
-/* Prints how the time of each main answer divides, as the script `shares` finds it. */
+/* Runs the script `shares`, which prints where the time of each main answer goes. */
 void shares_print(const char *build);
 
 /* ---- front.c, lengths.c ---- */

@@ -120,9 +120,10 @@ static double sweep(enum contender contender, const struct question *q, size_t n
     return contender == SCIPY ? total : seconds_now() - begun;
 }
 
-/* ---- The tolerance at which a contender reaches the error ---- */
+/* ---- The tolerance with which a contender reaches the target ---- */
 
-/* Finds the largest error within the target, and the questions that are not within the target. */
+/* Finds the largest error within the target, counts the questions with larger errors, and finds the worst of
+ * them. */
 static void judge(struct result *result, const struct question *q, size_t n, const double *value,
                   const double *truth, double target)
 {
@@ -157,7 +158,7 @@ static void calibrate(enum contender contender, const struct question *q, size_t
             return;
         judge(&now, q, n, value, truth, target);
         now.compared = true;
-        /* If a question is missed by far at two successive tolerances, the method is the cause. */
+        /* A large error is due to the method if a finer tolerance does not halve it. */
         bool method = result->compared && now.missed == result->missed && now.worst > 1e3 * target &&
                       now.worst > result->worst / 2;
         if (!result->compared || now.missed < result->missed)
@@ -241,7 +242,7 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
 
 void contenders_start(void)
 {
-    /* one of them may lack the package */
+    /* one of the two may lack SciPy */
     static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
     const struct question first = {.task = RMAX, .train = setup_default()};
     double seconds, value;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures a curve of r_max over s, whose points are distributed to threads in turn, and the largest gain
- * that threads can have on this machine. */
+/* Measures a curve of r_max over s on several threads, and the largest speed-up that threads can achieve on
+ * this machine. */
 #include "bench.h"
 #include <pthread.h>
 #include <stdatomic.h>

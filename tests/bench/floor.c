@@ -22,8 +22,8 @@ static inline struct point next(struct point p, double r, double L, double d)
     return (struct point){Y * p.x + X * p.y, Y * p.y - X * p.x};
 }
 
-/* Returns the time in nanoseconds of one link of a train with rounded edges (src/model/geometry/rounded.h):
- * the estimate and the first correction of turn_solve for the turn, the tilt, and nothing else. */
+/* Returns the time in nanoseconds of one link of a train with rounded edges. The link consists of the turn,
+ * by the estimate and the first correction of turn_solve (src/model/geometry/rounded.c), and of the tilt. */
 static double rounded_link(double rho)
 {
     const struct setup train = setup_default();
@@ -171,5 +171,5 @@ void floor_print_edges(const struct question *sharp, double sharp_seconds, const
     line("a bare link of one train, with sharp edges", recurrence_measure().one, "ns");
     line("a bare link of one train, with rounded edges", rounded_link((double)rounded->train.rho), "ns");
     line("measured, with rounded edges / with sharp edges", rounded_seconds / sharp_seconds, "");
-    line("the same for a search that visits as many dominoes as with sharp edges", of_rounded / of_sharp, "");
+    line("this ratio if both searches visited the same number of dominoes", of_rounded / of_sharp, "");
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The front speed of equal dominoes, beside the method of a published program: the "dominoes" of J. Luebke
+ * Compares our front speed of equal dominoes with the method of a published program: "dominoes" by J. Luebke
  * (github.com/jerluebke/dominoes, 2018), after J. M. J. van Leeuwen, "The domino effect" (2004). The method
- * is written anew here: that program sums the inertia of the last ten dominoes, whose tilts follow from that
- * of the head, and integrates the time of a cycle with GSL's qags to 1.49e-8.
+ * is implemented again here. That program sums the inertia of the last ten dominoes, whose tilts follow from
+ * the tilt of the head, and integrates the time of a cycle with GSL's qags to 1.49e-8.
  *
  * Its equation for the angular velocity between two hits is not the energy balance, so its front has a
  * different speed. The table shows both speeds. The unit of time is sqrt(height / g).
@@ -108,7 +108,7 @@ void front_print(void)
     struct front f = {.d = (double)setup_default().d, .space = gsl_integration_workspace_alloc(INTERVALS)};
     puts("\nThe front speed of equal dominoes to 1.49e-8, in sqrt(g h), beside the recipe of a published "
          "program\n"
-         "(J. Luebke, 2018: ten dominoes in the sum; its own law between two hits, so another speed)");
+         "(J. Luebke, 2018: ten dominoes in the sum; another law between two hits, so another speed)");
     printf("  %-6s %10s %10s %10s %10s %9s %22s\n", "s", "ours", "us", "recipe", "us", "ratio",
            "its speed for 100, 10");
     for (size_t i = 0; f.space && i < sizeof separations / sizeof *separations; i++) {

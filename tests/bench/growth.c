@@ -54,8 +54,8 @@ static double energy_seconds(double s, double r, struct dom_work *work)
     return least;
 }
 
-/* The other programs in these tables, and the smallest separation that they are asked about. Below it they
- * would take seconds. */
+/* The other programs in these tables, and the smallest separation at which they are measured. At smaller
+ * separations they would take seconds. */
 static const enum contender peers[] = {GSL, SCIPY};
 #define PEERS_FROM 0.02
 

@@ -2,7 +2,7 @@
 """The questions of the benchmark, as a user of SciPy would solve them: energies in plain Python, maxima, roots and
 integrals from scipy.optimize and scipy.integrate.
 
-Reads questions, one a line (see ask() at the end), and answers each with the seconds that it took and a number.
+Reads one question per line (see ask() at the end). Answers with the seconds that the question took, and a number.
 """
 
 import math
@@ -52,8 +52,7 @@ class Train:
             self.y_leave = (L * L + d * d - 1 / (r * r)) / (2 * d * L)
             x_f = min((1 + r * r * (L * L - d * d)) / (2 * r * L), 1)
             self.h_f = math.sqrt(1 - x_f * x_f) + d * x_f
-        # Heights of the dominoes while the head is upright. The list grows as far as it is needed. All energy
-        # differences use it.
+        # Heights of the dominoes while the head is upright, for all energy differences. The list grows as needed.
         self.upright = [(0.0, 1.0, 1.0)]
         fall, J = self.rise(self.theta_c)
         T, rq = self.inertia * J, r**q

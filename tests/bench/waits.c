@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures questions for which people have to wait. As for a user, each question starts the program. */
+/* Measures questions for which people have to wait. Each question starts the program anew, as it does for a
+ * user. */
 #include "bench.h"
 #include <stdlib.h>
 #include <string.h>
@@ -125,8 +126,8 @@ size_t waits_measure(const char *build, struct goal *goal)
          NULL},
         {"  with errors of four kinds", "%", 8.6, 5.2, failures(domino, ELEVEN KINDS), false, NULL},
         {"a clean 'make', processor time", "s", 62, 20, make_seconds(build), false,
-         "no lower bound forbids it. Reading the headers takes 5 s, and optimizing the kernels in float and "
-         "double 6 s"},
+         "no lower bound rules this goal out. Reading the headers takes 5 s, and optimizing the kernels "
+         "in float and double 6 s"},
         {"the program's text", "MB", 3, 2, text_megabytes(build), false,
          "GSL and Readline are 1 MB of it. With their shared libraries it has 1.5 MB, but the program takes "
          "a third longer to start: 'make .build/shared/domino'"},
