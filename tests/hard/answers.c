@@ -89,7 +89,7 @@ static void find_train_values(struct ref *ref)
         ref->known[found[k]] = true;
 }
 
-/* Finds omega^2 by (21; c3); negative if the head does not reach the tilt. */
+/* Finds omega^2 by (21; c3). The result is negative if the head does not reach the tilt. */
 static void find_omegasq(struct ref *ref)
 {
     mpfr_ptr w = ref->value[REF_OMEGASQ];

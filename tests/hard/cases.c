@@ -41,7 +41,7 @@ const struct hard_case hard_cases[] = {
      1e-8, .check = {REF_DH, REF_J, REF_FUEL_EXACT, REF_BARRIER, REF_MARGIN, END}},
     {"reach - 1e-12", "1 - r s", 0.9, REACH(0.9, 1e-12), STANDARD, 3, 1e-8,
      .check = {REF_THETA_C, REF_THETA_LEAVE, REF_THETA_F, REF_SLOPE, REF_ARM_B, END}},
-    {"reach - 1e-12, energy", "x exceeds x_f never", 0.9, REACH(0.9, 1e-12), STANDARD, 3, 1e-8,
+    {"reach - 1e-12, energy", "x never exceeds x_f", 0.9, REACH(0.9, 1e-12), STANDARD, 3, 1e-8,
      .check = {REF_DH, REF_J, REF_FUEL_EXACT, REF_BARRIER, REF_MARGIN, REF_DURATION}},
     {"reach - 1e-6", "1 - r s", 0.7, REACH(0.7, 1e-6), STANDARD, 4, 1e-3,
      .check = {REF_THETA_LEAVE, REF_THETA_F, REF_DH, REF_SLOPE, REF_BARRIER, END}},
@@ -139,7 +139,7 @@ const struct hard_case hard_cases[] = {
     {"tilt 1e-30", "H(theta) - H(0)", 0.4, 1.5, STANDARD, 3, 1e-30, .check = {REF_DH, END}},
 
     /* The first r at which the train stops. */
-    {"r_max, detaching", "x exceeds x_f never", 0.4, 1, STANDARD, 3, 0, .check = {REF_R_MAX, END}},
+    {"r_max, detaching", "x never exceeds x_f", 0.4, 1, STANDARD, 3, 0, .check = {REF_R_MAX, END}},
     {"r_max, near the reach", "the margin falls within 1e-3", 0.5, 1, STANDARD, 3, 0,
      .check = {REF_R_MAX, REF_PAIR, END}},
     {"r_max, beside the reach", "two maxima", 0.6, 1, STANDARD, 4, 0, .check = {REF_R_MAX, REF_PAIR, END}},

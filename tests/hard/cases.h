@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hard cases. The name of a case says what makes it difficult. */
+/* Hard cases. `trap` says what makes a case difficult. */
 #ifndef HARD_CASES_H
 #define HARD_CASES_H
 

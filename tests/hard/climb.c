@@ -23,7 +23,7 @@ static void energy_left(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums
     mpfr_sub(f, ref_value(ref, REF_KINETIC), sums->dH, N);
 }
 
-/* Returns true if the bracket is narrow enough for the good bits, relative to its upper end. */
+/* Returns true if the bracket determines the root to about ref->cut - 20 bits. */
 static bool narrow(const struct ref *ref, mpfr_srcptr lo, mpfr_srcptr hi, mpfr_t t)
 {
     mpfr_sub(t, hi, lo, N);
@@ -213,8 +213,8 @@ static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo,
     return found;
 }
 
-/* Finds a bracket of the stop. Returns false if the train does not stop. theta_m is also a node, since H may
- * reach K only in its neighbourhood. */
+/* Finds a bracket of the stop. Returns false if the train does not stop. A bracket may end at theta_m, since
+ * H may exceed K only close to theta_m. */
 static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
     long double node[SKETCH_NODES];

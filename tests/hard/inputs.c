@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opens and closes a reference, and references with inputs nearby. */
+/* Opens and closes references. A reference can open others, in which one input is slightly changed. */
 #include "reference.h"
 
 #include <stdlib.h>
@@ -60,9 +60,9 @@ struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut
 }
 
 /*
- * Returns the number of bits that are needed, including those that differences lose. h(theta) - 1 is about d
- * theta. Near r s = 1, theta_leave approaches 0 like the root of (1 - r s) / r^2. A quantity that is
- * proportional to the tilt needs as many more bits as the tilt is small.
+ * Returns the number of bits with which to compute, so that enough are left after cancellation. More bits are
+ * lost for small tilts and thin dominoes, since h(theta) - 1 is about d theta. Near r s = 1, bits are lost
+ * because theta_leave approaches 0 like the square root of (1 - r s) / r^2.
  */
 static mpfr_prec_t bits_for(const struct ref_input *input, int digits2)
 {

@@ -15,10 +15,8 @@ static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_prec
     return point_rounded((domq_real)x * (1 + (domq_real)(random_unit(seed) * 0x1p-52)), precision);
 }
 
-/*
- * Returns a growth, which is often close to the reach, where 1 - r s is small. If 1 - r s is about d^2,
- * followers slow down at the tilt of the barrier of a thin head.
- */
+/* Returns a random growth, often one close to the reach, where 1 - r s is small. If 1 - r s is about d^2 and
+ * the head is thin, its followers slow down near the maximum of H. */
 static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum dom_precision precision)
 {
     const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
@@ -67,13 +65,13 @@ domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision preci
 }
 
 /* Returns true if too many dominoes contribute more than 2^-100. Most points must be quick, but a few may
- * take long. */
+ * take a long time. */
 static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
 {
     const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
     const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
     const double most = kind < 0.96 ? 200 : kind < 0.998 ? 2000 : 10000;
-    /* In float also r^-(2q+1), the size of the smallest energies, must keep its bits above 2^-126. */
+    /* In float, the smallest energies are about r^-(2q+1). Even their last bits must not be below 2^-126. */
     return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
 }
 

@@ -69,8 +69,9 @@ static void keep_energy(struct ref *ref, const struct geometry *l)
 }
 
 /*
- * Returns the cut if the chain ends here. All later dominoes together have 1 / (1 - rho) times the motion of
- * the last one, where rho is the ratio between the motions of two successive dominoes.
+ * Returns b such that the chain ends at a domino with less than 2^-b of the head's motion. All later dominoes
+ * together have up to 1 / (1 - rho) times as much, where rho is the ratio between the motions of two
+ * successive dominoes.
  */
 static double cut_here(const struct ref *ref)
 {

@@ -33,7 +33,7 @@ struct point {
     bool sharp;
 };
 
-/* Returns the number of good bits that the reference must have. */
+/* Returns how many bits of the reference's results must be correct. */
 static int digits_of(const struct sweep *sweep)
 {
     return sweep->precision == DOM_QUAD ? 120 : sweep->precision == DOM_DOUBLE ? 60 : 44;
@@ -78,9 +78,9 @@ static void compare_all(struct point *point, enum ref_quantity first, enum ref_q
 }
 
 /*
- * Returns true if this quantity, a difference of terms of the given size, is 0 to rounding and tolerance, so
- * that either sign is right. The scale is computed only if it can matter: it is at most a million times the
- * terms, times a factor for the number of dominoes.
+ * Returns true if this quantity, a difference of terms of the given size, is 0 within rounding and tolerance,
+ * so that either sign is right. The scale takes a long time to compute, so an upper bound of the scale is
+ * tried first: a million times the size, times the number of dominoes.
  */
 static bool vanishes(const struct point *point, enum ref_quantity quantity, double size)
 {
@@ -190,7 +190,7 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     compare(point, REF_LINK_WEIGHT, answers);
 }
 
-/* Returns true if there is a maximum at theta that is as high as the one at theta_m. Either of two equal
+/* Returns true if H is as high at theta as at theta_m, although the two tilts differ. Either of two equal
  * maxima is right. */
 static bool as_high(struct point *point, domq_real theta)
 {
@@ -239,7 +239,7 @@ static void check_stop(struct point *point, struct answers *answers)
     point->ref = ref;
 }
 
-/* Checks the duration, which need not exist if the margin is 0 to rounding. */
+/* Checks the duration, which need not exist if the margin is 0 within rounding errors. */
 static void check_duration(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || margin_vanishes(point) || !positive(point, REF_MARGIN))
@@ -253,8 +253,8 @@ static void check_duration(struct point *point, struct answers *answers)
 
 /* ---- Limits of growth ---- */
 
-/* Returns true if the train keeps falling at every smaller r, or the pair at every r from the first at which
- * it succeeds. */
+/* Returns true if r_max is the first limit, judged by 20 growths up to r_max. A train must keep falling at
+ * all of them. A pair may fail at the smallest growths, but must succeed at all others. */
 static bool is_first(const struct point *point, bool pair, domq_real r_max)
 {
     struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);

@@ -17,7 +17,9 @@ struct sweep {
     enum dom_precision precision;
     uint64_t seed;
     int points;
-    /* The barrier is checked at one point in `barriers`, the duration at one in `durations`, and so on. */
+    /*
+     * On average, the barrier is checked at one of `barriers` points. `durations` and the others work alike.
+     */
     int barriers, durations, growths, pairs;
 };
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Hard cases, in which naive code is wrong. In each case the library must be right within 16 units
- * (reference.h) at its smallest tolerance, 1e-15, which corresponds to 9 units.
- */
+/* Hard cases, in which naive code is wrong. In each case the library must be right within 16 units
+ * (reference.h) at its smallest tolerance, which is about 9 units: 1e-15 in double. */
 #include "../unit/support.h"
 #include "cases.h"
 #include "growth.h"
@@ -135,7 +133,7 @@ TEST(hard_cases_in_quad)
     check_cases(DOM_QUAD);
 }
 
-/* Checks that a kinetic energy of 1e-12 next to a fuel of 1 has a duration, even in float. */
+/* Checks that a cycle has a duration, even in float, if its kinetic energy is only 1e-12 of the fuel. */
 TEST(a_slow_cycle_in_float_has_a_duration)
 {
     const struct ref_input input = {(domq_real)0x1.7656b2p-15f,

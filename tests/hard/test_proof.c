@@ -38,8 +38,7 @@ static bool refutes(const struct dom_proof *p, double r_max)
     return r_max < p->low * (1 - 1e-15) || r_max > p->high * (1 + 1e-15);
 }
 
-/* Compares a computed limit with a proof to 1e-10, allowing for a relative error `tol` of the computed
- * limit. */
+/* Compares a computed limit with proved bounds whose relative distance is 1e-10. */
 static void compare(const struct setup *setup, bool pair, struct counts *c)
 {
     const struct dom_train train = doubles(setup);
@@ -144,7 +143,8 @@ TEST(verdicts_agree)
                      (proof.verdict == DOM_PROVED_GOES_ON ? status == DOM_OK
                       : proof.verdict == DOM_PROVED_STOPS ? status == DOM_STOPS
                                                           : status == DOM_NO_FUEL);
-        /* Both intervals contain the computed value, with a relative error of 1e-12. */
+        /* The computed energies have relative errors of about 1e-12. Apart from these, both intervals contain
+         * them. */
         if (status == DOM_OK && proof.verdict == DOM_PROVED_GOES_ON) {
             double slack = 4e-12 * (b.kinetic + b.barrier);
             agree = agree && b.kinetic >= proof.kinetic.low - slack &&

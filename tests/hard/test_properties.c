@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How r_max depends on the train, the best separations to full precision, and the numbers of dominoes in many
- * bits. */
+/* How r_max depends on the train, the best separations, and numbers of dominoes. The last two are compared
+ * with values in many bits. */
 #include "../unit/support.h"
 #include "growth.h"
 #include "library.h"

@@ -12,7 +12,7 @@ static const double units_allowed[REF_COUNT] = {
     [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding error */
 };
 
-/* Half of the bounds are at most this many times the error. */
+/* The largest allowed median of bound / error. */
 static const double closeness = 100;
 
 struct outcome {
@@ -59,7 +59,8 @@ static void report(const struct outcome *outcome)
     }
 }
 
-/* Returns how many quantities have not occurred, apart from those for a whole curve. */
+/* Returns how many quantities were checked too rarely, plus 1 if points are missing. A sweep does not check
+ * the best separations. */
 static int missing(const struct outcome *outcome)
 {
     const long least = (long)(8 * size);
