@@ -29,7 +29,7 @@ struct contact {
     double drop;    /* h_j cos(theta_j - theta_k); d(constraint)/d(theta_j) */
     double arm_on;  /* torque on k that a unit normal force and its friction exert */
     double arm_by;  /* torque against j that this normal force and its friction exert */
-    double forced;  /* right side of the second derivative of the constraint */
+    double forced;  /* right-hand side of the second derivative of the constraint */
     double sliding; /* speed of the tip down the face */
 };
 
@@ -50,7 +50,7 @@ struct run {
     gsl_odeiv2_evolve *evolve;
     gsl_odeiv2_control *control;
     gsl_root_fsolver *solver;
-    const double *from; /* state at the start of the step in which an event is searched */
+    const double *from; /* state at the start of the step in which an event is located */
     size_t event;
 };
 

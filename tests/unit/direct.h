@@ -38,21 +38,21 @@ struct direct_hit {
 struct direct_result {
     size_t hit; /* number of dominoes that were hit, including the first */
     bool all_fall;
-    double end_time;    /* time at which the last domino lies, or at which the head comes to rest */
+    double end_time;    /* time at which the head lies flat or comes to rest */
     double least_force; /* smallest normal force between two dominoes; INFINITY if there was no contact */
     /* least_force is between dominoes least_at and least_at + 1, counted from 1; 0 if there is none */
     size_t least_at;
     size_t least_head; /* number, from 1, of the foremost domino at the moment of least_force */
-    /* tilt of the head at the end; pi/2 without all_fall if the head fell past the next domino */
+    /* tilt of the head at the end; pi/2 if the head lies flat, even if it has missed the next domino */
     double stop_theta;
 };
 
 /*
- * Runs a row and fills hits[0 .. result->hit - 1]. Returns NULL, or a sentence about an error, in which case
- * the hits before the error are still valid. A tip that arrives above the top of the next domino is an error,
- * since that contact is of another kind. A collision below mu times the thickness of the struck domino cannot
- * turn it: friction holds the tip and the face together, and the row stops with stop_theta = 0. A negative
- * contact force, which means that the contact pulls, is not an error, so check least_force.
+ * Runs a row and fills hits[0 .. result->hit - 1]. Returns NULL, or a sentence about an error; the hits
+ * before the error are valid. A tip that passes above the top of the next domino is an error. If a hit is
+ * lower than mu times the thickness of the struck domino, friction holds the tip and the face together: the
+ * struck domino does not turn, the row stops, and stop_theta is the lean of this domino. A negative contact
+ * force means that the contact pulls. This is not an error, so check least_force.
  */
 const char *direct_run(const struct direct_row *row, struct direct_hit *hits, struct direct_result *result);
 

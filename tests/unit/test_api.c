@@ -48,8 +48,8 @@ static const double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
 
-/* Checks that a member is the same in both results, and also its bound if bounds were requested. With
- * friction, a bound may be unknown. */
+/* Checks that a member and, if bounds were requested, its bound are the same in both results. With friction,
+ * a bound may be unknown. */
 #define SAME_BOUND(member)                                                                                   \
     SAME(member)                                                                                             \
     assert_in_both("the bound of " #member, d.error.member, q.error.member, rounding);                       \
@@ -173,8 +173,8 @@ TEST(growth)
 
 enum { KEPT = 64 };
 
-/* What the visitors of <domino.h> have received. The visitors of <domino_quad.h> compare it with what they
- * receive. */
+/* The steps that the visitors of <domino.h> have received. The visitors of <domino_quad.h> compare their own
+ * steps with these. */
 struct seen {
     struct dom_link link[KEPT];
     struct dom_state state[KEPT];
@@ -248,7 +248,7 @@ static bool force_same(const struct domq_force *force, void *context)
     return seen->compared < KEPT;
 }
 
-/* Checks that a walk of either header has the same steps. */
+/* Checks that a walk visits the same steps in both headers. */
 #define WALK_SAME(walk, visitor, ...)                                                                        \
     do {                                                                                                     \
         static struct seen seen;                                                                             \

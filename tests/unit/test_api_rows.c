@@ -230,7 +230,7 @@ TEST(studies)
     assert_memory_equal(without, withoutq, sizeof without);
     assert_memory_equal(&causes, &study, sizeof study);
     assert_memory_equal(all, stops, r.row.count * sizeof *all);
-    /* Without one of its two errors, the row has only the other error. */
+    /* A study without the error of the thickness counts as many rows as `without`. */
     struct dom_placement alone = p;
     alone.error[DOM_ERROR_thickness].size = 0;
     assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
@@ -329,8 +329,7 @@ TEST(effects)
     DOM_EFFECTS(NAMED)
 }
 
-/* Checks the law of motion of a train, and the first effect that is on, without effects and with each single
- * effect. */
+/* Checks dom_dynamics and dom_law for a train without effects, and with one effect at a time. */
 TEST(laws)
 {
     struct dom_train t = dom_train_default();

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The bounds with which searches and studies save work, compared with the work that they save: all trains of
- * a strip, runs of whole rows, and the motion of heads that certainly keep falling.
- */
+/* Searches and studies save work by bounds, which are compared here with full computations: with the trains
+ * of a strip, with runs of whole rows, and with the motion of heads that certainly keep falling. */
 #include "library.h" /* the names of functions that the files of the library share */
 
 #include "request.h"
@@ -166,8 +164,11 @@ static bool falls_all(const struct row_request *request)
     return verdict.end == DOM_ROW_FALLS;
 }
 
-/* Makes the last domino almost so heavy that the row stops, or slightly heavier, so that a small change of a
- * much earlier domino decides. Does nothing if the row stops earlier. */
+/*
+ * Makes the last domino almost heavy enough to stop the row, or slightly heavier, so that a small change of a
+ * much earlier domino decides how the row ends. If even a light last domino does not fall, the last domino
+ * stays light.
+ */
 static void last_domino_balance(struct random_dominoes *row, uint64_t *seed)
 {
     double *mass = &row->domino[row->request.count - 1].mass, light = 1e-3 * *mass, heavy = 1e3 * *mass;
@@ -181,8 +182,8 @@ static void last_domino_balance(struct random_dominoes *row, uint64_t *seed)
     *mass *= 1 + (random_unit(seed) < 0.5 ? 1 : -1) * random_log(seed, 1e-7, 1e-2);
 }
 
-/* Checks that a row with one domino changed ends in the same way whether the whole row is run or only what
- * the change can affect. */
+/* Checks that a row with one changed domino ends in the same way, whether the whole row is run or only the
+ * part that the change can affect. */
 TEST(rows_again_end_like_whole_rows)
 {
     uint64_t seed = 43;
@@ -248,8 +249,8 @@ static void curve_check(const struct geometry *head, size_t moving)
     }
 }
 
-/* Checks the head that is hit next in a run. It must not count as certain to keep falling if its energy is
- * too small, and otherwise must arrive with the energy of a full run. */
+/* Checks the next head of a run. With too little energy, the head must not be certain to keep falling. A head
+ * that is certain to keep falling must arrive with the energy of a full run. */
 static void head_check(struct random_row *s, const struct run *run, size_t k, int *count)
 {
     struct run full = *run, slow = *run;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The means that make passes short: series for the far tail, chains that share a pass, and trains whose
- * barrier has a single top. */
+/* The methods that keep passes short and few: series for the far tail, and a shortcut if H has a single
+ * maximum. */
 #include "request.h"
 #include "support.h"
 
@@ -123,8 +123,8 @@ TEST(the_far_tail_is_within_its_bound)
     assert_true((orders & 1 << FAR_FIRST) && (orders & 1 << FAR_ORDER) && (orders & 1));
 }
 
-/* Checks that H is concave up to theta_u and theta_c, whichever is smaller, where barrier_single says that
- * there is a single top. Checks that no barrier is higher than that of a single domino. */
+/* Checks trains for which barrier_single says that H has a single maximum: H must be concave from 0 to the
+ * smaller of theta_u and theta_c. Checks that no barrier is higher than the barrier of a single domino. */
 TEST(one_top_if_concave)
 {
     uint64_t seed = 34;

@@ -214,10 +214,10 @@ TEST(interrupted)
         assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
         assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
         assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &budget), DOM_INTERRUPTED);
-        p.parallel = p.parallel ? NULL : workers_tasks; /* also without a pool */
+        p.parallel = p.parallel ? NULL : workers_tasks; /* the second time without a pool */
     }
     p.parallel = workers_tasks;
-    row.interrupt = NULL; /* only the pool's flag */
+    row.interrupt = NULL; /* only the pool's flag is raised */
     assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
     assert_true(limit.r_max == -1 && best.r_max == -1 && verdict.seconds == -1);
     assert_true(study.low == -1 && budget.sigma == -1);
@@ -253,8 +253,8 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
     return no_threads ? EAGAIN : __real_pthread_create(thread, attributes, run, context);
 }
 
-/* Makes each allocation of an answer fail in turn. Checks that each failure is reported, and that all memory
- * is freed. */
+/* Makes each memory allocation of a computation fail in turn. Checks that each failure is reported, and that
+ * all memory is freed. */
 TEST(memory_runs_out)
 {
     struct setup t = setup_default();
@@ -281,7 +281,7 @@ TEST(memory_runs_out)
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)
-                break; /* on several threads, the number of allocations of a budget may vary */
+                break; /* on several threads, the number of memory allocations varies */
         }
         assert_true(failed > 1);
     }

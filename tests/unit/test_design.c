@@ -23,7 +23,7 @@ static double train_ratio(const struct domq_train *train, double s, double r)
     return status == DOM_OK || status == DOM_STOPS ? (double)(b.kinetic / b.barrier) : 0;
 }
 
-/* The first of the dominoes after domino 1 whose kinetic / barrier is the smallest. */
+/* The number of the weakest domino after domino 1: the first one with the smallest kinetic / barrier. */
 static size_t weakest;
 
 static bool least_seen(const struct domq_fall *fall, void *context)
@@ -74,8 +74,8 @@ static void row_holds(const struct domq_train *train, const struct domq_wish *w,
     assert_near("height", (double)domino[d->steps].height, (double)w->height, 1e-12);
 }
 
-/* Checks with other functions that a design has the safety, and that no separation has this safety with one
- * step less. */
+/* Checks with other functions that a design has the requested safety, and that with one domino fewer no
+ * separation has this safety. */
 TEST(designs_hold)
 {
     uint64_t seed = 181;
@@ -109,8 +109,8 @@ TEST(designs_hold)
     assert_true(fit >= 12 && limits[DOM_DESIGN_HALL] >= 2);
 }
 
-/* Checks designs with friction and rounded edges, where the sums of some trains do not converge to every
- * tolerance. There must be a row that has the safety at a rough tolerance. */
+/* Checks designs with friction and rounded edges. The sums of some of these trains do not converge to every
+ * tolerance, so the row of a design is run with a rough tolerance. */
 TEST(friction_with_edges)
 {
     uint64_t seed = 7;
@@ -250,8 +250,8 @@ TEST(shortest_is_shortest)
         }
 }
 
-/* Checks rows of thin dominoes that stand as close as the steps of the search allow: a step closer they lack
- * the safety, or there is no closer step. */
+/* Checks rows of thin dominoes that stand as close as the steps of the search allow. One step closer, the
+ * rows lack the requested safety, or there is no closer step. */
 TEST(closest_of_thin_dominoes)
 {
     static const struct {

@@ -81,10 +81,8 @@ TEST(touching)
     }
 }
 
-/*
- * Checks, against Newton's equations, a domino that detaches when a domino after it has already detached. The
- * gaps are near one at which a search for the barrier once met both events.
- */
+/* Checks, against Newton's equations, a domino that detaches when a domino after it has already detached. In
+ * rows with similar gaps, a search for the barrier once came across both events. */
 TEST(one_detaches_after_another)
 {
     static const double size[][3] = {/* height, thickness, gap */
@@ -116,8 +114,8 @@ TEST(ends)
     assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
-    /* Without a push the first domino falls from its edge, and needs friction of the floor only from then
-     * on. */
+    /* Without a push, the first domino starts balanced on its edge. It needs friction with the floor only
+     * from this tilt on. */
     alike(&seen, 2);
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;

@@ -293,8 +293,8 @@ static enum dom_status in_gaps(const struct dom_row *row, const struct dom_compu
     return DOM_OK;
 }
 
-/* Checks that few runs find a window. Each end that they find has at most three digits, and is at most 1 %
- * inside the true end. */
+/* Checks that a window is found in few runs. The ends have at most three digits, and are inside the true
+ * window by at most 1 %. */
 TEST(windows_of_an_engine_take_few_runs)
 {
     static const double edges[][2] = {{0.05123, 0.23456}, {0.0876, 0.1011}, {0.0999, 0.9876}, {0, 1}};

@@ -8,8 +8,8 @@
 
 enum { SCENES = 160, LINKS = 24, MEMBERS = 10 };
 
-/* Half of the bounds of a quantity must be at most this many times the error or the unit roundoff, or at most
- * the tolerance. */
+/* A bound is too wide if it is larger than the tolerance, and also larger than this many times the error and
+ * the unit roundoff. At most half of the bounds of a quantity may be too wide. */
 static const double wide = 100;
 
 enum result {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The friction that the floor needs, compared with values on a fine grid, for a domino that falls alone and
- * whose motion is known in closed form, also on a slope. */
+/* The friction that the floor needs under a domino that falls alone, whose motion is known in closed form. It
+ * is compared with values on a fine grid, on level floors and on slopes. */
 #include "support.h"
 
 enum { GRID = 4000 };
 
 static const double g = 9.81;
 
-/* A block that falls alone from a foot on a floor with this slope, on which it was upright with the angular
- * velocity `push`. */
+/* A block that falls alone, turning about its foot, on a floor with this slope. It starts upright, with the
+ * angular velocity `push`. */
 struct block {
     double h, d, slope, push;
 };

@@ -94,8 +94,8 @@ static const double some_trains[][4] = {
     {0.3, 1.4, 3, 0.05},
 };
 
-/* Checks that mu = 0 and mu = -0.0 give equal results without running code of friction, and that runs of this
- * code are counted. */
+/* Checks that mu = 0 and mu = -0.0 give equal results, that mu = -0.0 runs no friction code, and that runs of
+ * this code are counted. */
 TEST(no_friction_is_never_entered)
 {
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
@@ -217,7 +217,8 @@ TEST(friction_takes_its_work)
             falls += events[k].kind == DOM_EVENT_FALL;
             checked++;
         }
-        /* The hitting train is the same train at theta_c, with energies smaller by r^-q. */
+        /* Just before the hit, the hitting train is this train at theta_c, with its energies multiplied by
+         * r^-q. */
         assert_near("before", s.before, pow(train.r, -train.q) * s.kinetic, 1e-9);
     }
     assert_true(checked > 100 && falls > 10);
@@ -354,8 +355,11 @@ static double needed(double x, double z)
     return z > 0 ? fabs(x) / z : (double)INFINITY;
 }
 
-/* Returns the friction that the hinge of block i needs. The force of the hinge is mass times acceleration of
- * the centre, as `motion` gives it, minus contact forces and weight. */
+/*
+ * Returns the friction that the hinge of block i needs. The force of the hinge is the mass times the
+ * acceleration (x, z) of the centre, minus the contact forces and the weight. In a collision, (x, z) is a
+ * change of velocity, and the weight is 0.
+ */
 static double hinge_needs(const struct setup *train, const struct chain *c, size_t i, const double *push,
                           double x, double z, double weight)
 {

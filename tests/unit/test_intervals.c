@@ -36,8 +36,8 @@ static long double tail(size_t k, size_t n, long double p, bool more)
 
 /*
  * Checks that the tail is 2.5 % at both ends of the interval. For twenty million rows, the logarithms are
- * about 4e8 and have errors of 5e-20 times as much. The ends of the interval are right to 1e-15, which
- * changes the tail by at most 1e-14 times the number of rows.
+ * about 4e8, with relative errors of 5e-20. The ends of the interval are right to 1e-15, and an error of this
+ * size changes the tail by at most 1e-14 times the number of rows.
  */
 static void check_interval(size_t rows, size_t fall, size_t unknown)
 {

@@ -60,7 +60,7 @@ TEST(newton_agrees)
 
 /* ---- Limits ---- */
 
-/* Checks that tiny leans change the answers by tiny amounts, in proportion, and to either side. */
+/* Checks that a tiny lean to either side changes the results in proportion to the lean. */
 TEST(continuous)
 {
     static struct run run;
@@ -81,7 +81,8 @@ TEST(continuous)
     }
 }
 
-/* Compares a tipped first domino, whose edge meets a next domino that leans, with a calculation by hand. */
+/* Compares a tipped first domino with a calculation by hand: the tilt at which it touches the next domino,
+ * which leans, and the energy that tips it. */
 TEST(touches)
 {
     static struct run run;

@@ -51,8 +51,8 @@ TEST(numbers_read_as_by_the_c_library)
     assert_true(equal > 100000);
 }
 
-/* Checks that a text of ASCII characters has as many columns as characters, also after a Greek letter, which
- * takes the general path. */
+/* Checks that a text of ASCII characters has the same columns as after a Greek letter, which makes it take
+ * the general path. */
 TEST(a_line_in_ascii_has_the_columns_of_its_letters)
 {
     static const char typed[] = "rmax 0.4; print theta # and so on, until this line is longer than a short "
@@ -172,7 +172,7 @@ TEST(a_command_before_a_number_is_that_command)
         if (!name)
             name = more[n++];
         snprintf(number, sizeof number, "%s 2", name);
-        snprintf(value, sizeof value, "%s .2", name); /* a '.' is no digit, so this takes the general path */
+        snprintf(value, sizeof value, "%s .2", name); /* a '.' takes the general path */
         const struct command *c = command_of(&session, number, &at, &column);
         assert_ptr_equal(c, command_of(&session, value, &value_at, &value_column));
         assert_int_equal(at, value_at);

@@ -58,10 +58,8 @@ static void random_row(struct run *run, uint64_t *seed)
     run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
 }
 
-/*
- * Checks that all dominoes fall with each gap that is found, and with a gap a third of the way from `to` to
- * `until`, but not with a gap two units of the seventh digit closer to the present gap.
- */
+/* Checks that all dominoes fall with each gap that is found, and with a gap a third of the way from `to` to
+ * `until`. With a gap two units of the seventh digit nearer to the present gap, some must not fall. */
 TEST(mended_rows_fall)
 {
     static struct run run;
@@ -100,8 +98,8 @@ TEST(mended_rows_fall)
     assert_true(mended > 40 && lost > 5 && ended > 5);
 }
 
-/* Tries every gap of the row in 500 steps up and down. None of them mends the row with a smaller change than
- * the first one that was found. */
+/* Tries 500 larger and 500 smaller values for every gap of the row. No value may mend the row with a smaller
+ * change than the first mend that was found. */
 TEST(no_smaller_change)
 {
     enum { FINE = 500 };
@@ -176,7 +174,7 @@ TEST(over_its_edge)
     assert_true(isnan((double)push));
 }
 
-/* Checks that all dominoes fall with the weakest push and not with 0.2 % less, also if the first domino
+/* Checks that all dominoes fall with the weakest push and not with 0.2 % less, even if the first domino
  * touches the second before it tips over its edge. */
 TEST(the_weakest_push)
 {

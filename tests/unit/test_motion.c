@@ -16,8 +16,8 @@ static bool next_train(uint64_t *seed, struct setup *train, struct domq_event *e
     return status == DOM_OK || status == DOM_STOPS;
 }
 
-/* Makes the next random train, which in turn has no effects, friction, a slope, friction on a slope, or
- * rounded edges. */
+/* Makes the next random train. The kinds of trains take turns: without effects, with friction, on a slope,
+ * with friction on a slope, and with rounded edges. */
 static bool next_with_effects(uint64_t *seed, int i, struct setup *train, struct domq_event *events,
                               int *count)
 {

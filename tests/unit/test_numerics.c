@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The solvers with one list of problems, including difficult ones. */
+/* Each solver is tried on a list of problems, some of them difficult. */
 #include "precision/kernel.inc"
 #include "support.h"
 #include <float.h>

@@ -10,7 +10,7 @@ static void alike(struct run *seen, size_t count)
     seen->row.push = 5;
 }
 
-/* `pool` points to a number of calls that run all their tasks. Later calls report an interrupt. */
+/* A dom_parallel that runs the tasks of the first *pool calls. Later calls report an interrupt. */
 static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
 {
     int *left = pool;
@@ -52,7 +52,8 @@ TEST(budget_interrupted)
     assert_true(known >= 5 && bounded >= 3);
 }
 
-/* Checks budgets with too few rows, and for a row that stops even without errors. */
+/* Checks the budget of a row, also with too few rows for the probability, and the budget of a row that stops
+ * even without errors. */
 TEST(budgets)
 {
     static struct run seen;
@@ -68,8 +69,8 @@ TEST(budgets)
     p.error[DOM_ERROR_gap].size = budget.sigma;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
-    /* If rows fall with a probability of 0.95, then of 200 rows at most 183 fall with a probability below 2.5
-     * %, and at least 197 as well. */
+    /* If each of 200 rows falls with a probability of 0.95, the probability that at most 183 of them fall is
+     * below 2.5 %. The probability that at least 197 fall is below 2.5 %, too. */
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.95, &budget), DOM_OK);
     p.error[DOM_ERROR_gap].size = budget.low;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);

@@ -114,7 +114,8 @@ TEST(points_to_the_default_tolerance)
     check_points(&usual);
 }
 
-/* Checks r_max to 1e-13, where the margin is a steep function of r, and also where r_max is the reach 1/s. */
+/* Checks r_max to 1e-13. In some rows of the table the limit is a margin of 0, which is a steep function of
+ * r, and in others the reach 1/s. */
 TEST(largest_growth)
 {
     int rows = 0;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges, compared with published digits, with quad, with Newton's law for the centre of each block in
- * vectors, which shares no formula with the model, and with sharp edges in the limit of small radii.
+ * Rounded edges, compared with published digits, with quad, with sharp edges in the limit of small radii, and
+ * with Newton's law for the centre of each block. Newton's law is written in vectors and shares no formula
+ * with the model.
  */
 #include "support.h"
 
@@ -110,7 +111,8 @@ TEST(difficult_limits)
     }
 }
 
-/* Returns a random train, as close as 1e-6 to its reach. Friction and edges have any size or are off. */
+/* Returns a random train, which may be as close as 1e-6 to its reach. Friction and edges have a random size
+ * or are off. */
 static struct setup any_train(uint64_t *seed)
 {
     static const double q[] = {1e-6, 1, 2, 3, 4};
@@ -207,7 +209,7 @@ struct block {
     double theta;
 };
 
-/* Return the centre of the rounded edge on which a block rolls, and that of its upper edge. */
+/* Return the centre of the rounded edge on which a block rolls, and the centre of its upper edge. */
 static struct vector edge_of(const struct block *b)
 {
     return (struct vector){b->foot - b->rho + b->rho * b->theta, b->rho};
@@ -261,9 +263,9 @@ static void train_make(struct block *b, int n, const struct setup *train, double
 }
 
 /*
- * Returns the torque on the head that is not balanced if all blocks have the given accelerations or, in a
- * collision, changes of velocity. Each contact supplies the force that its follower needs. Torques are about
- * the line where a block touches the floor, so that the force of the floor has none.
+ * Returns the unbalanced torque on the head if all blocks have the given accelerations or, in a collision,
+ * changes of velocity. Each contact supplies the force that its follower needs. Torques are about the line
+ * where a block touches the floor, so that the floor exerts no torque.
  */
 static double torque_left(const struct block *b, int n, const struct vector *acceleration,
                           const double *angular, double mu, double gravity)

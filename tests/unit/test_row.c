@@ -36,7 +36,7 @@ static void random_row(struct run *run, uint64_t *seed, int kind)
 
 /* ---- Against Newton's equations ---- */
 
-/* Makes the floor of some rows slope, and dominoes of others boxes. */
+/* Puts some rows on a slope, and turns the dominoes of some rows into boxes. */
 static void slope_or_walls(struct run *run, uint64_t *seed, int i)
 {
     domq_real thinnest = run->domino[0].thickness;
@@ -446,8 +446,8 @@ TEST(precisions_agree)
     }
 }
 
-/* Checks that a long row of a train needs a floor as rough as the endless train does. The friction that the
- * struck domino needs is compared with a formula. */
+/* Checks that a long row of a train needs the same friction with the floor as the endless train, during the
+ * motion and in the hit. */
 TEST(floor_of_the_train)
 {
     static struct run run;

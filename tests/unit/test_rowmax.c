@@ -93,8 +93,8 @@ TEST(falls_from_above_one)
     }
 }
 
-/* Checks that the limit of a long row is that of the endless train, since the effect of a strong push
- * decreases along the row. */
+/* Checks that a long row has the limit of the endless train, since the effect of a strong push decreases
+ * along the row. */
 TEST(long_rows_are_the_train)
 {
     for (int i = 4; i < 8; i++) {

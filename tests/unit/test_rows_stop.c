@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows that stop. The missing energy is compared with the potential energy of the dominoes on a fine grid,
- * and the tilt at which a row with much friction comes to rest with Newton's equations (direct.h).
+ * Rows that stop. The missing energy is compared with the potential energy of the dominoes on a fine grid.
+ * With high friction, the tilt at which a row comes to rest is compared with Newton's equations (direct.h).
  */
 #include "run.h"
 #include "support.h"
@@ -22,9 +22,9 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 }
 
 /*
- * Returns the largest increase of the potential energy of the moving dominoes on a grid of tilts of the head.
- * There are `moving` of them, and the head is domino k. A domino that its leader would turn back has
- * detached, and keeps its height, as do all dominoes that lean on it.
+ * Returns the largest increase of the potential energy of the `moving` dominoes up to the head, domino k, on
+ * a grid of tilts of the head. A domino that its leader would turn back has detached. It keeps its height,
+ * and so do all dominoes that lean on it.
  */
 static double highest_energy_change(const struct run *run, size_t k, size_t moving)
 {
@@ -70,7 +70,7 @@ static void random_row(struct run *run, uint64_t *seed, double push, double mu)
 
 /*
  * Checks rows without friction, in every precision. The maximum on the grid is found by a parabola through
- * three tilts. Its error, 1e-7, is of third order in the distance of the tilts, or of second order if a
+ * three tilts. Its error, 1e-7, is of third order in the distance between the tilts, or of second order if a
  * domino detaches between them.
  */
 TEST(short_of_the_highest_everywhere)
@@ -99,7 +99,7 @@ TEST(short_of_the_highest_everywhere)
     assert_true(stops > 200 && behind > 25);
 }
 
-/* Checks that the energy that a head needs does not depend on its speed, also where the row stops. */
+/* Checks that the energy that a head needs does not depend on its speed, even where the row stops. */
 TEST(a_stop_needs_what_a_fall_needs)
 {
     static struct run slow, fast;
@@ -129,8 +129,8 @@ TEST(a_stop_needs_what_a_fall_needs)
 
 /* ---- At the reach ---- */
 
-/* Checks that a row with r = 1/s, rounded in the widest type, is in reach in every precision, as a train is,
- * and that a row whose gaps are wider by 1e-5 is not. */
+/* Checks that a row with r = 1/s, rounded in the widest type, is within reach in every precision, like a
+ * train. A row whose gaps are wider by 1e-5 must be out of reach. */
 TEST(rounded_reach_is_reached)
 {
     static struct run run, near;
@@ -166,13 +166,13 @@ TEST(rounded_reach_is_reached)
     assert_true(falls > 15 && stops > 15);
 }
 
-/* ---- Much friction ---- */
+/* ---- High friction ---- */
 
 /*
- * Checks much friction, where lever arms become 0 during the motion (Painleve) and the motion locks, although
- * most rows come to rest before. The verdict in every precision agrees with the hits and the stop by Newton's
- * equations, and no row is an error. Heads that are still moving when they lock are left out, since Newton's
- * equations are singular there.
+ * Checks rows with high friction. The motion may lock, because lever arms become 0 (Painleve), but most rows
+ * come to rest before that. In every precision, the hits and the stop must agree with Newton's equations, and
+ * no row may be an error. Heads that are still moving when they lock are left out, since Newton's equations
+ * are singular there.
  */
 TEST(much_friction)
 {

@@ -120,7 +120,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
     }
 }
 
-/* Checks that the higher of two maxima is found, which are close to the same sample s = 0.9^k. */
+/* Checks that the higher of two maxima is found if both are close to the same sample s = 0.9^k. */
 TEST(the_higher_of_two_tops)
 {
     struct setup train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
@@ -142,7 +142,7 @@ TEST(too_much_work_is_refused)
 }
 
 /* Checks thin dominoes with tiny gaps, for which hundreds of thousands of followers matter at r = 1, but only
- * few at r_max. */
+ * a few at r_max. */
 TEST(thin_dominoes_are_quick)
 {
     struct setup train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);

@@ -193,8 +193,8 @@ TEST(sizes_and_places_are_those_of_the_train)
             assert_near("height", hypot(domino[i].corner[1].x - domino[i].foot, domino[i].corner[1].y),
                         domino[i].height, roundings(&v, i) / domino[i].height);
         }
-        /* The next domino is in front of the head by (s + d) r, since its gap is r times as wide as that of
-         * the head. */
+        /* The next domino is (s + d) r in front of the head, since its gap is r times as wide as the head's
+         * gap. */
         assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
         for (int i = 1; i < (int)v.stage.count; i++) {
             assert_near("growth", domino[i - 1].height / domino[i].height, r, 2 * DBL_EPSILON);
@@ -217,8 +217,8 @@ static bool tilt_seen(const struct domq_link *link, void *context)
     return tilts->count < DOMINOES;
 }
 
-/* Checks that the tilts are those of the chain to 1e-12, and that no later domino is more upright than the
- * last of the chain. */
+/* Checks that the tilts agree with the chain to 1e-12, and that no later domino is more upright than the last
+ * one of the chain. */
 TEST(tilts_are_those_of_the_chain)
 {
     static struct view v;

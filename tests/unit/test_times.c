@@ -94,8 +94,7 @@ TEST(first_moment)
         }
 }
 
-/* Checks that a train that stops has its events in every precision, with friction and without, also at r s
- * = 1. */
+/* Checks that a train that stops has its events in every precision, even with friction and at r s = 1. */
 TEST(stops_have_times)
 {
     uint64_t seed = 82;
@@ -143,7 +142,8 @@ static double vanishing(struct setup train)
     return lo;
 }
 
-/* Checks that the bound of theta_m covers a barrier of 0, where H' is 0 to rounding at the launch. */
+/* Checks that theta_m is within its error bound if the barrier vanishes, so that H' is nearly 0 at the
+ * launch. */
 TEST(tops_that_vanish)
 {
     uint64_t seed = 83;

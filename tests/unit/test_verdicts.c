@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Verdicts on random rows. A study decides most heads by bounds. Here the same random rows also pass through
- * an engine that runs each row in full with this library, and must get the same verdicts.
- */
+/* Verdicts on random rows. In a study, bounds decide for most heads whether they keep falling. Here an engine
+ * also runs each random row in full with this library, and must find the same verdicts. */
 #include "ask.h"
 #include "planning/boxes.c"
 #include "planning/draw.c"

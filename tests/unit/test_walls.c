@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Boxes of six walls: the moment of inertia is compared with a sum over boards, a train must move as without
- * walls except for its unit of time, and the walls are tried at their limits.
- */
+/* Boxes of six walls. The moment of inertia is compared with other formulas. A train must move as it does
+ * without walls, except for its unit of time. Walls are tried at their limits. */
 #include "support.h"
 
 TEST(thin_and_solid)
@@ -44,7 +42,7 @@ TEST(no_room)
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_ROOM);
     train.walls = train.d / 2;
     assert_status(ask_train_check(&train), DOM_OK);
-    /* An error of a row names the domino. */
+    /* An error in a row names the domino. */
     struct domq_domino domino[] = {
         {0.048, 0.007, 0, 1, 0, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0, 0}};
     struct row_setup row = row_setup_default(domino, 3, 4);
@@ -60,8 +58,8 @@ TEST(no_room)
     }
 }
 
-/* Checks that walls change nothing but tau: in units of tau a train moves as without walls, with every law,
- * precision, fuel and method. Checks the factor of tau, too. */
+/* Checks that walls change nothing but tau: in units of tau, a train moves as it does without walls, with
+ * every law, precision, fuel and method. Checks the factor of tau, too. */
 TEST(trains_move_as_without)
 {
     for (int k = 0; k < 24; k++) {

@@ -20,7 +20,8 @@ static void find(struct run *run)
     assert_status(ask_row_windows(&run->row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
 }
 
-/* Checks one window of a row: the verdict changes two units of the seventh digit beyond each end. */
+/* Checks one window of a row: all dominoes fall inside the window, but not two units of the seventh digit
+ * beyond either end. */
 static void check_ends(const struct run *run, const struct domq_window *w)
 {
     double low = w->low, high = w->high, tall = (double)run->domino[w->domino - 2].height;
@@ -250,8 +251,8 @@ static double equal_windows(struct run *run, double differ, enum dom_window_of o
     return (double)work.passes;
 }
 
-/* Checks that the window of a domino that is equal to the one before it is found in fewer trials. If the
- * dominoes differ by rounding errors, the whole range is searched, and the windows must be the same. */
+/* Checks that a window takes less work if the domino equals the one before it. If the dominoes differ by
+ * rounding errors, the whole range is searched, and the windows must be the same. */
 TEST(equal_dominoes)
 {
     static const struct {
@@ -303,7 +304,7 @@ TEST(few_gaps)
     assert_int_equal(done, 4);
 }
 
-/* Checks the windows of heights: all dominoes fall at both ends, also where rounded edges leave taller
+/* Checks the windows of heights: all dominoes fall at both ends, even where rounded edges leave taller
  * dominoes no foot to stand on. */
 TEST(heights_that_stand)
 {
