@@ -127,7 +127,8 @@ static void consider_maxima(struct ref *ref, struct ref_sums *sums)
     mpfr_clears(lo, hi, (mpfr_ptr)0);
 }
 
-/* Finds the maximum for inputs near those of the central reference, by the secant method. */
+/* Finds the maximum for slightly changed inputs, by the secant method, starting from the maximum of
+ * ref->centre. */
 static void follow_maximum(struct ref *ref, struct ref_sums *sums)
 {
     mpfr_t x, y, f_x, f_y, t;

@@ -139,8 +139,8 @@ static struct ref *changed(const struct ref *ref, int input, double e)
     return near;
 }
 
-/* Returns a nearby reference. Returns NULL for an input without any effect, that is, for 1 - r s = 0 and for
- * a tilt of 0. */
+/* Returns a nearby reference. Returns NULL if the input has no effect, that is, for 1 - r s = 0 and for a
+ * tilt of 0. */
 struct ref *ref_near(struct ref *ref, int input)
 {
     bool fixed = (input == REF_S && mpfr_sgn(ref->u) <= 0) || mpfr_zero_p(ref->in[input]);

@@ -93,12 +93,12 @@ struct ref {
     mpfr_t value[REF_COUNT];
     bool known[REF_COUNT];
     int at_end; /* where the barrier is: -1 at the tilt 0, 1 at theta_c, 0 in between */
-    /* How far these values move by rounding errors in the terms of H and H', apart from those in the
-     * inputs. */
+    /* How far rounding errors in the terms of H and H' move these values. Errors of the inputs are not
+     * included. */
     double theta_m_size, stop_size, duration_size;
     struct ref *near[REF_INPUTS];
     double nearby[REF_INPUTS]; /* the fraction by which the input of the nearby reference differs */
-    const struct ref *centre;  /* the reference to which this one is near, or NULL */
+    const struct ref *centre;  /* the reference of which an input was changed, or NULL */
 };
 
 /* Opens a reference that computes with `bits` bits. Aborts if more than ten million dominoes matter. */
@@ -127,7 +127,7 @@ double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
 /* Finds the geometry and the train at tilt 0. The inputs must be set. */
 void ref_start(struct ref *ref);
-/* Returns a reference with one input slightly changed, or NULL for an input without any effect. */
+/* Returns a reference with one input slightly changed, or NULL if this input has no effect. */
 struct ref *ref_near(struct ref *ref, int input);
 void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
 void ref_sums_clear(struct ref_sums *sums);

@@ -9,8 +9,8 @@
 #include "library.h"
 #include "sweep.h"
 
-/* A dip or a band narrower than this in r may be missed. scan.c misses only what is narrower than 1e-6; the
- * larger width allows for rounding. */
+/* A dip or a band narrower than this in r may be missed. scan.c misses only dips and bands narrower than
+ * 1e-6; the larger width allows for rounding. */
 #define RESOLVED 1e-5
 
 /* Returns how many of `all` trains are checked. */

@@ -89,8 +89,8 @@ static double torque(const struct run *run, size_t i)
            (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2;
 }
 
-/* Finds the position and the velocity of domino j from those of k = j + 1, and the terms of their contact in
- * the system. */
+/* Finds the position and the velocity of domino j from its leader k = j + 1, and the terms of their contact
+ * in the system. */
 static void geometry(struct run *run, size_t j)
 {
     const struct direct_row *row = run->row;

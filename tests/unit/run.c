@@ -84,11 +84,8 @@ static void near_newton(const char *what, const struct run *run, size_t k, domq_
             (double)run->domino[k].lean, (double)run->row.alpha, (double)run->row.walls);
 }
 
-/*
- * The tolerance is 1e-13 for each step of the integrator, and 1e-12 for the row. A small margin is a
- * difference of large energies and has the absolute error of these, so the bound increases as the margin
- * decreases.
- */
+/* The tolerance is 1e-13 for each step of the integrator, and 1e-12 for the row. A small margin is a
+ * difference of large energies with large absolute errors, so the bound increases as the margin decreases. */
 static void compare_hits(const struct run *run, const struct newton *n)
 {
     double friction_work = 0, spare = INFINITY;

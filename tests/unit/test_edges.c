@@ -149,8 +149,8 @@ TEST(floor_at_the_reach)
 
 /* ---- Loose tolerances, and results close to 0, for which a shortcut was once wrong ---- */
 
-/* Checks that the tolerance is relative to the fuel, and not to the terms that cancel in it, so that the
- * verdict is right. */
+/* Checks that the tolerance is relative to the fuel, and not to the terms that cancel in the fuel, so that
+ * the verdict is right. */
 TEST(nearly_no_fuel)
 {
     struct setup train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);

@@ -295,8 +295,8 @@ TEST(refusals)
     train.d = 0.61451534241036898;
     train.q = 2.9636499594514638;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
-    /* The arm of the contact force is Y / r and that of the friction is mu d. The train locks if the two are
-     * equal. */
+    /* The arm of the contact force is Y / r, and the arm of the friction is mu d. The train locks if these
+     * are equal. */
     train = friction_train(0.5, 1, 1);
     train.d = 0.1;
     double edge = sqrt(1 / (0.01 + 0.25)); /* sqrt(1 - r^2 s^2) / r = mu d */

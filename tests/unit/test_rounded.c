@@ -293,7 +293,7 @@ static double torque_left(const struct block *b, int n, const struct vector *acc
     return left;
 }
 
-/* Compares the acceleration and the collision of the endless train with those of a long chain of blocks. */
+/* Compares the acceleration and the collision of the endless train with a long chain of blocks. */
 TEST(newtons_law)
 {
     static const double scene[][5] = {/* s, r, rho, mu, theta */

@@ -136,8 +136,7 @@ TEST(contacts_are_on_back_faces)
     assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
 }
 
-/* Returns the distance between two dominoes in the direction of a side of one of them, which is negative if
- * they overlap. */
+/* Returns the distance between two dominoes along a side of one of them. It is negative if they overlap. */
 static double gap_between(const struct drawn *a, const struct drawn *b)
 {
     double widest = -(double)INFINITY;

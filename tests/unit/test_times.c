@@ -55,8 +55,8 @@ TEST(times_before_a_stop)
         if (status != DOM_OK)
             fail_train(dom_status_text(status), &train, 0, 0);
         struct setup fine = in_quad(train);
-        /* Because of rounding, the stop in double may be after the true one. In that case the expected time
-         * is that of the true stop. */
+        /* Because of rounding, the stop in double may be after the true stop. In that case the time of the
+         * true stop is expected. */
         domq_real end;
         assert_status(ask_cycle_stop(&fine, &end, NULL), DOM_OK);
         assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
