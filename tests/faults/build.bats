@@ -1,13 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The build: it is hardened, and gives the same bytes in every folder.
+# The build is hardened, and gives the same bytes in every folder.
 # shellcheck disable=SC2154
 
 load faults
 
 root=$BATS_TEST_DIRNAME/../..
 
-@test "two folders give the same program and library, hardened" {
+@test "builds in two folders give the same hardened program and library" {
     local folder
     for folder in one 'the other folder/below'; do
         mkdir -p "$BATS_TEST_TMPDIR/$folder"
@@ -21,8 +21,7 @@ root=$BATS_TEST_DIRNAME/../..
         cmp "one/.build/$file" "the other folder/below/.build/$file"
     done
     if grep -aqF "$BATS_TEST_TMPDIR" one/.build/domino; then same 'the folder' 'not in the program' 'in there'; fi
-    # All addresses are bound before main, in memory that is then read-only, and there is a stack
-    # protector.
+    # All addresses are bound before main, in memory that is then read-only, and there is a stack protector.
     readelf -d one/.build/domino | grep -q BIND_NOW
     readelf -lW one/.build/domino | grep -q GNU_RELRO
     for name in __stack_chk_fail __printf_chk; do nm -D one/.build/domino | grep -qw "$name"; done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Full disks and limits of file size: there is an error message, and every file is whole, either the old or the
-# new one.
+# Full disks and file size limits: there is an error message, and every file is complete, either the old file or the new
+# one.
 # shellcheck disable=SC2154 # $full is set where the scripts run
 
 load faults
@@ -43,7 +43,7 @@ appended() {
     { cat before && sed 1d before; } | cmp - file # a file has a single header
 }
 export -f appended
-@test "full disk: '>>' removes what it could not finish" { disk appended; }
+@test "full disk: '>>' leaves the old file" { disk appended; }
 
 names() {
     echo old >file && ln file other
@@ -66,7 +66,7 @@ saved() {
 export -f saved
 @test "full disk: save leaves the old file" { disk saved; }
 
-@test "full disk: a history that does not fit is reported, and stays whole" {
+@test "full disk: a line that does not fit into the history is reported, and the file does not change" {
     full_history() {
         printf 'show s\n' >history
         fill
@@ -78,7 +78,7 @@ export -f saved
     disk full_history
 }
 
-@test "a full folder for temporary files: pictures and appended answers are errors" {
+@test "full folder for temporary files: pictures and appended answers are complete, or fail with an error" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
     # The usual folder of a test is in /tmp, which is full here. So this test has a folder elsewhere, which is removed
@@ -111,7 +111,7 @@ export -f saved
     [ -z "$(find "$away" -mindepth 1 -name '*.??????')" ]
 }
 
-@test "a limit of file size is an error like any other" {
+@test "exceeding the file size limit is an error like any other" {
     enter
     export full='File too large'
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A preloaded library that makes allocations of a program fail: allocation number FAIL_AT, counted from 1,
- * and if FAIL_ON is set, all later ones as well. If FAIL_COUNT is set, the number of allocations is written
- * to the file of that name when the program ends.
+ * and if FAIL_ON is set, all later allocations as well. FAIL_COUNT may name a file, to which the library
+ * writes the number of allocations when the program ends.
  */
 #include <errno.h>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# Functions that the fault suites share: a folder for each test, a limit for each wait, and full disks.
+# Functions that the fault suites share: a folder for each test, time limits, and full disks.
 
 load ../shell/common
 
@@ -15,14 +15,14 @@ prompt() { soon expect -f "$BATS_TEST_DIRNAME/faults.exp" "$@" </dev/null; }
 
 inside() { find . -mindepth 1 | LC_ALL=C sort | sed 's|^\./||' | paste -sd ' ' -; }
 
-# Returns true if the program was ended by a signal, or by the time limit.
+# Checks that the program ended by itself, and not by a signal or by the time limit.
 no_crash() { # WHAT STATUS
     [ "$2" -le 1 ] || same "$1: it ends by itself" '0 or 1' "$2"
 }
 
 # Runs a bash script on a separate disk of 64 kB, which is unmounted when the script ends. In the script, 'fill' fills
 # all blocks, and 'empty' frees them. If mounting is not allowed, 'fill' sets a limit of file size instead. $full is the
-# message for a full disk.
+# error message that is expected then.
 disk() { # SCRIPT
     local own=() mounts=$BATS_TEST_TMPDIR/disk
     mkdir -p "$mounts"

@@ -6,8 +6,8 @@
 
 load faults
 
-# Checks a session with --bail: every line of the output is one of the right lines, and errors are reported. Sentences
-# that explain an answer may be missing without an error.
+# Checks a session with --bail: every line of the output is one of the expected lines, and errors are reported.
+# Sentences that explain an answer may be missing without an error.
 outcome() { # WHAT STATUS
     no_crash "$1" "$2"
     obtained=$(grep -vE '\.$' out) said=$(cat err)
@@ -22,8 +22,8 @@ outcome() { # WHAT STATUS
     [[ $left != *.?????? ]] || same "$1: no draft" '(nothing)' "$left"
 }
 
-# Makes each allocation fail, first alone and then with all later ones. At most FAULTS_OF_MEMORY (60)
-# allocations are tried, evenly spaced.
+# Makes each allocation fail, first alone and then with all later allocations. If there are many, tries at most
+# FAULTS_OF_MEMORY of them (60 by default), evenly spaced.
 every_allocation() { # SESSION
     enter
     printf 'fuel; theta1 0.1\n' >in.dom
@@ -57,7 +57,7 @@ every_allocation() { # SESSION
 }
 
 # Chipmunk does not check whether an allocation fails.
-@test "the rigid-body engine under a limit of memory: the answer or a reason, no crash" {
+@test "the rigid-body engine under a memory limit gives an answer or a reason, and does not crash" {
     enter
     local k refused=0 solved=0
     for ((k = 5000; k < 40000 && solved < 3; k += 250)); do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Malicious file names: each is used as it is, or leads to an error in one readable line, and no other file is
+# Malicious file names: each is used as it is, or leads to an error message of one readable line. No other file is
 # touched.
 # shellcheck disable=SC2154
 
@@ -14,7 +14,8 @@ names=('with  blanks' -e --safe '%s%n%d' '*' '?' "'" '$(touch x)' '`x`' '\' '\n'
 # Quotes a name for a command line, in which '""' stands for a quote.
 quoted() { printf '"%s"' "${1//\"/\"\"}"; }
 
-readable() { # WHAT NAME: one line without letters that harm
+# Checks that the error message is a single line without control characters or others that a terminal does not show.
+readable() { # WHAT NAME
     same "$1 $(printf %q "$2"): lines" 1 "$(wc -l <err)"
     if LC_ALL=C.UTF-8 grep -qvP '^[\P{C}]+$' err; then same "$1 $(printf %q "$2")" readable "$(cat -v err)"; fi
 }

@@ -16,7 +16,7 @@ begin() { # ARGUMENT...
     child=$!
 }
 
-# Sends a signal to the program, which must soon end.
+# Sends a signal to the program, and checks that the signal soon ends the program.
 end_by() { # WHAT SIGNAL
     until [ "$(tr '\0' '\n' <"/proc/$child/cmdline" | head -n 1)" = "$DOMINO" ]; do kill -0 "$child"; done
     kill -s "$2" "$child"
@@ -44,8 +44,8 @@ every_file_command() { # SIGNAL
     "$DOMINO" -n -e 'set output csv; effect row 20; curve 0.2 0.6 40' >answer
     touch two log && ln two other
     local wait
-    # Send the signal at different moments during the commands, and at last while files are written
-    # again and again.
+    # Send the signal at different moments: first during the first commands, and finally while files are written again
+    # and again.
     for wait in 0.005 0.010 0.015 0.020 0.025 0.030 0.035 0.040 0.047 0.053; do
         begin all.script
         sleep "$wait"
@@ -66,7 +66,7 @@ every_file_command() { # SIGNAL
 @test "SIGXCPU while files are written" { ulimit -c 0 && every_file_command XCPU; }
 @test "SIGVTALRM while files are written" { every_file_command VTALRM; }
 
-@test "a limit of processor time leaves no temporary file" {
+@test "exceeding the limit of processor time leaves no temporary file" {
     enter
     ulimit -c 0
     ulimit -St 1
@@ -96,7 +96,7 @@ every_file_command() { # SIGNAL
     done
 }
 
-@test "a script that waits for a FIFO ends with SIGINT and SIGTERM, and leaves no file" {
+@test "a command that waits for a FIFO ends on SIGINT and on SIGTERM, and leaves no file" {
     enter
     mkfifo fifo
     for signal in INT TERM; do

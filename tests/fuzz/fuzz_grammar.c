@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Grammatical lines of all commands, made from the tables of the program. The bytes choose the command, each
- * argument by its kind, and expressions with any command as a function. Half of the sessions are safe. The
- * others run in a scratch folder, which no file name leaves. See 'make fuzz'.
+ * Runs sessions of grammatical lines, which are generated from the program's tables of commands. The input
+ * bytes choose the command, each argument according to its kind, and expressions in which any command may be
+ * a function. Half of the sessions may not use files. The others do so in a scratch folder, and no file name
+ * leads out of it. See 'make fuzz'.
  */
 #include "commands/sweeps/grid.h"
 #include "commands/tables.h"
@@ -25,7 +26,7 @@ struct maker {
     FILE *line;
 };
 
-/* Returns a number below n, which is at most 256, or 0 if no bytes are left. The number also depends on the
+/* Returns a number below n, or 0 if no bytes are left. n is at most 256. The number also depends on the
  * position of the byte, so that repeated bytes do not repeat the line. */
 static unsigned pick(struct maker *m, unsigned n)
 {
@@ -201,8 +202,8 @@ static void put_grid(struct maker *m)
     }
 }
 
-/* Writes names with values from the list of an argument, such as the wishes of 'design', or the parameter of
- * 'solve' with its range. */
+/* Writes one or two of the names that the argument allows, each with up to two numbers: the wishes of
+ * 'design', or the parameter of 'solve' with its range. */
 static void put_wishes(struct maker *m, const struct argument *a)
 {
     for (unsigned names = 1 + pick(m, 2); names > 0; names--) {
@@ -333,7 +334,7 @@ static void put_line(struct maker *m)
     static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
                                        "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " \\\n"};
     unsigned way = pick(m, 8);
-    /* Settings affect all later lines, so they are more frequent than one line in fifty. */
+    /* One line in eight is a setting, because settings affect all later lines. */
     if (way == 0) {
         static const char *const settings[] = {"set output json",       "set output csv",
                                                "set output json",       "set precision float",
@@ -356,7 +357,7 @@ static void put_line(struct maker *m)
     put(m, PICK(m, ends));
 }
 
-/* Writes a command as a function. Every session begins with a few of these, so that each command soon
+/* Writes a command as a function. Every session begins with a few such lines, so that each command soon
  * occurs. */
 static void put_function(struct maker *m)
 {
@@ -375,7 +376,6 @@ static void put_function(struct maker *m)
 
 static char scratch[] = "/tmp/domino-fuzz-XXXXXX";
 
-/* Restores the initial state of the folder, which holds one csv file. */
 static void scratch_clean(void)
 {
     DIR *folder = opendir(".");
@@ -386,6 +386,7 @@ static void scratch_clean(void)
         closedir(folder);
 }
 
+/* Restores the initial state of the folder, which holds two csv files. */
 static void scratch_fill(void)
 {
     static const char *const names[] = {"row.csv", "a \"b\".csv"};

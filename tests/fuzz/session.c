@@ -68,7 +68,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     struct session session;
     char *out = NULL;
     size_t length = 0;
-    /* A long computation, such as a curve of ten million rows, is not an error. It is interrupted, as by
+    /* A long computation, such as a curve of ten million rows, is not an error. It is interrupted as if by
      * ^C. */
     const struct itimerval limit = {.it_value = {.tv_usec = 20000}};
     signal(SIGVTALRM, on_timer);

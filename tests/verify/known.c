@@ -1,20 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Compares the largest growths of rows of 12 hollow dominoes in the engine with known values. For feet that
- * slip, and for bounces, these values come from an earlier computation by other code with the same engine.
- * For slopes and rounded edges, they are those of the endless train by the library's equations. For the three
- * radii at s = 0.3 the earlier computation has 1.877, 1.939 and 2.098, up to 0.006 more than both the
- * equations and this engine, in which rounded feet roll.
+ * Compares the largest growths of rows of 12 hollow dominoes in the engine with known values.
  *
- * The earlier computation made 20 iterations for the impulses of a step, and here the impulses have
- * converged. The growths of feet that slip differ most, by 0.015, at s = 0.2 with a friction of the floor of
- * 1, and there by 0.012 with twice as many steps.
+ * For feet that slip, and for bounces, the known values come from an earlier computation by other code with
+ * the same engine. That code made 20 iterations for the impulses of a step, whereas here the impulses have
+ * converged. For feet that slip, the largest difference is 0.015, at s = 0.2 with a floor friction of 1.
+ * Twice as many steps reduce this difference to 0.012.
  *
- * At s = 0.4, dominoes that have fallen continue to push (verify.c), which the known growths leave out. With
- * sharp upper edges, this engine finds 2.090 for a bounce of 0, 2.099 for 0.3 and 2.119 for 0.5. With
- * bevelled edges it finds 2.063 for 0 and 0.3. For a bounce of 0.5 it finds 2.075 with a bevel of 0.01, and
- * 2.063 with a bevel of 0.02. The known value of 2.101 is between these numbers and 2.119, and is not
- * compared.
+ * For slopes and rounded edges, the known values are the growths of the endless train by the library's
+ * equations. For the three radii at s = 0.3, the earlier computation found 1.877, 1.939 and 2.098. These are
+ * up to 0.006 larger than the growths by the equations and in this engine. In both, rounded feet roll.
+ *
+ * At s = 0.4, dominoes that have fallen continue to push (verify.c). The known growths leave this push out.
+ * This engine finds:
+ *
+ *   bounce   sharp upper edges   bevelled upper edges
+ *   0        2.090               2.063
+ *   0.3      2.099               2.063
+ *   0.5      2.119               2.075 (bevel 0.01), 2.063 (bevel 0.02)
+ *
+ * The known growth for a bounce of 0.5 is 2.101. It lies between the growths with sharp and with bevelled
+ * edges, and is not compared.
  */
 #include "known.h"
 #include "../hard/workers.h"
@@ -73,7 +79,7 @@ enum { OTHERS = sizeof others / sizeof *others, JOBS = ROWS * FLOORS + OTHERS };
 
 struct job {
     struct scene scene;
-    double known, off, found; /* `found` is NaN if it is not within twice the allowed difference */
+    double known, off, found; /* `found` is NaN unless it is within 2 * off of `known` */
 };
 
 static struct job job_of(int k)

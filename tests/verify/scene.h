@@ -11,7 +11,7 @@ struct scene {
     size_t count;       /* number of dominoes, at most SCENE_MOST; the first has the height 1, and g is 1 */
     double push;        /* initial angular velocity of the first domino */
     double bevel;       /* bevel of the boxes in the engine */
-    /* Effects that are on only in the engine. `feet` is the friction of the floor, or 0 if the feet are
+    /* Effects that only the engine applies here. `feet` is the friction of the floor, or 0 if the feet are
      * hinges. */
     double feet, bounce, slope, radius;
 };
@@ -34,9 +34,9 @@ struct found {
 };
 
 /*
- * Steps are halved until this changes the value by a fraction of less than scene_still, or until scene_finest
- * is reached. The error of first order that remains is as large as the last change. A difference of up to
- * scene_allowed times the last change, or times scene_still, counts as agreement, because the verdict of a
+ * Steps are halved until a halving changes the value by a fraction of less than scene_still, or until
+ * scene_finest is reached. The remaining first-order error is as large as the last change. A difference of up
+ * to scene_allowed times the last change, or times scene_still, counts as agreement, because the verdict of a
  * row also depends on where in a step a hit happens.
  */
 extern const double scene_still, scene_finest, scene_allowed;
@@ -45,7 +45,7 @@ extern const double scene_bracket; /* relative width to which growths are bisect
 /* Returns the allowed difference, relative to the value. */
 double scene_uncertain(const struct found *found);
 
-/* Finds the largest growth at which the row falls, raised from 1. */
+/* Raises the growth from 1 until the row no longer falls, and finds the last growth at which it falls. */
 void scene_growth(const struct scene *scene, struct found *found);
 double scene_growth_of_row(const struct scene *scene);
 

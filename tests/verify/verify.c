@@ -10,7 +10,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A value does not count if the last halving changed it by more than this many times scene_still. */
+/* A value is wrong if the last halving still changed it by a fraction of more than this many times
+ * scene_still. */
 static const double unsettled = 5;
 
 static const double masses[] = {3, 4}, frictions[] = {0, 0.2};
@@ -224,16 +225,17 @@ static void print_tally(const struct tally *tally)
 {
     if (tally->again > 0)
         printf(
-            "* A domino slides off the one that it leaned on, meets its lower edge with the upper end, and\n"
-            "  continues to push: the model does not have this contact. If the upper back edges are\n"
-            "  bevelled by %g %% of the height, with the same mass and inertia, it does not occur.\n\n",
+            "* A domino slides off the domino that it leaned on. Its upper end then meets the lower edge of\n"
+            "  that domino, and continues to push. The model does not have this contact. If the upper\n"
+            "  back edges are bevelled by %g %% of the height, with the same mass and inertia, it does not\n"
+            "  occur.\n\n",
             100 * bevel);
     printf(
         "Steps per sqrt(h / g) are doubled until the value changes by less than %g %% (last %%), or up to\n"
         "%g; deviations of up to %g times this change are allowed. Growths are bisected to %g;\n"
         "durations are extrapolated to steps of 0. The foremost dominoes penetrate each other by up to\n"
-        "%.0e of the height, and stray up to %.0e from their hinges. Two more dominoes, with more\n"
-        "exact impulses, change the values by no more.\n",
+        "%.0e of the height, and stray up to %.0e from their hinges. With two more dominoes and\n"
+        "more exact impulses, the values change by no more than is allowed.\n",
         100 * scene_still, scene_finest, scene_allowed, scene_bracket, tally->depth, tally->drift);
     printf("In %d scenes the fuels differ by more than is allowed; %d of these support the paper's fuel.\n\n",
            tally->differ, tally->paper);
