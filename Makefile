@@ -21,7 +21,7 @@ OPTIM   ?= -O2 -g1
 HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
 CFLAGS  ?= $(OPTIM) $(HARDEN)
-# The linker and the archiver of macOS have different options from those of GNU, LLVM and FreeBSD.
+# The linker and the archiver of macOS take other options than the GNU, LLVM and FreeBSD tools.
 DARWIN  := $(filter Darwin,$(shell uname -s))
 LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now $(RELR))
 # With this option the table of addresses that the dynamic linker adjusts is compact, which saves 140 KB. The option is
@@ -180,7 +180,7 @@ $(B)/objq/%.o: %.c | $(FIRST)
 	$(Q)$(CC) $(C_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
 
 $(LIB_OBJ): $(B)/library.h
-# Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one by another.
+# Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one with the other.
 $(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@

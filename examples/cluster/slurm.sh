@@ -12,8 +12,8 @@
 #   cat part-*.csv > sweep.csv                    for a sweep, as in sweep.dom, map.dom and improve.dom
 #   cat part-*.csv | domino -e 'pool -'           for a study
 #
-# If tasks were lost, submit the same command again: it computes only the parts that are missing. To run only tasks 7 and 31, use
-# '--array=7,31', and give the number of parts with '--export=ALL,PARTS=50'.
+# If tasks were lost, submit the same command again: it computes only the parts that are missing. To run only tasks 7
+# and 31, use '--array=7,31', and give the number of parts with '--export=ALL,PARTS=50'.
 #
 #SBATCH --job-name=domino
 #SBATCH --array=1-20

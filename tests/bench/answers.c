@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes the answers whose instructions `make guard` counts, and prints their names in the same order. Each
- * answer is one call of answer(), and callgrind counts the instructions of each call.
+ * Computes answers for `make guard` and for the scripts `operations` and `shares`, and prints their names.
+ * Each answer is one call of answer(), and callgrind counts the instructions of each call.
  *
- * usage: answers                 computes all answers, except those that are apart
+ * usage: answers                 computes all answers that `make guard` counts
  *        answers NAME            computes one answer, and prints its passes and dominoes
  *        answers NAME SECONDS    also prints its time in us, the shortest within so many seconds
  */

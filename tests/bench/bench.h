@@ -147,7 +147,7 @@ struct lines_goals {
 
 struct lines_goals lines_print(const char *build, const char *domino);
 
-/* Prints start-up times. Returns our time divided by that of bc, or NaN if bc is missing. */
+/* Prints start-up times. Returns our time divided by the time of bc, or NaN if bc is missing. */
 double start_print(const char *domino);
 
 /* ---- floor.c ---- */
@@ -175,7 +175,7 @@ void shares_print(const char *build);
 
 /* ---- front.c, lengths.c ---- */
 
-/* Prints front speeds beside those that a published program computes. */
+/* Prints our front speeds next to the speeds by the method of a published program. */
 void front_print(void);
 
 /* Prints how the time for a row grows with the number of dominoes. Returns the seconds for a row of 10,000

@@ -24,8 +24,8 @@ static bool lines_write(const char *path, const char *line, int count)
     return file && fclose(file) == 0;
 }
 
-/* Returns the processor time in s that the library takes to find r_max with both fuels as often as the lines
- * ask for it. */
+/* Returns the processor time in s that the library takes to find r_max with both fuels, as often as the lines
+ * do. */
 static double library_seconds(void)
 {
     struct setup train = setup_default();

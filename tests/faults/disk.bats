@@ -8,7 +8,7 @@ load faults
 
 teardown() { rm -rf "${away:-}"; }
 
-# Runs commands whose output cannot be written. Each must report this, and the session must go on.
+# Runs a command whose output cannot be written. The command must report the failure, and the session must go on.
 refused() { # COMMAND FILE
     local said
     said=$(soon "$DOMINO" -n -e "set output csv; $1; print 42" 2>&1) && same "$1: the status" 1 0
