@@ -10,8 +10,8 @@ load common
     wrong 'assert rmax(0.4) < 1.6' 'assert: not true: rmax\(0.4\) < 1.6'
     wrong 'assert 1/0 < 2' 'assert: .*division by zero'
     wrong 'assert rmax' "'rmax' has no verdict; .* 'assert rmax < 1.7'"
-    wrong 'assert rmax(0.4) > 2' "'>' is followed by a file name, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
-    wrong 'assert rmax > 2' "'>' is followed by a file name, .* parentheses"
+    wrong 'assert rmax(0.4) > 2' "here '>' would write the answer into a file, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
+    wrong 'assert rmax > 2' "here '>' would write the answer into a file, .* parentheses"
     wrong 'assert (rmax(0.4) > 2)' 'assert: not true'
 }
 

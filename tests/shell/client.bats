@@ -158,7 +158,7 @@ END
     run -1 --separate-stderr "$DOMINO" --safe -e 'tee t'
     [[ $stderr == *'a safe session cannot read or write files'* ]]
     printf 'tee x\n' >inner
-    wrong 'source inner > y' "answers go to 'y' here; begin the record earlier"
+    wrong 'source inner > y' "'tee' does not work here, because answers go to 'y'; enter it before the command with '>'"
 }
 
 @test "echo, and source of standard input" {

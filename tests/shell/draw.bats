@@ -79,7 +79,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
     one_line 'FILE is missing; usage: animate FILE [HOW]' animate
     for what in 0 2.5 10 1e7; do
-        one_line 'at this r, N is an integer in 1 .. 9, because one picture can show no more cycles' "animate a.gif $what"
+        one_line 'at this r, N is an integer in 1 .. 9, because one picture has no room for more cycles' "animate a.gif $what"
     done
     one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
     one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'

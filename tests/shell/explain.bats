@@ -137,7 +137,7 @@ its maximum: the growth|4|null|1.831348|1.810436
 the drop-off|3|null|0.53929|0.53929
 the drop-off|4|null|0.61901|0.61901
 growth of a pair|3|0.4|2.04654|2.04654
-dominoes that topple 112 m, r = 1.5|4|null|20|20
+112 m tower: dominoes, r = 1.5|4|null|20|20
 END
     same differences 'weights r^(-q i) left out in (25; c7)' "$(row 'largest growth' 3 0.2 | values why)"
     same 'no difference' '0' "$(row 'largest growth: the reach' 3 0.8 | values difference)"

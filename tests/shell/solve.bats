@@ -85,7 +85,7 @@ END
     wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
     wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, but VALUE is a length'
     wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM must be less than TO'
-    wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; enter for example'
+    wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; enter, for example,'
     wrong 'solve d : rmax' "'= VALUE' is missing after 'rmax'"
     wrong 'solve d' "':' and an answer are missing"
     wrong 'solve d :' "the answer is missing after ':'"

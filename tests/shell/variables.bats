@@ -69,10 +69,10 @@ END
     wrong 'let m = 2' "'m' is a unit"
     wrong 'let sin = 2' "'sin' is a built-in value"
     wrong 'let ans = 2' "'ans' is a built-in value"
-    wrong 'let x' "enter for example 'let x"
+    wrong 'let x' "enter, for example, 'let x"
     wrong 'let x =' "the value of 'x' is missing"
-    wrong 'let x 2' "enter for example 'let x"
-    wrong 'let f(a = 3' 'enter for example'
+    wrong 'let x 2' "enter, for example, 'let x"
+    wrong 'let f(a = 3' 'enter, for example,'
     wrong 'let f(a,b,c,d,e) = 3' 'a function of 1 .. 4 values'
     wrong 'let f(a,a) = 3' "two values of 'f' have the same name 'a'"
     wrong 'let f(a) = a +' "ends before '\+'"

@@ -254,7 +254,7 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
     return least;
 }
 
-/* Prints a sentence such as "A takes 12 times B.", unless a time is missing. */
+/* Prints a sentence such as "A takes 12 times as long as B.", unless a time is missing. */
 static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
     if (isfinite(seconds / others))
@@ -275,14 +275,14 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
                  measured((domq_real)quad, "", 3).text);
     answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
     times_say(a, "For 6 digits the paper's recipe takes",
-              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "our time");
+              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "as long as our method");
     times_say(a, "For 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
-              six, "our time");
+              six, "as long as our method");
     times_say(a, "12 digits cost", twelve, few, than);
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
-    times_say(a, "A proof of 12 digits takes", proved, twelve, "our time without a proof");
+    times_say(a, "A proof to 12 digits takes", proved, twelve, "as long as our method without a proof");
 }
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)

@@ -54,7 +54,8 @@ struct tower {
     bool falls;
 };
 
-/* Runs a row of `dominoes` dominoes and the domino to topple. Also finds the largest growths. */
+/* Runs a row of `dominoes` dominoes, followed by the domino to topple. Also finds the largest growth of the
+ * train, and of a row that starts from rest. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -73,7 +74,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Returns how many dominoes topple one of this height at growth r, for example "16 dominoes". */
+/* Returns how many dominoes it takes to topple one of this height at growth r, as in "16 dominoes". */
 static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
@@ -100,7 +101,7 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
     if (isnan(t->growths.r_max) && !t->start.engine)
         snprintf(starts, sizeof starts, "; but no such row starts %s", by);
     else if (t->growths.r_max < t->limit.r_max)
-        snprintf(starts, sizeof starts, "; a row starts %s with growth up to %.6g: %s", by,
+        snprintf(starts, sizeof starts, "; a row that starts %s falls with growth up to %.6g: %s", by,
                  (double)t->growths.r_max, enough_words(query, height, t->growths.r_max).text);
     answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind.text, t->falls ? "yes;" : "no;",
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
@@ -180,8 +181,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Returns why the row does not topple the domino, or NULL if it does, or if start_say has printed the
- * reason. */
+/* Returns why the row does not topple the domino. Returns NULL if the row does, or if start_say has already
+ * printed the reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

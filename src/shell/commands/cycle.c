@@ -163,8 +163,8 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision: the force on the struck domino passes its "
-                 "hinge on the wrong side; use a smaller r s or less friction"
+               ? "no domino effect: friction locks the collision, because the force on the struck domino "
+                 "passes its hinge on the wrong side; use a smaller r s or less friction"
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);
@@ -226,7 +226,7 @@ static const struct column barrier_columns[] = {
     {"barrier", "mgh/2", "the energy that the train needs: the maximum of H(theta) - H(0)", 0},
     {"kinetic", "mgh/2", "the energy that the train has: the kinetic energy J(0) tau^2 omega(0)^2", 0},
     {"margin", "mgh/2", "kinetic - barrier; not negative if the train keeps falling (26; c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, locks (friction) or no fuel (no energy)", 7},
+    {"verdict", "", "'goes on', 'stops', 'locks' (by friction) or 'no fuel' (no energy is released)", 7},
     {NULL, NULL, NULL, 0},
 };
 

@@ -19,8 +19,8 @@ static const char *prove_names(const void *context, int k)
 static const struct column prove_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"what", "", "the answer with a proof", 7},
-    {"low", "", "proved lower bound of the answer", 0},
-    {"high", "", "proved upper bound of the answer", 0},
+    {"low", "", "proved lower bound on the answer", 0},
+    {"high", "", "proved upper bound on the answer", 0},
     {"result", "", "the result of the proof", 12},
     {"boxes", "", "number of boxes in the proof, each of which is a range of tilts and growths", 9},
     {"chains", "", "number of passes along the train in the proof", 9},

@@ -8,7 +8,7 @@
  * slope below 1. */
 enum { START_DOMINOES = 64 };
 
-/* The search for the largest growth runs this many dominoes. */
+/* The search for the largest growth runs rows of this many dominoes. */
 enum { START_SEARCHED = 24 };
 
 /* The search for a growth has this relative tolerance. Its result is rounded down to START_DIGITS digits. */

@@ -82,8 +82,10 @@ static bool run_record(struct session *session, const struct arguments *given, s
     enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
-        return problem_error(problem, "answers go to '%s' here; begin the record earlier",
-                             names_shown(session->output->path));
+        return problem_error(problem,
+                             "'%s' does not work here, because answers go to '%s'; enter it before the "
+                             "command with '>'",
+                             a->command, names_shown(session->output->path));
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
         wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);

@@ -275,13 +275,13 @@ const struct command session_commands[] = {
          "lengths, kg g t lb oz for masses, s ms for times, and rad deg for angles. The functions are sin "
          "cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. Names are "
          "parameters, or what 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a number of the "
-         "last answer. Commands can have a key: rmax, rmax(0.3).r_max_paper. g and t are units directly "
-         "after "
-         "a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are "
-         "true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, because '>' alone begins the "
-         "name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' chooses one of two "
-         "values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1'. "
-         "In an expression, it needs parentheses: '2*(rmax with friction 0.2)'.",
+         "last answer. A command stands for one number of its answer, and a key chooses another: rmax, "
+         "rmax(0.3).r_max_paper. g and t are units directly after a number or a ')': '10 g'. Elsewhere g is "
+         "gravity: 'h/g', '2*g'. Comparisons are 1 if they are true, and 0 otherwise: < <= >= == !=, and '(a "
+         "> b)' in parentheses, because '>' alone begins the name of a file. 'and', 'or' and 'not' join "
+         "comparisons, and 'if(r > 1.5, 1, 0)' chooses one of two values. 'with' changes parameters and "
+         "effects for one answer: 'rmax 0.4 with q hollow d 0.1'. In an expression, 'with' needs "
+         "parentheses: '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The tables of commands, and commands that are not defined in the file of their table.
+ * Declares the tables of commands, and the commands that are defined outside the file of their table.
  *
  * To add a command, add a struct command (see command.h) to one of these tables. Write its columns and its
  * function run_NAME in the file of the table. A command in another file is declared here, or in the header of

@@ -86,7 +86,7 @@ static const struct column topic_columns[] = {
     {"name", "", "the name of the topic", 0},
     {"kind", "", "command, parameter, effect, variable or function", 0},
     {"usage", "", "how to type the command, parameter or effect", 0},
-    {"summary", "", "a summary of one line", 0},
+    {"summary", "", "a one-line summary", 0},
     {"equation", "", "equations of the paper, or the source of an effect", 0},
     {"text", "", "the help text", 0},
     {"keys", "", "keys of the answer's columns, separated by blanks", 0},

@@ -49,7 +49,7 @@ static bool conversion_find(struct problem *problem, const char *name, struct co
         return true;
     return problem_error(problem,
                          close ? "'%s' is not a unit; did you mean '%s'?"
-                               : "'%s' is not a unit; enter for example 'print 112 m to ft'",
+                               : "'%s' is not a unit; enter, for example, 'print 112 m to ft'",
                          names_shown(name), close);
 }
 
@@ -200,10 +200,11 @@ bool definition_parse(struct reader *r, struct question *q)
     const char *value = definition_head(r->at, v);
     offer_kind(r, OFFER_VARIABLE);
     if (!value)
-        return problem_error(r->problem,
-                             "enter for example 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "
-                             "of 1 to %d values",
-                             EXPRESSION_ARGUMENTS);
+        return problem_error(
+            r->problem,
+            "enter, for example, 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function of 1 "
+            "to %d values",
+            EXPRESSION_ARGUMENTS);
     if (!name_free(r->problem, v->name))
         return false;
     for (int i = 0; i < v->count; i++)
@@ -215,7 +216,7 @@ bool definition_parse(struct reader *r, struct question *q)
     reader_place(r, r->at);
     if (command_ends(r->at))
         return problem_error(r->problem,
-                             "the value of '%s' is missing; enter for example 'let %s = 0.9*rmax'", v->name,
+                             "the value of '%s' is missing; enter, for example, 'let %s = 0.9*rmax'", v->name,
                              v->name);
     if (v->count > 0)
         return body_parse(r, v);

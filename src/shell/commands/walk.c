@@ -253,8 +253,8 @@ static void say_hit(const struct place *p)
         answer_say(p->answer, "Friction between dominoes has taken %s of this energy.",
                    energy_at(p, s->friction_work).text);
     answer_say(p->answer,
-               "'step' begins the next cycle, with the same angles, lengths r times as large and a "
-               "duration sqrt(r) times as long, %s (23; c5).",
+               "'step' begins the next cycle. Its angles are the same, its lengths are r times as large, and "
+               "its duration is sqrt(r) times as long, %s (23; c5).",
                measured(s->time * next.tau, "s", 6).text);
 }
 

@@ -5,7 +5,7 @@
 
 #include "session/query.h"
 
-/* The units of the model in one cycle, which grow with the head. If no mass is known, `energy` and `weight`
+/* The units of the model in one cycle. They grow with the head. If no mass is known, `energy` and `weight`
  * are relative to the energy and the weight of the first head. */
 struct walk_units {
     domq_real height; /* height of the head, in m */

@@ -6,7 +6,7 @@
 #include "language/quad.h"
 
 const struct column why_columns[] = {
-    {"verdict", "", "goes on, stops or no fuel (no energy is released)", 7},
+    {"verdict", "", "'goes on', 'stops' or 'no fuel' (no energy is released)", 7},
     {"fuel", "mgh/2", "P, the energy that one cycle releases, minus friction losses (25; c7)", 0},
     {"J0", "", "J(0), the inertia of the train (50; d8, corrected)", 0},
     {"kinetic", "mgh/2", "K, the kinetic energy after the collision (24; c6)", 0},
@@ -61,7 +61,7 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
         if (limit->ends == DOM_END_NONE)
             answer_say(a, "Place the dominoes %s: %s.\n", way, widest);
         else if (best.r_max < t->r)
-            answer_say(a, "Make the dominoes grow less: %s, or %.4g times as large with the present gaps.\n",
+            answer_say(a, "Make the dominoes grow less: %s; with the present gaps, %.4g times as large.\n",
                        widest, most);
         else
             answer_say(a,

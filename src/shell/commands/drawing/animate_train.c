@@ -35,7 +35,7 @@ struct train_film {
     char ruler[96];
 };
 
-/* A cycle of the film, compared with the first cycle. */
+/* The time, place and size of a cycle in the film, relative to the first cycle. */
 struct place {
     int cycle;     /* counted from 0 */
     double begun;  /* the time when the cycle begins */
@@ -79,7 +79,7 @@ static bool cycles_count(struct train_film *f)
     f->film.problem->place = what->column;
     return problem_no_answer(f->film.problem,
                              "N = %s is out of range; at this r, N is an integer in 1 .. %d, because one "
-                             "picture can show no more cycles",
+                             "picture has no room for more cycles",
                              quad_text(cycles, 10), most);
 }
 

@@ -26,7 +26,7 @@ static const struct column draw_columns[] = {
     {"contact_x", "h", "horizontal position where the follower touches the back face", 0},
     {"contact_z", "h", "height at which the follower touches the back face", 0},
     {"force", "m g", "push at the contact, perpendicular to the face; m is the mass of the head", 0},
-    {"of_own", "m g", "push at the contact; in its unit, m is the mass of this domino", 0},
+    {"of_own", "m g", "the same push, but m is the mass of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -17,7 +17,7 @@ enum draw_value {
 
 struct draw_what {
     bool train;            /* draw the endless train, even if there is a row */
-    bool tower;            /* draw the row of the last 'count' beside a tower */
+    bool tower;            /* draw the row that the last 'count' found, beside a tower */
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* true for each value that the user typed */
     domq_real value[DRAW_VALUES];

@@ -25,7 +25,7 @@ const struct column plan_columns[] = {
     {"thickness_high", "m",
      "the largest thickness at which all dominoes fall, if only this thickness changes", 0},
     {"width", "m",
-     "width of the domino: half its height, unless the file of the row or 'change' says otherwise", 0},
+     "width of the domino: half its height, unless 'change' or the row's file sets another width", 0},
     {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {NULL, NULL, NULL, 0},

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 'draw tower' and 'animate FILE tower': the row of the last 'count' with a tower at its end. */
+/* 'draw tower' and 'animate FILE tower': the row that the last 'count' found, with a tower at its end. */
 #ifndef SHELL_TOWER_H
 #define SHELL_TOWER_H
 
 #include "commands/drawing/falling_row.h"
 
-/* Sets *changed to a query about the row of the last 'count', and *height to the height of its tower, in m.
- * *changed uses *state, which borrows memory from the state of `query`. */
+/* Sets *changed to a query about the row that the last 'count' found, and *height to the height of the
+ * tower, in m. *changed uses *state, which borrows memory from the state of `query`. */
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);
 

@@ -78,10 +78,9 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 /* One number in a derivation. */
 struct step {
     const struct derived *derived;
-    const char *name; /* derived->names.text[FORMULA_PLAIN] */
-    const char *number, *unit,
-        *words;              /* the members of `derived` with the same names, adapted to the train */
-    const struct tree *tree; /* the parsed equation, or NULL */
+    const char *name;                  /* derived->names.text[FORMULA_PLAIN] */
+    const char *number, *unit, *words; /* as in `derived`, but adapted to the train */
+    const struct tree *tree;           /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
     domq_real value; /* the number that the library computes; NaN if there is none */
@@ -112,8 +111,8 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes the steps of a question. `fall` is the hit of a domino in a row, or NULL. The caller must call
- * derivation_end, even after a failure. */
+/* Makes a step for each quantity that the answer to a question needs. `fall` is the hit of a domino in a row,
+ * or NULL. The caller must call derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);

@@ -191,7 +191,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     if (d->count == STEPS_MOST || !q->words) {
         problem_error(d->problem,
                       q->words ? "a derivation of %s has too many quantities"
-                               : "there is no equation of %s for this train",
+                               : "there is no equation for %s with this train",
                       name);
         return NULL;
     }

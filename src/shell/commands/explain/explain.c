@@ -15,7 +15,7 @@
 static const struct column explain_columns[] = {
     {"quantity", "", "the quantity", 9},
     {"equation", "",
-     "the equation of the quantity, as one would type it; 'sum' stands for the sum over all dominoes i", 40},
+     "the equation for the quantity, as one would type it; 'sum' stands for the sum over all dominoes i", 40},
     {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
     {"value", "", "the number that the program computes", 0},
     {"unit", "", "the unit of the value: h is the height of the head, mgh/2 its energy, tau its unit of time",
@@ -221,7 +221,7 @@ const struct command explain_commands[] = {
          "decides the verdict. With friction or rounded edges, or where a search finds a maximum, there may "
          "be no equation in closed form. The derivation then says so and ends. 'explain ... > lesson.pdf' "
          "writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it with formulas. "
-         "json gives the tree: 'needs' names the quantities from which each quantity comes.",
+         "json gives the tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",

@@ -6,7 +6,7 @@
 const struct column paper_columns[] = {
     {"where", "", "the figure, the equation or the section of the paper", 13},
     {"what", "", "the quantity that the paper states or draws", 34},
-    {"q", "", "mass exponent: 3 for hollow dominoes, 4 for massive ones", 4},
+    {"q", "", "mass exponent: 3 for hollow dominoes, 4 for solid ones", 4},
     {"s", "h", "separation", 0},
     {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
     {"exact", "", "with the fuel from the balance of energy", 0},
@@ -61,8 +61,8 @@ static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
     return high;
 }
 
-/* Writes rows for the figure of the growth: its points, its maximum, and the separation at which it begins to
- * fall as 1/s. */
+/* Writes the rows for the paper's growth figure: points of the curve, the maximum, and the separation at
+ * which the growth begins to fall as 1/s. */
 static void growth_rows(struct table *t)
 {
     struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
@@ -116,7 +116,7 @@ static void cycle_rows(struct table *t)
               "the factor J(theta_c) was lost in print");
 }
 
-/* Writes rows for the quiz: how many dominoes topple a tower of 112 m, the Domtoren. */
+/* Writes rows for the quiz: how many dominoes are needed to topple the Domtoren, a tower of 112 m. */
 static void quiz_rows(struct table *t)
 {
     const struct domq_scale scale = domq_scale_default();
@@ -124,8 +124,8 @@ static void quiz_rows(struct table *t)
     struct domq_count most[2] = {{.dominoes = DOMQ_NAN}, {.dominoes = DOMQ_NAN}};
     if (t->status == DOM_OK)
         t->status = domq_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
-    paper_row(t, "Introduction", "dominoes that topple 112 m, r = 1.5", DOMQ_NAN, count.dominoes,
-              count.dominoes, "");
+    paper_row(t, "Introduction", "112 m tower: dominoes, r = 1.5", DOMQ_NAN, count.dominoes, count.dominoes,
+              "");
     for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
         struct domq_best best;
         t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
@@ -133,7 +133,7 @@ static void quiz_rows(struct table *t)
         if (t->status == DOM_OK)
             t->status = domq_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
     }
-    paper_row(t, "Introduction", "dominoes that topple 112 m, largest growth", DOMQ_NAN, most[0].dominoes,
+    paper_row(t, "Introduction", "112 m tower: dominoes, largest r", DOMQ_NAN, most[0].dominoes,
               most[1].dominoes, weights);
 }
 

@@ -219,7 +219,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
             more = more || (!s->needs[i]->derived->is_given && !deep);
     }
     if (more && !w->dialect)
-        fprintf(out, "'explain %s%s%s deep' also shows the equations of these quantities.\n", e->name,
+        fprintf(out, "'explain %s%s%s deep' also shows the equations for these quantities.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
     if (deep && count > 0) {
         put(w, GIVEN);

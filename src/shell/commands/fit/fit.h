@@ -25,7 +25,7 @@ struct fit_point {
     double gap;      /* for a speed: the gap of the row */
     size_t domino;   /* for a hit or an angle: the number of the domino, from 1 */
     double time;     /* for an angle: when it was measured, on the clock of its run */
-    double measured; /* a speed, the time of a hit on the clock of its run, or an angle */
+    double measured; /* a speed, an angle, or a time on the clock of its run */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 

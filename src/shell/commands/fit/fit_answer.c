@@ -37,9 +37,9 @@ bool fit_parse(struct reader *r, struct question *q)
         snprintf(name, sizeof name, "%.*s", (int)length, r->at);
         const int k = parameter_search(fit_names, "thing to fit", name, message);
         if (k < 0)
-            return problem_error(r->problem,
-                                 k == NAMES_CLOSE ? "%s" : "%s; enter for example 'fit friction, push FILE'",
-                                 message);
+            return problem_error(
+                r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, 'fit friction, push FILE'",
+                message);
         if (g->count == FIT_UNKNOWNS)
             return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
         const struct parameter *p = parameter_find(fit_names(NULL, k));
@@ -83,8 +83,8 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. For
- * people, sentences below the table state these values. */
+/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. A
+ * table has sentences below it instead. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};

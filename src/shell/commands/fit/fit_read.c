@@ -21,7 +21,8 @@
             "more than 0, up to " range                                                                      \
     }
 
-/* The columns of hits and angles. Both kinds have TIMED_COLUMNS and an error; only angles have ANGLE_AT. */
+/* The columns of files with hits or angles. TIMED_COLUMNS and ERROR are in both kinds of files, ANGLE_AT only
+ * in files with angles. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
     [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \

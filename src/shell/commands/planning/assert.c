@@ -18,7 +18,7 @@ static bool comparison_ends(struct reader *r)
 {
     return *skip_blanks(r->at) != '>' ||
            problem_error(r->problem,
-                         "'>' is followed by a file name, but a condition has no answer to write; put the "
+                         "here '>' would write the answer into a file, but a condition has no answer; put a "
                          "comparison in parentheses, as in 'assert (rmax(0.4) > 1.6)'");
 }
 

@@ -11,7 +11,7 @@
 /* The search tries rows of at most DOMINOES_MOST dominoes. It runs random rows for at most MORE designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
-/* How many designs with more dominoes than necessary the table shows, as alternatives. */
+/* The table also shows this many designs with more dominoes than necessary. */
 enum { BEYOND = 2 };
 
 /* The results for a given number of dominoes. */
@@ -21,8 +21,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run. If a row falls with the probability `falls`, at least 20 of them fail
- * on average, or 10 in the engine. */
+/* Returns how many random rows to run. If the probability of falling is `falls`, then on average at least 20
+ * rows do not fall, or 10 in the engine. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),

@@ -9,7 +9,7 @@ struct designed_row {
     struct domq_domino *domino;
     size_t count;
     bool has_masses;           /* true if masses are in kg, false if relative to the first domino */
-    const struct scene *scene; /* the scene, which has the walls of boxes */
+    const struct scene *scene; /* gives the thickness of the walls of boxes */
     bool hollow;      /* true if the dominoes are hollow and the thickness of their walls is not known */
     bool is_improved; /* true if 'improve sizes' has changed the dominoes */
     const struct domq_limits

@@ -159,7 +159,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     else if (i->changed == 0)
         answer_say(a, "No better row was found. For the present row, %s.%s%s", study_words(&i->study[0]).text,
                    i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.",
-                   i->study[0].fall > 0 ? "" : " 'mend' looks for a change with which the row falls.");
+                   i->study[0].fall > 0 ? "" : " 'mend' looks for a change that makes the row fall.");
     else
         answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other random rows.",
                    study_words(&i->study[0]).text, study_words(&i->study[1]).text);

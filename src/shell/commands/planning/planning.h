@@ -46,7 +46,7 @@ struct scan {
         const char *branch; /* "rising" or "falling", or on which side of x a verdict is true */
     } root[ROOTS_MOST];     /* the roots found so far; at the end they are sorted by x */
     int roots;
-    domq_real jump; /* an x at which the answer jumps over the value */
+    domq_real jump; /* an x at which the answer jumps past the given value */
     struct scan_point {
         domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
     } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */

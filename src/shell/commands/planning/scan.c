@@ -84,7 +84,7 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points with opposite signs of f. If f jumps over 0 there, stores the jump. */
+/* Finds the root between two points with opposite signs of f. If f jumps past 0 there, stores the jump. */
 static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -102,7 +102,8 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps past the value, the solver ends at the jump, where the answer differs. */
+    /* If the answer jumps past the value, the solver ends at the jump, where the answer is not
+     * close to the value. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)

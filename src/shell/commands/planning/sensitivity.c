@@ -10,8 +10,8 @@ const struct column sensitivity_columns[] = {
     {"parameter", "", "the parameter that is changed", 9},
     {"value", "", "the current value of the parameter, or 0 for an effect that is off", 0},
     {"step", "", "by how much the parameter is changed", 8},
-    {"less", "share", "change of the answer if the value decreases by the step", 0},
-    {"more", "share", "change of the answer if the value increases by the step", 0},
+    {"less", "share", "change in the answer if the value decreases by the step", 0},
+    {"more", "share", "change in the answer if the value increases by the step", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -61,7 +61,7 @@ static int compare(const void *one, const void *other)
     return sa > sb ? -1 : sa < sb ? 1 : strcmp(a->parameter->name, b->parameter->name);
 }
 
-/* Returns the change of the answer, divided by |now| unless `now` is 0. A change within 10 times the
+/* Returns the change in the answer, divided by |now| unless `now` is 0. A change within 10 times the
  * tolerance counts as 0. */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {

@@ -76,10 +76,10 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
     bool is_missing = reader_ends(r);
     reader_place(r, r->at);
     if (is_missing)
-        return problem_error(r->problem, "%s is missing; enter for example %s", name, form_of(r->problem));
+        return problem_error(r->problem, "%s is missing; enter, for example, %s", name, form_of(r->problem));
     return item_parse_value(r, p, 0, p->value->name, item) &&
            (item->value || isfinite(item->number) ||
-            problem_error(r->problem, "%s must be a number; enter for example %s", name,
+            problem_error(r->problem, "%s must be a number; enter, for example, %s", name,
                           form_of(r->problem)));
 }
 
@@ -95,7 +95,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = parameter_search(solve_names, "parameter", name, message);
     if (k < 0)
-        return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter for example %s", message,
+        return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, %s", message,
                              form_of(r->problem));
     s->usual = &usual_ranges[k];
     s->parameter = parameter_find(s->usual->name);
@@ -108,9 +108,9 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     r->at = skip_blanks(r->at);
     if (is_good)
         reader_place(r, r->at);
-    return is_good &&
-           (*r->at == ':' || problem_error(r->problem, "':' and an answer are missing; enter for example %s",
-                                           form_of(r->problem)));
+    return is_good && (*r->at == ':' ||
+                       problem_error(r->problem, "':' and an answer are missing; enter, for example, %s",
+                                     form_of(r->problem)));
 }
 
 /* Skips the ':'. Sets *problem and returns false if nothing follows. */
@@ -119,7 +119,7 @@ static bool colon_pass(struct reader *r)
     r->at = skip_blanks(r->at + 1);
     reader_place(r, r->at);
     return !reader_ends(r) ||
-           problem_error(r->problem, "the answer is missing after ':'; enter for example %s",
+           problem_error(r->problem, "the answer is missing after ':'; enter, for example, %s",
                          form_of(r->problem));
 }
 
@@ -140,7 +140,7 @@ bool solve_parse_answer(struct reader *r, struct question *q)
         return s->question.command->holds ||
                problem_error(r->problem,
                              "'= VALUE' is missing after '%s'; only commands that answer yes or no, such as "
-                             "'verdict', can do without it; enter for example %s",
+                             "'verdict', can do without it; enter, for example, %s",
                              s->question.name, form_of(r->problem));
     if (!question_needs_number(&s->question, r->problem))
         return false;
