@@ -74,8 +74,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma with which the requested share of the rows falls, or infinity if this share falls
- * even if sigma is b->widest. */
+/* Finds the largest sigma with which the requested share of the rows falls. Sets *sigma to infinity if this
+ * share falls even with b->widest. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

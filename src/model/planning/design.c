@@ -9,8 +9,8 @@
 
 /*
  * A search begins with the smallest number of dominoes that may suffice, and adds at most MORE dominoes. The
- * search for the shortest row ends early if LONGER numbers in succession give no shorter row. With an engine,
- * LONGER_IN_ENGINE numbers are enough.
+ * search for the shortest row stops after LONGER successive attempts without a shorter row. With an engine,
+ * it stops after LONGER_IN_ENGINE attempts.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 

@@ -80,7 +80,8 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Applies a random error to a size or to the mass. Walls and rounded edges still fit into the domino. */
+/* Applies a random error to a size or to the mass. Limits the thickness and the radius so that walls and
+ * rounded edges still fit. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_error *error, struct dom_domino *d)
 {
@@ -129,7 +130,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
     }
 }
 
-/* Applies a random error to the lean of each domino, within the limits up to which the domino stands. */
+/* Applies a random error to the lean of each domino, limited so that the domino still stands. */
 static void leans_draw(const struct draw *draw, const struct dom_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {

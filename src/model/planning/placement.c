@@ -39,7 +39,7 @@ static size_t stops_length(const struct shared *s)
     return lists * s->row->count;
 }
 
-/* Draws row number i without the kinds of error in `off`, and runs the row. */
+/* Generates random row number i without the kinds of error in `off`, and runs it. */
 static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i, unsigned off,
                                struct dom_verdict *verdict)
 {

@@ -20,7 +20,8 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be as thick as one of the boards. A box need not be. */
+/* Returns true if a domino of this height must be as thick as one of the boards. Boxes may have any
+ * thickness. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */

@@ -18,7 +18,6 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* number of dominoes at the end of a run whose spare energy is kept */
 enum { RECENT = 4 };
 struct recent {
     dom_real share[RECENT]; /* margin / kinetic energy of the last RECENT dominoes, beginning with the last */
@@ -80,8 +79,7 @@ static bool start_decides(struct trial *t)
     trial_run(t, START, &recent);
     if (t->status != DOM_OK || t->verdict.end != DOM_ROW_FALLS)
         return t->status != DOM_OK || t->verdict.domino < START;
-    /* The last domino of this run hits no other domino. So `change` leaves out its share[0], which must only
-     * be large enough. */
+    /* share[0] is left out of `change`, because the last domino of this run hits no other domino. */
     const dom_real *share = recent.share, change = fabs(share[1] - share[2]);
     return change <= fabs(share[2] - share[3]) &&
            (dom_real)(t->row.count - START) * change < fmin(share[0], share[1]) / 2;
@@ -270,8 +268,8 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge for an engine, which is slow and accurate to one percent. So values have few
- * digits, and the search ends half a percent from the edge. */
+/* Like value_edge, but for an engine, which is slow and accurate to one percent. So values have few digits,
+ * and the search ends half a percent from the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),

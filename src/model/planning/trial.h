@@ -37,8 +37,8 @@ struct trial {
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its current dominoes. Returns true if all fall. Runs only the first dominoes if they
- * already decide the result. */
+/* Runs the row with its current dominoes. Returns true if all dominoes fall. Runs only the first
+ * dominoes if these already decide the result. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
@@ -58,9 +58,9 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real ba
  * places = 1, and so on. */
 dom_real digit_of(dom_real value, int places);
 
-/* ---- One value of the row: the property t->of of domino t->k ---- */
+/* ---- The value that is changed (t->of), in most cases a property of domino t->k ---- */
 
-/* trial_now returns the property t->of of domino t->k. trial_change sets it. */
+/* trial_now returns this value, and trial_change sets it. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 

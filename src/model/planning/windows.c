@@ -10,8 +10,9 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Tried sizes and leans keep this relative distance from the sizes and leans at which a domino falls over by
- * itself. The distance exceeds the rounding error of a float. */
+/* The values that are tried stay this fraction away from the limits of a height, a thickness or a lean.
+ * Beyond a limit, the domino falls over by itself, or its walls or edges do not fit. The fraction exceeds the
+ * rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -55,8 +56,8 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* The domino can move forwards until it touches the next one, or until it is out of reach of the
-         * previous one. */
+        /* The domino can move forwards until it touches the next one, or until the previous one barely
+         * reaches it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -82,9 +83,8 @@ static struct range range_of(const struct trial *t)
 }
 
 /*
- * Changes the value step by step towards `end`. Returns the last value up to which the row falls, and sets
- * *beyond to the way in which the row ends past this value. Sets *others to true if the row falls again
- * farther on.
+ * Changes the value step by step towards `end`. Returns the last value up to which the row falls. Sets
+ * *beyond to how the row ends past this value. Sets *others to true if the row falls again farther on.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -132,9 +132,8 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Does the same as window_edge, but starts at `guess`, close to the edge. The first step is one unit in the
- * last digit. Each later step is eight times as long as the step before, until the edge lies between two
- * trials. */
+/* Like window_edge, but starts at `guess`, close to the edge. The first step is one unit in the last digit.
+ * Each later step is eight times as long as the step before, until the edge lies between two trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);

@@ -46,7 +46,7 @@ struct climb {
 
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
-/* Upper and lower bound on 2 sin(theta_c/2) that hold for all growths of the train. */
+/* Upper and lower bounds on 2 sin(theta_c/2) for all growths of the train. */
 double upright_hit_above(const struct upright *upright);
 double upright_hit_below(const struct upright *upright);
 

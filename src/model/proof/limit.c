@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops. Starting at r = 1, the program proves that the train
- * keeps falling in one strip (an interval of growths) after another. The next strip is twice as wide after a
- * success, and half as wide after a failure. If the train seems to stop at the upper end of a strip, the root
- * of the margin is estimated. Proofs are then tried for a decimal number just below the root, and for one
- * just above it. A wrong estimate can only make these proofs fail.
+ * Encloses the smallest growth at which a train stops. The search works upwards from r = 1 in strips
+ * (intervals of growths), and proves for each strip that the train keeps falling. The next strip is twice as
+ * wide after a success, and half as wide after a failure.
+ *
+ * If the train seems to stop at the upper end of a strip, the search estimates the root of the margin. It
+ * then tries to prove that the train keeps falling up to a decimal number just below the root, and stops at a
+ * decimal number just above. A wrong estimate can only make these proofs fail.
  */
 #include "proof/limit.h"
 
@@ -83,9 +85,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 
 /*
  * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling up
- * to a growth slightly below the root, and that it stops at a growth slightly above the root. Returns false
- * if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a smaller
- * growth at which the train stops.
+ * to a growth slightly below the root, and stops at a growth slightly above. Returns false if a proof fails,
+ * with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a smaller growth at which the
+ * train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

@@ -5,12 +5,11 @@
 #include "proof/cover.h"
 
 enum limit_kind {
-    LIMIT_BRACKET, /* the train keeps falling at every growth from `from` to `low`, and stops at `high` */
-    LIMIT_REACH,   /* the train keeps falling at every growth from `from` up to 1/s */
+    LIMIT_BRACKET, /* the train keeps falling for all growths in [from, low], and stops at `high` */
+    LIMIT_REACH,   /* the train keeps falling for all growths in [from, 1/s] */
     /* the train stops at r = 1, and no larger growth was found at which it keeps falling */
     LIMIT_NONE,
-    /* the train keeps falling at every growth from `from` to `low`; nothing is proved about larger growths
-     */
+    /* the train keeps falling for all growths in [from, low]; nothing is proved about larger growths */
     LIMIT_PARTLY
 };
 

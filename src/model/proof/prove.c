@@ -68,7 +68,7 @@ static bool rounds_to_nearest(void)
     return fegetround() == FE_TONEAREST;
 }
 
-/* Returns the reason why no proof of the train can be tried, or DOM_PROOF_NONE. */
+/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE. */
 static enum dom_proof_gap gap_before(const struct dom_train *train)
 {
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
@@ -236,7 +236,7 @@ static struct span times_exactly(struct span a, double b)
 enum { POWERS_MOST = 100000 };
 
 /* Returns the smallest n for which first * r^n >= `height` is certain. If `surely` is false, returns the
- * smallest n for which it is possible. Returns INFINITY if no such n is below POWERS_MOST. */
+ * smallest n for which this is possible. Returns INFINITY if no such n is below POWERS_MOST. */
 static double count_until(struct span first, double r, double height, bool surely)
 {
     struct span tall = first;

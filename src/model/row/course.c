@@ -31,16 +31,16 @@
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The state of the unchanged row when a head is hit, and the deviations from it that do not change the
- * verdict. */
+/* The state of the unchanged row when a head is hit, and how far this state may deviate without a change of
+ * the verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
     real need, gain, offset;
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
-    /* the smallest contact force of this head and all later heads, in weights of the pushed domino */
+    /* the smallest contact force of this and all later heads, divided by the weight of the pushed domino */
     real pushes;
-    /* true if this domino and all later ones fall, false if the row ends like the unchanged row */
+    /* true if this domino and all later ones fall, false if the row ends where the unchanged row ends */
     bool falls;
 };
 
@@ -53,7 +53,8 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* To look for negative contact forces, each head is run slowly, and with FAST times its omegasq. */
+/* To look for negative contact forces, a head is run with FAST times its omegasq, and with its spare omegasq
+ * divided by FAST. */
 #define FAST 1000
 
 /*
@@ -71,8 +72,8 @@ struct course {
 /* Changes at successive heads count as decaying if each is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force while head k falls from this omegasq, or a negative number if the row
- * ends there. */
+/* Runs head k with this omegasq. Returns the smallest contact force, or -1 if the head does not complete its
+ * motion. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -137,7 +138,7 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 }
 
 /* Sets `below` and `above` of the mark of the last head. As long as omegasq is within these limits, the row
- * ends like the unchanged row. */
+ * ends at this head in the same way as the unchanged row. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
@@ -173,7 +174,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* marks need the smallest force, not only its sign */
+                      .forces = c->known < count, /* for `pushes` of new marks */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);
@@ -259,7 +260,7 @@ KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domi
     c->request.domino = domino;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
         status = row_domino_check(&c->request, k);
-    /* the unchanged row ends before the changed dominoes matter */
+    /* the row ends before it reaches a head that the change can affect */
     if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino)
         return status;
     for (; c->made < from && status == DOM_OK; c->made++)

@@ -43,8 +43,7 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Fills in the geometry of domino k and its follower k - 1. Its bounds tell when a sum along the chain may
- * end here. */
+/* Fills in the geometry of domino k and its follower k - 1. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -83,7 +82,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Does the same as row_end if domino k or the next domino leans at the start. */
+/* Like row_end, but for the case where domino k or the next domino leans at the start. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};

@@ -8,7 +8,7 @@
 
 /*
  * A head still reaches the next domino if the gap exceeds the height of the head by this fraction. In a row
- * made from a train with r = 1/s, the gap equals the height except for rounding errors, which come from r,
+ * made from a train with r = 1/s, the gap equals the height except for rounding errors. These come from r,
  * two powers, four products and the kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
@@ -28,8 +28,9 @@ KERNEL struct block block_of(const struct row_request *row, size_t k);
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* row_make fills in the geometry of the first `count` dominoes, and row_geometry only row[k], from row[k -
- * 1]. row_make also allocates memory. Call dynamics_end(&row[0]) afterwards, even after a failure. */
+/* row_make allocates memory, and fills in the geometry of the first `count` dominoes. Call
+ * dynamics_end(&row[0]) afterwards, even if row_make fails. row_geometry fills in only row[k], for which it
+ * uses row[k - 1]. */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 

@@ -244,8 +244,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* For a domino with rounded edges, returns the angle phi beyond theta_u when the time `left`, in tau, remains
- * until it hits the next domino. */
+/* For a domino with rounded edges: returns the angle phi beyond theta_u at the time `left`, in tau, before
+ * the domino hits the next one. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};

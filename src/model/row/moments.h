@@ -5,10 +5,11 @@
 
 #include "motion/segment.h"
 
-/* The beginning of a passage, at the time `begins` + `passed` * `tau`. `begins` is the time at which the head
- * was hit, in s. `passed` is the time since the hit, in units of `tau`. */
+/* The time at which a passage starts: `begins` + `passed` * `tau`. */
 struct since {
-    real begins, tau, passed;
+    real begins; /* time at which the head was hit, in s */
+    real tau;    /* tau of the head, in s */
+    real passed; /* time from the hit to the start of the passage, in tau */
 };
 
 /* A stretch of the motion of one head, during which no domino detaches. */
@@ -55,7 +56,7 @@ KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *
  * from the head, do not detach. */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
 
-/* Reports the states at all later requested times, after the end of the run. */
+/* After the end of the run, reports the states at all remaining requested times. */
 KERNEL enum dom_status watch_rest(struct watch *watch);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A finite row of dominoes. Each domino has its own size, weight and gap. The dominoes before the head lean
- * on it in a chain. Energies, motion and collision are those of a train, except for two differences:
+ * on it in a chain. Energies, motion and collisions are computed as for a train, with two differences:
  * - Each head begins with the energy that the previous head leaves to it, since no cycle repeats.
  * - A domino that detaches takes along all dominoes that lean on it.
  *

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
- * the energy exceeds the barrier, and that all contacts push. One pass down the chain then gives the energy
- * of the next head. The pass needs the tilts at two times: when the head is hit (mostly known from the
- * previous pass), and when the head hits the next domino. If the bounds are not sharp enough, or if a domino
- * detaches, row_head runs the head.
+ * the energy exceeds the barrier, and that no contact force is negative. One pass down the chain then gives
+ * the energy of the next head. The pass needs the tilts at two times: when the head is hit (mostly known from
+ * the previous pass), and when the head hits the next domino. If the bounds are not sharp enough, or if a
+ * domino detaches, row_head runs the head.
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -32,7 +32,7 @@ struct random_row {
 
 /*
  * Sums along a chain between two tilts of its head. A few digits suffice, so rounding errors are not
- * compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, so the barrier is
+ * compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2. So the barrier is
  * at most a^2 / (2 b).
  */
 struct glide {
@@ -60,8 +60,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Computes the bound `curve` for the next domino. Between *b and *a, X and theta_1' decrease, and Y is
- * smallest at one end. */
+/* Computes the bound `curve` for the next domino. From *b to *a, X and theta_1' decrease. Y is smallest at *a
+ * or at *b. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -152,7 +152,7 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Does the same as head_goes for a row with rounded edges and friction, but stores no chain. */
+/* Like head_goes, but for a row with rounded edges and friction. Stores no chain. */
 static bool head_rolls(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];

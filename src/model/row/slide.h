@@ -17,12 +17,12 @@ struct slide {
 /* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
 KERNEL real slide_error(const struct geometry *head);
 
-/* Returns true if the head certainly reaches the tilt 2 atan hi. Dominoes must be plumb, and contacts must
- * push. */
+/* Returns true if the head certainly reaches the tilt 2 atan hi. The dominoes must be plumb, and no contact
+ * force may be negative. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
 /* Sets *after to omegasq at the end of the motion, and *after_off to a bound on its error. Returns false if
- * the head may come to rest earlier. Dominoes must be plumb, and contacts must push. */
+ * the head may come to rest earlier. The dominoes must be plumb, and no contact force may be negative. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A motion is repeated only in a sequence of equal dominoes that is at least STEADY_MORE dominoes longer than
+/* A motion is repeated only if the sequence of equal dominoes is at least STEADY_MORE dominoes longer than
  * the longest pass along a chain. */
 enum { STEADY_MORE = 2 };
 
-/* number of equal dominoes at the end of a row whose geometry is filled in before the run */
+/* Of the equal dominoes at the end of a row, only about STEADY_FIRST have their geometry filled in before the
+ * run. */
 enum { STEADY_FIRST = 256 };
 
 /* A motion is repeated if all later heads together would change omegasq by at most this fraction of the

@@ -33,9 +33,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row after heads that only repeated a motion. These heads have no geometry, so the
- * last domino with a geometry is run as if the row ended there. Returns false if too few equal dominoes
- * precede that domino.
+ * Runs the last head of a row after a repeated motion. The geometry of the skipped heads was not filled in,
+ * so the last domino that has a geometry is run as if the row ended there. Returns false if too few equal
+ * dominoes precede that domino.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
