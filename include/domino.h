@@ -572,7 +572,7 @@ struct dom_effect_argument {
 struct dom_effect {
     const char *name;
     const char *adds;   /* what the effect adds, in a few words */
-    const char *help;   /* a description in full sentences, with equations in the paper's letters */
+    const char *help;   /* a description in full sentences, with equations in the paper's notation */
     const char *source; /* the publication from which the mathematics comes */
     const char *plan;   /* the equation that is solved, and how it is solved, in a few words */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
@@ -596,8 +596,8 @@ const struct dom_effect *dom_dynamics(const struct dom_train *train);
 /* The law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;
 
-/* Returns the law of motion of a train: the first effect that is on and dissipates, otherwise
- * dom_energy_balance. */
+/* Returns the law of motion of a train: the first effect that is on and dissipates energy, or
+ * dom_energy_balance if there is none. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */

@@ -62,7 +62,7 @@ extern "C" {
       "the margin is 0 within rounding errors, so times cannot be computed; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
     X(TOO_LONG, "the answer depends on more dominoes than can be computed")                                  \
-    X(UNDERFLOW, "r^(2q+1) is outside the range of the precision; use a smaller r or q")                     \
+    X(UNDERFLOW, "r^(2q+1) is too large for this precision; use a smaller r or q")                           \
     X(NO_PRECISION, "this machine does not support the requested precision")                                 \
     X(NO_METHOD, "the requested method cannot compute this answer")                                          \
     X(NOT_FINITE, "an intermediate value is not finite")                                                     \

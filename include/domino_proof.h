@@ -24,7 +24,7 @@ extern "C" {
 /* Why a proof is incomplete: X(name, meaning). */
 #define DOM_PROOF_GAPS(X)                                                                                    \
     X(NONE, "nothing is missing")                                                                            \
-    X(EFFECT, "trains with friction, a slope or rounded edges have no proof")                                \
+    X(EFFECT, "there is no proof for trains with friction, a slope or rounded edges")                        \
     X(ROUNDING, "the energy and the barrier differ by less than the rounding error of double precision")     \
     X(BOXES, "the proof would have to examine more rectangles or dominoes than the limit allows")            \
     X(INTERRUPTED, "interrupted")                                                                            \
@@ -47,11 +47,11 @@ struct dom_proof_work {
 
 /* What is proved about the largest growth. */
 enum dom_proof_end {
-    DOM_PROVED_BARRIER, /* the train keeps falling with growths from `from` to `low`, and stops with `high` */
-    DOM_PROVED_REACH,   /* the train keeps falling with growths from `from` to 1/s; low <= 1/s <= high */
-    /* A train with r = 1 stops. For a pair, larger growths were tried, too, and none keeps falling. */
+    DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low`, and stops at `high` */
+    DOM_PROVED_REACH,   /* the train keeps falling at growths from `from` to 1/s; low <= 1/s <= high */
+    /* The train stops at r = 1. For a pair, no larger growth was found at which it provably keeps falling. */
     DOM_PROVED_NONE,
-    /* The train keeps falling with every growth from `from` to `low`. If `low` is NaN, nothing is proved.
+    /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, nothing is proved.
      * `gap` says why the proof is incomplete. */
     DOM_PROVED_PARTLY
 };

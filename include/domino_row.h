@@ -32,8 +32,8 @@ enum dom_row_end {
 /* Returns the meaning of an end: a phrase about the domino at which the row ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
-/* What a design minimizes. For given heights of the first and the last domino, the fewest dominoes also have
- * the smallest mass. */
+/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
+ * dominoes is also the lightest. */
 enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
 /* Why a wish cannot be fulfilled, and what dom_design.needs means in that case. */
@@ -53,21 +53,21 @@ enum dom_window_of {
     DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
     /* The distance between the backs of the first domino and this one. No other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass follows the volume of the wood */
+    DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass is proportional to the volume of the wood */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
-    /* The thickness of a domino. The mass follows the volume of the wood. The gaps stay. */
+    /* The thickness of a domino. The mass is proportional to the volume of the wood. No gap changes. */
     DOM_WINDOW_THICKNESS
 };
 
 /*
  * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
- * error is relative to the value, except that errors of friction are added to the coefficient. Each error
- * from `friction` on is one value that all dominoes share.
+ * error is relative to the value, except that errors of friction are added to the coefficient. From
+ * `friction` on, each error is a single value for the whole row.
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
-    X(place, "m", "place of each domino; no other domino moves")                                             \
+    X(place, "m", "place of each domino; all other dominoes stay in place")                                  \
     X(height, "", "height of each domino; the error is relative to the height")                              \
     X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
     X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
@@ -88,7 +88,7 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback for progress: `done` of `of` parts of a long computation are complete. */
+/* A callback for the progress of a long computation: `done` parts out of `of` are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
@@ -145,7 +145,7 @@ struct dom_row {
     dom_real push;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is in m, equal for all dominoes. */
     dom_real mu, alpha, walls, rho;
-    /* A number that an engine adds to the floor's friction coefficient. The model ignores it. */
+    /* An engine adds this number to its friction coefficient of the floor. The model ignores the number. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library. May be NULL. */
@@ -160,7 +160,7 @@ struct dom_row dom_row_default(void);
 /* One domino of the row while it is the head: from the collision in which it is hit (the hit) until it hits
  * the next domino or lies on the floor. */
 struct dom_fall {
-    size_t domino; /* number of the domino, from 1 */
+    size_t domino; /* number of the domino, counted from 1 */
     /* the time of the hit in s, since the push or, without a push, since the first hit */
     dom_real time;
     /* the time in s from the hit to the next hit or to the floor; NaN if neither happens */
@@ -224,20 +224,20 @@ struct dom_engine {
 /* The state of a row at one moment. */
 struct dom_moment {
     dom_real time; /* the time in s, counted as in struct dom_fall */
-    size_t head;   /* number of the last domino that was hit, from 1 */
+    size_t head;   /* number of the last domino that was hit, counted from 1 */
     size_t moving; /* the number of dominoes that move, the head included */
-    /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid during the visit */
+    /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid only during the visit */
     const dom_real *tilt, *omega;
 };
 
 /*
- * Runs a row and calls visit for each of `count` times, which are in s and in ascending order. visit returns
- * false to end the run. A time after the end of the motion, such as INFINITY, gives the final state and the
- * time at which it was reached. A domino that has detached keeps the tilt that it had at that moment.
+ * Runs a row and visits its state at given times. `times` holds `count` times in s, in ascending order. visit
+ * returns false to end the run. A time after the end of the motion, such as INFINITY, gives the final state
+ * and the time at which it was reached. A domino that detaches keeps its tilt from then on.
  *
- * Times < 0 are allowed only if the first domino is tipped over its edge. Otherwise, and for NaN, the status
- * is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later times cannot be
- * computed. Other statuses are those of dom_row_run.
+ * A time may be negative only if the first domino is tipped over its edge. The status is DOM_BAD_TIME for
+ * other negative times, for NaN, and for times that are not in order. The status is DOM_NO_MARGIN if the row
+ * comes so close to a stop that later times cannot be computed. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -275,44 +275,43 @@ struct dom_row_growth {
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
 
-/* A change of a single gap after which all dominoes of the row fall. */
+/* A change to a single gap after which all dominoes of the row fall. */
 struct dom_mend {
-    size_t domino; /* the number of the domino whose gap changes, from 2 */
+    size_t domino; /* the number of the domino whose gap changes; at least 2 */
     dom_real gap;  /* the current gap, in m */
-    /* The new gap in m, rounded to seven digits. The row falls with this gap, and with no gap nearer to
-     * `gap`. */
+    /* The gap nearest to `gap` with which the row falls, in m, rounded to seven digits. */
     dom_real to;
     /* The other end of the interval, in m. All dominoes fall with any gap between `to` and `until`. */
     dom_real until;
 };
 
 /*
- * Finds the changes of a single gap after which all dominoes of a row fall, the smallest change first. Writes
- * the number of changes to *count, which is 0 if the row already falls. The gaps that are tried are the one
- * after the domino at which the row ends, and the 30 before it. Calls progress, which may be NULL, for each
- * gap.
+ * Finds the changes to a single gap after which all dominoes of a row fall, the smallest change first. Writes
+ * the number of changes to *count, which is 0 if the row already falls. The search tries the gap after the
+ * domino at which the row ends. Unless this gap is too wide to reach across, it also tries the 30 gaps before
+ * this gap. Calls progress, which may be NULL, for each gap.
  *
  * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than this height,
  * and all dominoes fall with a gap of this height, `to` is this height. In each direction, the search takes
- * up to 40 steps of increasing length, the first 1/64,000 of the range, and then bisects. With an engine,
- * there are up to 10 steps, the first 1/1,000 of the range. The search can miss an interval of gaps that is
- * narrower than a step. The statuses are those of dom_row_run.
+ * up to 40 steps of increasing length, and then bisects. The first step is 1/64,000 of the range. With an
+ * engine, there are up to 10 steps, and the first is 1/1,000 of the range. The search can miss an interval of
+ * gaps that is narrower than a step. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
 /* The window of one gap, place, height, thickness, friction or lean: the values at which all dominoes fall
- * while all other values stay as they are. A friction has no unit, a lean is in rad, and the others are in
- * m. */
+ * while all other values stay as they are. Friction has no unit, leans are in rad, and all other values are
+ * in m. */
 struct dom_window {
-    size_t domino; /* the number of the domino; 0 for the friction */
+    size_t domino; /* the number of the domino; 0 for friction */
     dom_real now;  /* the current value */
     dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the row ends just below and just above the window. DOM_ROW_FALLS if this is not known, because no
-     * value there was tried or because the row does not fall as it is. */
+    /* How the row ends just below and just above the window. DOM_ROW_FALLS if this is unknown: no value there
+     * was tried, or the row does not fall as it is. */
     enum dom_row_end below, above;
 };
 
@@ -320,17 +319,18 @@ struct dom_window {
  * Finds the windows of
  * - all gaps or places: row->count - 1 windows, from domino 2 on,
  * - all heights, thicknesses or leans: row->count windows,
- * - the friction: one window.
+ * - friction: one window.
  *
  * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
- * window is the nearest interval on either side of the current value. In this case, dominoes more than one
- * place after the domino at which the row ends have no window.
+ * window is the nearest interval on either side of the current value. If such a row ends at domino k, the
+ * dominoes after domino k + 1 have no window.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
  * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope,
- * - thicknesses from 1/100 to 4 times the current thickness, if walls and rounded edges fit, too,
+ * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
+ *   and rounded edges fit,
  * - frictions from 0 to 2 or to 4 times the current friction, whichever is larger, but at most
  *   DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
@@ -338,11 +338,10 @@ struct dom_window {
  * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
  * of its wood.
  *
- * The search makes the same steps as dom_row_mend. All dominoes fall with `low` and with `high`. In between,
- * the search can miss an interval narrower than a step in which the row does not fall. With an engine, `low`
- * and `high` have three digits. If the engine cannot decide how the row ends with a value, this value is
- * outside the window. Calls progress, which may be NULL, for each window. The statuses are those of
- * dom_row_run.
+ * The search makes the same steps as dom_row_mend. All dominoes fall at `low` and at `high`. Between the two,
+ * the row may stop in an interval that is narrower than a step. With an engine, `low` and `high` have three
+ * digits, and a value at which the engine returns DOM_NOT_CONVERGED is outside the window. Calls progress,
+ * which may be NULL, for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -361,7 +360,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
-    /* For dom_row_improve: true to change the sizes, too, except those of the first and the last domino. A
+    /* For dom_row_improve: true to change sizes as well, except those of the first and the last domino. A
      * domino keeps its proportions, but takes its thickness from a board if there are boards. */
     bool sizes;
     /* A domino x times as large has x^(q - 1) times the mass. With walls, the masses follow from the walls
@@ -410,8 +409,8 @@ struct dom_design {
     dom_real length;  /* length after the last domino has fallen: `feet` + `height`, in m */
     dom_real seconds; /* as in struct dom_verdict; computed by the engine, if any */
     dom_real train;   /* kinetic / barrier of the endless train */
-    dom_real row;     /* the smallest kinetic / barrier of the row, except its first domino */
-    size_t weakest;   /* the number of the domino with this ratio, from 2 */
+    dom_real row;     /* the smallest kinetic / barrier of all dominoes after the first */
+    size_t weakest;   /* the number of the domino with this ratio; at least 2 */
     enum dom_design_limit limit;
     dom_real needs; /* see enum dom_design_limit; NaN with DOM_DESIGN_FITS */
 };
@@ -507,11 +506,12 @@ struct dom_study {
 
 /*
  * Counts how many rows fall. Unless `stops` is NULL, stops[k] is set to the number of rows that ended at
- * domino k + 1, without the unknown rows. The result does not depend on placement->parallel. The tolerance is
- * 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED, only the rows that were run are counted.
+ * domino k + 1, not counting the unknown rows. The result does not depend on placement->parallel. The
+ * tolerance is 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED, only the rows that were run
+ * are counted.
  *
- * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN for
- * errors of leans with rounded edges or an engine. Other statuses are those of dom_row_run and of
+ * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN if leans
+ * have errors and the row has rounded edges or an engine. Other statuses come from dom_row_run and
  * placement->parallel.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,

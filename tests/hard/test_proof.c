@@ -180,7 +180,7 @@ TEST(gaps_statuses_and_counts)
     assert_status(dom_prove_pair(&rubs, NULL, &proof), DOM_OK);
     assert_true(proof.ends == DOM_PROVED_PARTLY && proof.gap == DOM_PROOF_EFFECT);
     assert_string_equal(dom_proof_gap_text(proof.gap),
-                        "trains with friction, a slope or rounded edges have no proof");
+                        "there is no proof for trains with friction, a slope or rounded edges");
     wrong.s = 2;
     assert_status(dom_prove_rmax(&wrong, NULL, &proof), DOM_BAD_S);
     wrong = train;
