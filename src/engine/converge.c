@@ -26,7 +26,7 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Estimates the change of the velocities in all further iterations as a geometric series. Ends the loop if
+ * Estimates how much the velocities change in all further iterations, as a geometric series. Ends the loop if
  * this change is a small fraction of the change in the whole step.
  */
 static void each(cpConstraint *watch, double dt)

@@ -14,7 +14,9 @@ struct engine_box {
     double height, thickness, gap, mass;
     /* moment of inertia about the centre, relative to that of a solid box; 0 means a solid box */
     double inertia;
-    double radius; /* radius of the edges if the row has rounded edges; 0 means the radius of the row */
+    /* Radius of the edges of this box. 0 means the radius of struct engine_row times the height. Ignored if
+     * the row has sharp edges. */
+    double radius;
 };
 
 struct engine_row {
@@ -29,7 +31,7 @@ struct engine_row {
     /* Friction coefficient of the floor. If infinite, feet with sharp edges turn on hinges, and rounded feet
      * roll. */
     double feet;
-    double radius; /* radius of rounded edges, relative to the height */
+    double radius; /* radius of the edges, relative to the height; 0 means sharp edges */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
     double bevel;
 };
@@ -42,8 +44,8 @@ struct engine_row {
 
 /* The resolution of a run. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    /* Steps per unit of time, which is sqrt(height / g) with the height of the foremost box that was hit.
-     * There are also at least this many steps per radian that this box turns. */
+    /* Steps per unit of time. The unit is sqrt(height / g), with the height of the foremost box that was hit.
+     * While this box turns faster than 1 rad per unit of time, `steps` counts the steps per radian. */
     double steps;
     /* Impulses are found by iteration. Their errors may change a velocity by at most this fraction of its
      * whole change in the step. */
@@ -52,13 +54,15 @@ struct engine_grain {
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push or else from the first hit. NaN if the box is let go. */
+    /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a first box
+     * that is let go. */
     double time;
-    /* Time at which the box hits the next one or rests on the floor. NaN if it does neither, or is let go. */
+    /* Time at which the box hits the next one or, if it is the last box of the row, lies on the floor. NaN if
+     * neither happens, or if a box that was let go hits the next one. */
     double until;
     double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes after the hit */
-    /* distance that the foot slides until the end of the run; negative if it slides backwards */
+    /* distance that the foot has slid by the end of the run; negative if it slid backwards */
     double slid;
 };
 
@@ -77,7 +81,7 @@ struct engine_fall {
     double gain;
     /*
      * The smallest omega / (largest omega since the hit) of the foremost box. A row that almost stops has a
-     * small value. 0 if the foremost box was in a contact as described at other_contact.
+     * small value. 0 if the foremost box had a contact of the kind that other_contact records.
      */
     double slowest;
     /* The largest tilt of the foremost box, relative to the tilt at which it balances on its lower front
@@ -116,8 +120,8 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
- * each step, and returns false to end the run. If both are NULL, the run ends with the first certain verdict,
- * at fall->seconds.
+ * each step, and returns false to end the run. If both are NULL, the run ends as soon as it is certain that
+ * all boxes fall, at about fall->seconds.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
@@ -144,8 +148,8 @@ extern const struct engine_grain engine_coarsest;
 /*
  * Runs a row repeatedly, and halves the step length until the verdict no longer changes. `hit` has row->count
  * elements, or may be NULL if `times` is false.
- * - If `times` is true, no time of a hit may change by more than ENGINE_AGREES times the duration.
- * - If `times` is false, a coarse first run with a certain verdict is not repeated.
+ * - If `times` is true, halving goes on until no time changes by more than ENGINE_AGREES times the duration.
+ * - If `times` is false, a coarse first run is not repeated if its verdict is certain.
  * - No run takes more than ENGINE_FINEST steps per unit of time.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,

@@ -83,8 +83,8 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Records the angular velocity of the head after its hit, and the increase in energy since the previous
- * hit. */
+/* Records the state just after the head was hit: its angular velocity, the kinetic energy, and the increase
+ * in energy since the previous hit. */
 static void note_state(struct run *r)
 {
     struct world *w = &r->world;

@@ -83,8 +83,8 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Returns a filter for the shapes with which a box can collide. On hinges, these are only its neighbours. On
- * a floor, feet may slide, so these are the floor and all other boxes. */
+/* Returns a filter for the shapes with which a box can collide. On hinges, a box can collide only with its
+ * neighbours. On a floor, where feet may slide, it can collide with the floor and with all other boxes. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;
@@ -156,7 +156,7 @@ static void start(struct world *w)
 
 /* ---- Contacts ---- */
 
-/* Records the hit of a box that was upright. */
+/* Records that box k has been hit, which makes it the head. */
 static void note_hit(struct world *w, size_t k)
 {
     w->head = k;

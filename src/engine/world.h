@@ -40,7 +40,7 @@ struct world {
     double energy;             /* energy of the boxes in the space when the head was hit */
     struct cpConstraint watch; /* ends the iterations of a step (converge.c) */
     double tolerance;          /* tolerance of the impulses, as in struct engine_grain */
-    double change;             /* the largest change of a velocity in the last iteration */
+    double change;             /* the largest change in any velocity during the last iteration */
 };
 
 /* Creates a world with the first box, which is pushed or tips over. Call world_free afterwards, even after an
