@@ -54,11 +54,12 @@ struct dynamics {
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
-    /* Optional. Solves the motion over a whole cycle, unless an earlier call has already done so. */
+    /* Optional. Solves the equation of motion over a whole cycle, unless an earlier call has already done
+     * so. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Optional. Solves the motion over [lo, *hi]. J is the inertia at lo. If friction locks the motion,
-     * returns DOM_LOCKS and stores the tilt of the lock in *hi.
+     * Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
+     * motion, returns DOM_LOCKS and stores the tilt of the lock in *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
@@ -83,8 +84,9 @@ struct dynamics {
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds dH/dtheta at a tilt of the head. With friction, the result only has the sign of the derivative of
-     * the required energy. If `rough` is true, only its sign is reliable. */
+    /* Finds dH/dtheta at a tilt of the head. If `rough` is true, only the sign of the result is reliable.
+     * With friction, the result is not dH/dtheta, but has the sign of the derivative of the required
+     * energy. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
@@ -98,8 +100,8 @@ struct dynamics {
     /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
      * *slowness is NaN if no energy is left at `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the angular acceleration of the head, where w = tau^2 omega^2. Unless n is NULL, *n
-     * is the number of dominoes that contribute. */
+    /* Finds tau^2 times the angular acceleration of the head at w = tau^2 omega^2. Unless n is NULL, stores
+     * the number of dominoes that contribute in *n. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
     /* Returns the derivative of omegasq at theta with respect to omegasq at the launch. `gain` is this

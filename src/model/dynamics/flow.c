@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The largest number of dominoes that all passes of a solution may visit. In double precision, this takes
- * half a second. */
+/* The largest number of dominoes that the passes of one solution may visit in total. In double precision,
+ * these visits take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -47,12 +47,12 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the beginning of a motion on narrow panels. Each panel ends at 8 times the tilt at which the
- * previous panel ends. Near the beginning, the solution changes on two small scales:
+ * Solves the equation of motion near the start, on narrow panels. Each panel ends at 8 times the tilt at
+ * which the previous panel ends. Near the start, the solution changes on two small scales:
  * - d: u changes by only d^2 up to theta ~ d, and by much more afterwards.
  * - sqrt(1 - r s): at this tilt of the head, followers that started near pi/2 have come down.
  *
- * *lo becomes the tilt up to which the motion is solved.
+ * Sets *lo to the tilt at which the solution ends.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
@@ -70,7 +70,7 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
     return DOM_OK;
 }
 
-/* Solves the motion over one piece in which no domino detaches. */
+/* Solves the equation of motion over one piece, in which no domino detaches. */
 static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, real hi)
 {
     bool begins = lo <= REAL_MIN || lo == c->geometry->lean;
@@ -126,8 +126,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes. So the number of dominoes is fixed, although
-     * rounding might change it. */
+    /* All sums over one piece must include the same dominoes. So the loop sets their number. Computed from a
+     * tilt near an end of the piece, the number could be wrong because of rounding. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -138,15 +138,15 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     return status;
 }
 
-/* Returns the tilt up to which the flow is solved, or lo if it is not solved at all. */
+/* Returns the tilt at which the solution ends, or lo if there is no solution yet. */
 static real flow_end(const struct flow *flow, real lo)
 {
     return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
 }
 
 /*
- * Friction locks the motion at the tilt where A vanishes. Solves the motion up to that tilt. Each step covers
- * half of the distance to a locked tilt, because panels must be short near the pole of 2 B / A.
+ * Solves the equation of motion up to the tilt at which friction locks the motion (A = 0). Each step covers
+ * half of the remaining distance, because panels must be short near the pole of 2 B / A.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {

@@ -6,8 +6,8 @@
  *
  *     a = 2 t,   b = 2 t / d,   c = 2 t / w.
  *
- * Its volume is the fraction v = (1 - a) (1 - b) (1 - c) of the box. By the parallel axis theorem, the moment
- * of inertia about the lower edge, relative to a solid block of the same mass, is
+ * The hollow fills the fraction v = (1 - a) (1 - b) (1 - c) of the box. By the parallel axis theorem, the
+ * moment of inertia about the lower edge, relative to a solid block of the same mass, is
  *
  *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
  */

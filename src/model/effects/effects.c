@@ -233,7 +233,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "its centre of percussion. If a domino would be lifted off the floor, no amount of "
                     "friction is enough.",
             .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
-            .plan = "forces at sampled tilts, with closer samples around the largest force",
+            .plan = "forces at sampled tilts, with denser samples around the largest force",
             .argument = {{.name = "MU",
                           .unit = "",
                           .meaning = "friction coefficient of the floor",

@@ -14,7 +14,8 @@ struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
     /* True at the start of a motion that begins with a collision. `omega` is tau times the angular velocity
-     * of the head after it. The angular velocity of follower i decreases by theta_i' * `omega_lost` / tau. */
+     * of the head after the collision. In the collision, the angular velocity of follower i decreases by
+     * theta_i' * `omega_lost` / tau. */
     bool hit;
     real omega, omega_lost;
     bool floor;        /* true if the forces of the floor are needed */

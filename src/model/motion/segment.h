@@ -45,8 +45,8 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Friction must lock the segment at hi. Sets *braked to true if the motion slows down before hi, so that it
- * cannot reach hi. */
+/* Only for a segment that friction locks at hi. Sets *braked to true if the motion slows down before hi, so
+ * that it cannot reach hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */

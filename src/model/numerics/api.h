@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. Some sources are compiled with dom_real as double. Others
- * are compiled with DOMQ defined, and the rest in both ways. With DOMQ, lines such as "#define dom_train
- * domq_train" (domq_names.h) replace the names of domino.h by those of domino_quad.h.
+ * The public API for the sources of the library. Some sources are compiled with dom_real as double, others
+ * with DOMQ defined, and the rest both ways. With DOMQ, lines such as "#define dom_train domq_train"
+ * (domq_names.h) replace the names in domino.h with the names in domino_quad.h.
  */
 #ifndef DOM_API_H
 #define DOM_API_H

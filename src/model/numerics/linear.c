@@ -30,8 +30,8 @@ static void series_of(const real *node, const real *value, int n, real *series)
 
 /*
  * Returns true if the series has converged: its last terms are below the tolerance. Stores the largest of
- * them in *last_terms. Terms do not fall below the noise of the values or a few rounding errors, so a smaller
- * tolerance is raised to these.
+ * these terms in *last_terms. The tolerance is at least the noise of the values and a few rounding errors,
+ * because terms do not get smaller than that.
  */
 static bool series_converged(const real *series, real tol, real noise, real *last_terms)
 {

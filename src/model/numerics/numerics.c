@@ -103,7 +103,7 @@ struct span {
     real peak, width, from, to, *value;
 };
 
-/* Returns the integral from the nodes of one level of the rule. */
+/* Computes the integral with the nodes of one level of the rule. */
 typedef real span_level(struct span *s, int level);
 
 /* Estimates the relative error of a level. `off` and `off_before` are the last two relative differences

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * These two functions switch GSL's error handler off and on again. The handler would abort the program. A
- * process has only one handler, but several threads may compute. So the calls are counted: only the first
- * begin and the last end change the handler.
+ * These two functions switch GSL's error handler off and restore it. The handler would abort the program. All
+ * threads of a process share one handler, so calls are counted: the first dom_quiet_begin switches the
+ * handler off, and the last dom_quiet_end restores it.
  */
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H
