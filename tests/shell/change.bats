@@ -90,7 +90,7 @@ change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, 
 change 2 height|X is missing
 change 2 height 3 s|the height is a length, not a time; enter one such as '48 mm'
 change 5-2 gap 1 cm|'5-2' names no dominoes
-change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; to change the gap by a percentage, write for example '+10 %'
+change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; to change the gap by a percentage, write a percent sign, as in '+10 %'
 change 2 mass 20 g|the masses of this row are not known; enter the mass of its first domino with 'set mass'
 change 2 gap -20 cm|domino 2: gap = -0.1712 m is negative
 END

@@ -64,8 +64,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
     same 'no paper fuel' null "$(json 'effect slope 1 deg; rmax' | values r_max_paper)"
     same level "$(json 'rmax; barrier' | values margin)" "$(json 'effect slope 0; rmax; barrier' | values margin)"
-    wrong 'effect slope 10 deg; rmax' "no domino can stand upright on a slope of 10 deg; for this thickness the limit is 8.297 deg; enter for example 'effect slope 4.1 deg'"
-    wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; enter for example 'effect slope -4.1 deg'"
+    wrong 'effect slope 10 deg; rmax' "no domino can stand upright on a slope of 10 deg; for this thickness the limit is 8.297 deg; enter, for example, 'effect slope 4.1 deg'"
+    wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; enter, for example, 'effect slope -4.1 deg'"
     # The centre must be above the flat part of the foot: atan(0.2 - 2*0.05).
     wrong 'set d 0.2; effect edges 0.05; effect slope 10 deg; rmax' 'for this thickness and rounded edges the limit is 5.711 deg'
     wrong 'effect slope 1; effect row 4; effect feet 0.4; fall' 'no domino can stand upright on a slope of 57.3 deg'
@@ -177,7 +177,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 @test "values of effects: units, ranges, missing and surplus arguments" {
-    wrong 'effect friction' "MU, the friction coefficient, is missing; enter for example 'effect friction 0.2'"
+    wrong 'effect friction' "MU, the friction coefficient, is missing; enter, for example, 'effect friction 0.2'"
     wrong 'effect friction -1' 'MU = -1 is out of range'
     wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
     wrong 'effect friction 3 mm' 'MU is a plain number, not a length'

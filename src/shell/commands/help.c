@@ -267,7 +267,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     bool people = answer_for_people(a);
     int found = 0;
     struct topic topic;
-    /* Topics about the word come before those that only mention it in their details. */
+    /* Topics about the word come before topics that only mention the word in their details. */
     for (int rank = 1; rank <= 2; rank++)
         for (int k = 0; topic_at(k, &topic); k++) {
             if (topic_mentions(&topic, word) != rank)

@@ -217,7 +217,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     if (!path)
         return false;
     if (!*path)
-        return problem_error(problem, "the file after '>' is missing; enter for example 'show > FILE'");
+        return problem_error(problem, "the file after '>' is missing; enter, for example, 'show > FILE'");
     if (!command_ends(r->at))
         return problem_error(problem,
                              "only one word can follow '>'; put a file name with blanks in double quotes");

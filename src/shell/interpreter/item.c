@@ -326,7 +326,7 @@ const struct assignment *assignments_parse(struct reader *r)
         if (reader_ends(r)) {
             problem_error(
                 r->problem,
-                "the value of %s after 'with' is missing; enter for example 'rmax with q hollow d 0.1'",
+                "the value of %s after 'with' is missing; enter, for example, 'rmax with q hollow d 0.1'",
                 p->name);
             return NULL;
         }

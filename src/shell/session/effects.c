@@ -131,7 +131,7 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
     bool off = given > 0 && value[0] == EFFECT_OFF, usual = off || (given > 0 && value[0] == EFFECT_ON);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
         if (e->argument[i].name && i >= given && !e->argument[i].optional && !usual)
-            return problem_error(problem, "%s, the %s, is missing; enter for example 'effect %s %s%s%s'",
+            return problem_error(problem, "%s, the %s, is missing; enter, for example, 'effect %s %s%s%s'",
                                  e->argument[i].name, e->argument[i].meaning, e->name,
                                  quad_text(e->argument[i].usual, 4), *e->argument[i].unit ? " " : "",
                                  e->argument[i].unit);

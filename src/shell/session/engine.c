@@ -308,7 +308,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
     if (count > ENGINE_MOST)
         return problem_error(problem,
                              "a row of %zu dominoes is too long for the rigid-body engine, which runs it "
-                             "because %s; the maximum is %d; enter for example 'effect row 20'",
+                             "because %s; the maximum is %d; enter, for example, 'effect row 20'",
                              count, why, ENGINE_MOST);
     const enum engine_status loaded = engine_load();
     if (loaded == ENGINE_NO_MEMORY)

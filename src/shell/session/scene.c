@@ -119,7 +119,7 @@ bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t
         snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
     return problem_no_answer(problem,
                              "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
-                             "%.4g deg; enter for example 'effect slope %s'",
+                             "%.4g deg; enter, for example, 'effect slope %s'",
                              which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
                              scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
                              example);

@@ -24,7 +24,7 @@ struct draw_what {
     int column; /* where the moment or the number of cycles begins in the typed line, for error messages */
 };
 
-/* Returns the arguments of 'draw' or 'animate', with defaults for those that were not given. */
+/* Returns the arguments of 'draw' or 'animate', with defaults for missing arguments. */
 const struct draw_what *draw_what(const struct query *query);
 
 /* Returns true if the arguments request a moment of the row, as in 'draw at 2.5 s'. */

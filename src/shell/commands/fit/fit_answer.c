@@ -197,9 +197,8 @@ static void residuals_say(struct answer *a, const struct fit *f)
     }
     if (f->data.intervals)
         answer_say(
-            a,
-            "The measured times drift away from those of the model, which happens if the gaps of a row are "
-            "not all equal. The fit and the table therefore compare the times between successive hits.");
+            a, "The measured times drift away from the model's times, which happens if the gaps of a row are "
+               "not all equal. The fit and the table therefore compare the times between successive hits.");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->spread > 2 ? ", which are smaller than the residuals" : "");

@@ -148,8 +148,8 @@ const struct command design_commands[] = {
              "another domino. In a file with 'gap (mm)' and 'speed (m/s)', each line has the speed of one "
              "row of equal dominoes. FPS is the number of frames per second; a column 'rate' can give this "
              "number instead. A column 'run' numbers several runs, each with its own clock. A column 'gap "
-             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. The dominoes "
-             "are those of 'effect row'; without this effect, their growth is r. Each residual is divided by "
+             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. 'effect row' "
+             "sets the dominoes; without this effect, their growth is r. Each residual is divided by "
              "its error, and 'fit' finds the values with the smallest sum of squares. It also finds their "
              "standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) "
              "draw the measurements against the fitted values.",

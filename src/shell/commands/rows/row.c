@@ -223,7 +223,7 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
     if (is_relative && is_bare)
         return problem_error(problem,
                              "a change of the %s by %s needs a unit, as in '%+.4g %s'; to change the %s by a "
-                             "percentage, write for example '+10 %%'",
+                             "percentage, write a percent sign, as in '+10 %%'",
                              name, quad_text(value->value, 10), (double)value->value, unit, name);
     change->how = is_relative ? CHANGE_BY : CHANGE_TO;
     change->is_bare = is_bare;

@@ -88,8 +88,8 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
     if (grid->axes == 0)
         return problem_error(r->problem, "the grid is missing; %s", form);
     return *r->at == ':' ||
-           problem_error(r->problem, "':' and a command are missing after the grid; enter for "
-                                     "example 'sweep s 0.1 0.9 9 : rmax'");
+           problem_error(r->problem, "':' and a command are missing after the grid; enter, for "
+                                     "example, 'sweep s 0.1 0.9 9 : rmax'");
 }
 
 bool grid_parse(struct reader *r, struct grid_parsed *grid)

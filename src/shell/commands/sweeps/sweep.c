@@ -74,7 +74,7 @@ static bool list_parse(struct reader *r, struct point_question *s)
         if (reader_ends(r))
             return problem_error(
                 r->problem,
-                "the answer after ',' is missing; enter for example 'sweep r 1 2 9 : rmax, fuel'");
+                "the answer after ',' is missing; enter, for example, 'sweep r 1 2 9 : rmax, fuel'");
     }
     return false;
 }
@@ -88,7 +88,7 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
     const char *begin = r->at;
     if (reader_ends(r))
         return problem_error(
-            r->problem, "the command after ':' is missing; enter for example 'sweep s 0.1 0.9 9 : rmax'");
+            r->problem, "the command after ':' is missing; enter, for example, 'sweep s 0.1 0.9 9 : rmax'");
     r->stops = ",";
     bool is_good = answer_parse(r, &s->question.question);
     s->typed = s->question.question.name;
