@@ -32,8 +32,8 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, c
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound on tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
- * the same tangent for a and b themselves, with the error bound t_error (energy_change_between). */
+/* Returns an error bound on tan((A - B)/2) for the followers of a and b, whose angles are A and B
+ * (energy_change_between). t is the tangent for a and b themselves, and t_error is the error bound on t. */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 

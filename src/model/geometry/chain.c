@@ -24,7 +24,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of the torque on domino b->i that reaches the head; the slope if there is no friction. */
+    /* The part of the torque on domino b->i that reaches the head. Without friction, this is the slope. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
@@ -121,7 +121,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     const struct link *k = &walk.link;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(geometry.interrupt)) /* at each domino, since the callback may be slow */
+        if (dom_raised(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)

@@ -29,12 +29,12 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
 /*
  * Divides the motion up to the tilt `end` into smooth pieces:
  * - edge[0] is 0, or just above 0 if r s = 1.
- * - If a domino detaches before `end`, the head's tilt at that moment is an edge. From this edge on, one
- *   domino fewer moves.
+ * - If a domino detaches before `end`, the head's tilt at that moment is an edge. From this edge on, the
+ *   detached domino no longer moves.
  * - The last edge is `end`.
  *
- * *edges is the number of edges. Unless `moving` is NULL, *moving is the number of dominoes that move up to
- * edge[1], or CHAIN_ENDLESS if no domino detaches.
+ * *edges is the number of edges. Unless `moving` is NULL, *moving is the number of dominoes that move in the
+ * first piece, or CHAIN_ENDLESS if no domino detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],

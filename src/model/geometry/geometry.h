@@ -239,7 +239,7 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    /* a chain multiplies many slopes: near 1, a slope may have only one rounding error */
+    /* A chain multiplies many slopes, so a slope near 1 must not have more than one rounding error. */
     if (2 * rLx <= Y)
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     /* Y - r L x would cancel, so the arm follows from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v. */

@@ -64,7 +64,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (24; c6) can be r^-(2q+1), and must not underflow. */
+    /* The kinetic energy (24; c6) decreases like r^-(2q+1), and must not underflow. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;

@@ -52,7 +52,7 @@ enum pass {
 
 struct contact_law {
     /* True if a formula gives the follower's tilt, without iteration. Only then are there error bounds,
-     * bounds for strips of growths and shortcuts for random rows. */
+     * bounds for strips of growths, and shortcuts for random rows. */
     bool closed_form;
     /* A search may visit this many dominoes, which takes about a second in double. */
     size_t work_most;
@@ -64,7 +64,7 @@ struct contact_law {
     enum dom_status (*set)(struct geometry *geometry);
     /* Prepares the contact of a domino in a row. NULL if joint_shape (row/joint.c) is enough. */
     void (*joint)(struct geometry *geometry, const struct geometry *follower);
-    /* Returns the tilt at which a head hits the next domino. `gap` is divided by the height of the head. */
+    /* Returns the tilt at which a head hits the next domino. `gap` is in units of the head's height. */
     struct tilt (*hit)(const struct geometry *geometry, real gap);
 
     /* ---- One domino ---- */
@@ -128,7 +128,7 @@ static const struct contact_law sharp_edges, rounded_edges;
 /*
  * These two functions set up the geometry of a train, except for the law of motion (dynamics_make).
  * geometry_read computes what does not depend on the separation and the growth. geometry_set checks and sets
- * these two, and may be called again.
+ * the separation and the growth, and may be called again.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);

@@ -64,9 +64,11 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* A domino has the tilt theta_a in one chain and theta_b in another. Let t = tan((theta_a - theta_b) / 2).
- * Returns the factor by which t of the follower differs from t of this domino. By energy_change_between, the
- * factor is (1 - G) / (1 + t^2 G). The arms give 1 - G with all digits. */
+/*
+ * A domino has the tilt theta_a in one chain and theta_b in another. Let t = tan((theta_a - theta_b) / 2).
+ * Returns t of the follower divided by t of this domino: (1 - G) / (1 + t^2 G), as energy_change_between
+ * explains. The arms give 1 - G with all digits.
+ */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;

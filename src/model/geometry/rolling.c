@@ -96,7 +96,7 @@ static struct apart apart_by(real t)
     return (struct apart){2 * atan(t), t};
 }
 
-/* Returns h(A) - h(B) of a domino, like energy_change in sharp_change.c. */
+/* Returns h(A) - h(B) for a domino, like energy_change in sharp_change.c. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
     return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
@@ -148,7 +148,7 @@ static struct apart apart_turn(const struct walk *a)
     return (struct apart){.by = a->turn.angle, .t = half_of_tilt(a->turn.tilt)};
 }
 
-/* Returns the smallest product of a with a number in [lo, hi]. */
+/* Returns the smallest value of `a` * u for u in [lo, hi]. */
 static real least_product(real a, real lo, real hi)
 {
     return fmin(a * lo, a * hi);
@@ -160,17 +160,21 @@ static real least_product(real a, real lo, real hi)
  *
  *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k.
  *
- * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. Let p = 1 - step, Q = L - rho_1 turn and
- * D = rho - rho_1 (`more`). By the contact equation, -curve b is
+ * Let x and y be the sine and cosine of the leader's tilt, and b, arm and curve as in rounded_levers. c_k
+ * does not decrease if
  *
- *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x].
+ *     -curve b >= arm (step i'_1/i_1 - i'/i) / 2.
+ *
+ * Let p = 1 - step, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact equation, -curve b is
+ *
+ *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - x - y + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large, and p is large, too, since p >= x (M - rho_1 turn)/b. The leader's
- * arm decreases by the same terms with p instead of p^2. So the slope and the turn decrease, too, and the
- * values at a and b bound every term.
+ * and d. If y Q < d/2, then x is large. So p is large, too, since p >= x M / b. As the tilt increases, the
+ * arm decreases: in its derivative, p replaces p^2, and 1 + p replaces 2 p. The slope and the turn decrease,
+ * too, so the values at both ends bound every term.
  *
- * The condition for a is the same as for sharp edges, with R i/i_1 instead of R, and with a term for a foot
+ * The condition on a_k is the same as for sharp edges, with R i/i_1 instead of R, and with a term for a foot
  * that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
@@ -286,7 +290,7 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     struct walk b;
     const struct link *link = &p.a.link;
     rolling_begin(&p, geometry, from, head, t);
-    if (pass == PASS_SHIFT) /* of the upright chain, only the tilts are needed */
+    if (pass == PASS_SHIFT) /* only the tilts of the upright chain are needed */
         b = (struct walk){.link = {.tilt = from, .leads = geometry->n > 1}};
     else
         b = rounded_begin(geometry, from);

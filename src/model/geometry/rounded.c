@@ -339,7 +339,7 @@ static real beyond(const struct rounded *of, real sharp)
 }
 
 /* Returns the tilt at which a head hits the next domino. `gap` is the gap to the next domino, and `left` is
- * how far the head could reach beyond it. Both are divided by the height of the head. */
+ * how far the head could reach beyond it. Both lengths are in units of the head's height. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt

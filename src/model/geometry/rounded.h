@@ -22,7 +22,7 @@
 
 #include "geometry/law.h"
 
-/* Returns h(0) - h(theta) of one domino. */
+/* Returns h(0) - h(theta) for one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 /* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. */

@@ -23,8 +23,8 @@ static enum dom_status sharp_set(struct geometry *geometry)
     geometry->f = geometry->inf;
     if (geometry->detaches) {
         geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
-        /* sin theta_f is (42; A18). The cosine follows from 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L))
-         * r / (2 L). */
+        /* Equation (42; A18) gives sin theta_f. The cosine follows from
+         * 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L). */
         real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
         real x_f =
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
@@ -178,8 +178,8 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* If the domino is so close to theta_inf that the far series is accurate, adds this domino and all behind it
- * to J, H1 and J'/2, and returns true. */
+/* Adds this domino and all dominoes behind it to J, H1 and J'/2, using the far series. Adds nothing and
+ * returns false if the series does not apply, or is not accurate so far from theta_inf. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

@@ -6,7 +6,7 @@
 #include "geometry/law.h"
 
 /*
- * Returns h(A) - h(B) of a domino at the tilts a and b, from t = tan((A - B)/2). The difference is the
+ * Returns h(A) - h(B) for a domino at the tilts a and b, from t = tan((A - B)/2). The difference is the
  * product
  *
  *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)],
@@ -66,7 +66,7 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* Returns the term of H2 of one domino. */
+/* Returns one domino's term of H2. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
@@ -92,9 +92,9 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  * Tests a contact while its leader moves from b to a. If every contact of a chain passes, all stay closed,
  * for this reason:
  *
- * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta').
- * Add up these products for domino i and all dominoes behind it. The contacts between these dominoes cancel.
- * Only gravity and the contact of domino i with its leader remain. The force of this contact, multiplied by
+ * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta'). Add
+ * up these products for domino i and all dominoes behind it. The contacts between these dominoes cancel. Only
+ * gravity and the contact of domino i with its leader remain. The force of this contact, multiplied by
  * S_i b_i > 0, is therefore the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
@@ -104,15 +104,15 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  * whole chain is <a> + <c> w. If neither a_k nor c_k decreases down the chain, this sum is not negative for
  * any i. Then all contacts push, at every speed.
  *
- * From leader to follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
- * (link_second_derivative), where y_1 = Y y - X x is the follower's cosine. a does not decrease if
+ * From leader to follower, c_k increases by r L (y_1 + theta_1' x X) / Y^2 times a square
+ * (link_second_derivative), where y_1 = Y y - X x is the follower's cosine. a_k does not decrease if
  * f = (weight/inertia) g_1 - theta_1' g >= 0, where
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
  * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
- * term. The arm a of the contact must not be negative. This arm decreases, too, so it is tested at the tilt
- * a. If a leader leans backwards, none of this holds, and the test fails.
+ * term. The arm of the force on the leader must not be negative. This arm decreases, too, so only the arm at
+ * a is tested. If a leader leans backwards, none of this holds, and the test fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -151,10 +151,9 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 }
 
 /*
- * Finds the sums of chain a, whose head is at `head`, and H of a minus H of chain b, whose head is at `from`.
- * The difference comes from t = tan((theta_a - theta_b)/2) of each domino, so even the smallest difference
- * keeps its digits.
- * Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
+ * Finds the sums of chain a, and H(head) - H(from). The head of chain a is at `head`, and the head of chain b
+ * is at `from`. Each domino's term of the difference comes from t = tan((theta_a - theta_b)/2), so even the
+ * smallest difference keeps its digits. Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
  *
  *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
  *

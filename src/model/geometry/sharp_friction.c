@@ -45,8 +45,8 @@ KERNEL void far_friction_make(struct geometry *geometry)
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    /* Rounding error of S in units of the unit roundoff. It grows if X < 0, since b = Y + mu X then
-     * cancels. */
+    /* Rounding error of S in units of the unit roundoff. It grows if X < 0, since digits then cancel in
+     * b = Y + mu X. */
     real noise;
     /* True if the contact force on some follower passes on the wrong side of its hinge: b <= 0. */
     bool wrong_side;
@@ -64,7 +64,7 @@ static void friction_next(struct friction_link *k)
 }
 
 /* Returns true when the tails of all three sums can be left out. The ratio of successive terms is taken to be
- * at least `decay`, the limit of this ratio without friction, far down an endless train. */
+ * at least `decay`. Far down an endless train without friction, the ratio is `decay`. */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
@@ -91,8 +91,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* If the domino is so close to theta_inf that the quadratic terms of far_friction are negligible, adds this
- * domino and all behind it to the sums, and returns true. */
+/* Adds this domino and all dominoes behind it to the sums, using far_friction. Adds nothing and returns false
+ * if far_friction does not apply, or if its quadratic terms matter at this domino. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {

@@ -45,7 +45,7 @@ struct series {
     real next, ratio;
 };
 
-/* Adds a term, and its rounding error to `lost` (Fast2Sum needs the larger number first). */
+/* Adds a term to `sum`, and the rounding error to `lost`. Fast2Sum needs the larger number first. */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
@@ -63,7 +63,7 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns a bound on the rounding error and on the terms left out (none if `ended`). */
+/* Returns a bound on the rounding error and on the omitted terms. No terms were omitted if `ended`. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);

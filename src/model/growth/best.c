@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the best separation. Samples of s give a first growth R. Then bounds (strip.h) exclude the intervals
- * of s that allow no growth above R. The others are bisected, down to a width of BEST_FINEST s. A narrower
- * peak of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are only
- * samples. Quad precision refines the result of double precision, and searches all s only if that fails.
+ * of s that allow no growth above R. The other intervals are bisected, down to a width of BEST_FINEST s. A
+ * narrower peak of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are
+ * only samples. Quad precision refines the result of double precision, and searches all s only if that fails.
  */
 #include "growth/limit.h"
 
@@ -119,9 +119,11 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches the separations between lo and hi for a growth above the best so far. There is none if bounds show
- * that all trains stop at the best growth, or at `witness` if `witness` is smaller. Otherwise bisects the
- * interval. */
+/*
+ * Searches the separations between lo and hi for a growth above the best so far. Skips the interval if bounds
+ * show that all trains stop at the best growth, or at `witness` if `witness` is smaller. Otherwise bisects
+ * the interval.
+ */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -177,7 +179,7 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Samples s near the best one, in smaller and smaller steps, if no bounds are known. */
+/* Takes samples of s near the best separation, in smaller and smaller steps. Used if no bounds are known. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -258,7 +260,7 @@ static enum dom_status search_golden(struct search *b, real tol)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* Move s to an end where r_max is larger. Otherwise widen the interval until both ends are lower. */
+    /* If r_max is larger at an end, move s there. If r_max is only equal at an end, widen the interval. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -360,7 +362,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* Twice the step makes the error 256 times as large. The absolute values of the weights add up to
+        /* Doubling the step makes the error 256 times as large. The absolute values of the weights add up to
          * 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also causes an error in the slope. */
@@ -370,7 +372,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         s_error +=
             2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
-    /* add how much r_max changes within the error of s */
+    /* add the change of r_max within the error of s */
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
     *error = (struct dom_best_error){.s = s_error, .r_max = r_error};
@@ -400,7 +402,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The double kernel's best separation is refined within this relative distance, which exceeds its error. */
+/* The first bracket extends by this relative distance to both sides of the double kernel's best separation.
+ * The distance exceeds the error of that separation. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -442,7 +445,7 @@ static bool search_kink(struct search *b, real tol)
     return b->c->status == DOM_OK;
 }
 
-/* Refines c->s, the best separation of the double kernel. Sets *found on success. */
+/* Refines c->s, the best separation that the double kernel found. Sets *found on success. */
 static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
 {
     struct margin_context *c = b->c;

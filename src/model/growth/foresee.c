@@ -2,7 +2,7 @@
 /*
  * Finds a root of the margin, and then proves that it is the first root. The secant method finds the root
  * from a guess in a few passes. The proof takes a few strips of growths below the root. The margin decreases
- * over the strip that ends at the root, and is positive over the others.
+ * over the strip that ends at the root, and is positive over the other strips.
  */
 #include "growth/limit.h"
 
@@ -36,7 +36,7 @@ static void root_add(struct root_search *s, struct root_point point)
         s->lo = fmax(s->lo, point.r);
     if (point.share <= 0)
         s->hi = fmin(s->hi, point.r);
-    /* true if `point` is the newest point again, computed with a finer tolerance */
+    /* true if `point` repeats the newest point, with a finer tolerance */
     bool again = s->known > 0 && s->at[2].r == point.r;
     for (int k = 0; k < 2 && !again; k++)
         s->at[k] = s->at[k + 1];
@@ -54,8 +54,8 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. r then changes at least by the factor
- * r^ROOT_STEP. */
+/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. The next step then changes r by at least a
+ * factor of r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -111,8 +111,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* The next error is about the product of the last two, divided by a length. At the first step,
-         * this length is taken to be a 16th of r or of the distance to the reach. */
+        /* The next error is about the product of the last two, divided by a length. For the first two steps,
+         * the length is taken to be a 16th of r, or of the distance from r to the reach if that is less. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
@@ -275,8 +275,11 @@ static real down_near(const struct margin_context *c, real r)
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
 }
 
-/* Shows strip by strip that the margin is positive below `root`, at most down to `from`. *down receives
- * the growth down to which this succeeds. `root` is the reach if the margin is positive even there. */
+/*
+ * Tries to show that the margin is positive between `from` and `root`. Goes down from `root`, strip by strip.
+ * *down receives the lower end of the last strip that succeeded, or `root` if there is none. If the margin is
+ * positive even at the reach, `root` is the reach.
+ */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
@@ -317,8 +320,8 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Raises *lo towards `to`, as far as a few strips show that the margin is positive. The margin is positive at
- * *lo. */
+/* Raises *lo towards `to`, as far as a few strips can show that the margin stays positive. The margin is
+ * positive at the initial *lo. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};

@@ -19,8 +19,8 @@ struct edge {
     struct margin margin;
 };
 
-/* What is known about the margin between two growths. It is >= 0 at the smaller growth. KNOWN_TO_FALL: it
- * has at most one root, and decreases there. */
+/* What is known about the margin over an interval of growths. The margin is >= 0 at the lower end.
+ * KNOWN_TO_FALL: the margin has at most one root in the interval, and decreases at this root. */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 
 /* Finds the bounds of struct strip for all growths between lo and hi. */
@@ -33,24 +33,24 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
 
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
-/* Finds a root of the margin between lo and hi, where it must have opposite signs. Follows one maximum of
- * H. */
+/* Finds a root of the margin between lo and hi, where the margin must have opposite signs. Follows one
+ * maximum of H. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root close to `near`, which must be correct to half of the digits. *found is false if there
- * is no such root. */
+/* Finds the root close to `near`, an estimate that must be correct to ten digits. *found is false if this
+ * fails. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
-/* Finds a root for an endless train without friction, not necessarily the first after *from. *falls
- * receives -d margin / dr at the root. Without a root, *root is infinity. */
+/* Finds a root for an endless train without friction, not necessarily the first after *from. *falls receives
+ * -d(margin)/dr, the rate at which the margin falls at the root. Without a root, *root is infinity. */
 KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
                                      real *falls);
 
 /*
  * Finds a root for an endless train without friction, and tries to prove that it is the first after *from.
  * *root is the reach if there is no root. *found is false if there is no proof. *from may be raised to a
- * larger growth, if the margin is positive up to there.
+ * larger growth, if the margin is positive up to that growth.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 
@@ -59,9 +59,9 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
                                  real *r);
 
 /*
- * Finds the first r > from->r with a negative margin, without friction. The margin at from->r is >= 0. If
- * there is no such r, *r is the reach and *ends is DOM_END_REACH. Two sign changes closer than SCAN_FINEST in
- * ln r can be missed.
+ * For an endless train with sharp edges and without friction, finds the first r > from->r with a negative
+ * margin. The margin at from->r is >= 0. If there is no such r, *r is the reach and *ends is DOM_END_REACH.
+ * Two sign changes closer than SCAN_FINEST in ln r can be missed.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);
@@ -86,7 +86,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 /* Finds the error bound on r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Starts counting the work of a search, which ends with DOM_TOO_LONG beyond the limit. */
+/* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */
 KERNEL void limit_begin(struct margin_context *c);
 
 #endif

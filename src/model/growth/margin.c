@@ -133,7 +133,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks stops, since its energy tends to 0. Any negative margin will do. */
+    /* The energy of a train that locks tends to 0, so the train stops. Any negative margin will do. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -230,7 +230,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even more accurate sums could not show the sign */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums could not show the sign either */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

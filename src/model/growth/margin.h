@@ -32,9 +32,9 @@ struct margin_context {
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum margin_how {
         MARGIN_SURE, /* find the barrier by a search for all local maxima of H */
-        /* may use an upper bound on the barrier, or one maximum of H */
+        /* find only the sign: an upper bound on the barrier or one maximum of H may be enough */
         MARGIN_SIGN,
-        /* may use one maximum of H, but no upper bound on the barrier */
+        /* like MARGIN_SIGN, but use no upper bound on the barrier */
         MARGIN_TOPS,
         MARGIN_FOLLOW, /* follow one local maximum of H from growth to growth */
     } how;
@@ -47,7 +47,7 @@ struct margin_context {
     real error;             /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
-    /* If > 0, the width in ln r of the narrowest strip of a scan, which then gives an upper bound on
+    /* If > 0, the width in ln r of the narrowest strip of a scan. The scan then gives an upper bound on
      * r_max. */
     real coarse;
     real near;     /* r_max from a coarser kernel at a separation close to s, or 0 */

@@ -27,8 +27,9 @@ static real probe_place(const struct margin_context *c, int k)
 #define PROBE_HALVES 17
 
 /*
- * The margin is taken to keep its sign between two samples if it exceeds PROBE_SAFETY f w^2 at both. w is
- * their distance in x, and f a second divided difference. For a parabola, f w^2 / 4 suffices.
+ * The margin is taken to keep its sign between two samples if it exceeds PROBE_SAFETY f w^2 at both. w is the
+ * distance between the samples in x, and f is a second divided difference. For a parabola, f w^2 / 4
+ * suffices.
  */
 #define PROBE_SAFETY 3
 
@@ -39,7 +40,7 @@ struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
     /* The smallest growth found so far at which the sign changes, or infinity. If `positive` is false, it is
-     * the growth of `after`, a sample just behind the root. */
+     * the growth of `after`, a sample just past the root. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
     struct edge after;
@@ -56,8 +57,8 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
     return (margin_value(&edge->margin) >= 0) == p->positive;
 }
 
-/* Returns a smooth function of x, positive where the margin has its initial sign. `barrier` is used if
- * `edge` has only an upper bound. */
+/* Returns a smooth function of x, positive where the margin has its initial sign. If the barrier of `edge` is
+ * only an upper bound, uses `barrier` instead. */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
     const struct margin *m = &edge->margin;
@@ -74,7 +75,7 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
 {
-    /* a step from an upper bound to a barrier would look like curvature */
+    /* a mixture of upper bounds and true barriers would look like curvature */
     const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
@@ -110,8 +111,11 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
 }
 
-/* Takes samples from number k up to the first sign change. Then looks for sign changes between `lo` and
- * the next sample, *hi. `last` is the sample before `lo`. */
+/*
+ * Takes the next sample after `lo`, and stores it in *hi. Its number is at least k. If the sign has not
+ * changed at *hi, first goes on from *hi. Then looks for sign changes between `lo` and *hi. `last` is the
+ * sample before `lo`.
+ */
 static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
                                   struct edge *hi)
 {

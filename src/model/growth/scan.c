@@ -66,7 +66,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* From anywhere in the strip up to hi, the margin increases by at most strip.margin_slope ln_r. */
+        /* From any growth in the strip up to hi, the margin increases by at most margin_slope * ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -87,7 +87,8 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the narrowest step. It increases after 1500 strips, so that about 3000 strips are enough. */
+/* Returns the width of the narrowest step. The width increases after 1500 strips, so that about 3000 strips
+ * are enough. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));

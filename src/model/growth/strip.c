@@ -151,7 +151,7 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 /*
  * Returns an upper bound on the terms of domino 1, or infinity if none is found. The bound is finite at the
  * reach, although u_1(0) = tan theta_c (strip_follower) is infinite there. At the maxima that matter, the
- * head leans by at least `least`, and u_1(theta) <= part u_1(0):
+ * head leans by at least `least`, and u_1(theta) is at most `part` times u_1(0):
  * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
  * - After it has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
  *
@@ -240,16 +240,16 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        /* `below` bounds (theta_u - theta) / 2 from below, and its tangent, too. theta_1' decreases with the
-         * tilt of the head. */
+        /* Since theta_1' decreases with the tilt of the head, `below` is a lower bound on
+         * (theta_u - theta) / 2, and on the tangent of this angle. */
         const real below = geometry_contact(hi, head).step * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
 
-/* Counts a pass along both chains. In the effort, each step counts as twelve dominoes of a plain pass, since
- * it takes about as long. */
+/* Counts a pass along both chains. Each step takes about as long as twelve dominoes of a plain pass, and adds
+ * as much to the effort. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);

@@ -6,9 +6,9 @@
  *
  *     d theta_1 / d ln r = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y.
  *
- * X = r (L cos theta - d) makes these monotone, and a chain only multiplies and adds terms >= 0. So the two
- * chains at the ends of a strip enclose all others. STRIP_SLACK allows for rounding errors, but this is not a
- * proof by interval arithmetic.
+ * X = r (L cos theta - d) makes these derivatives monotone, and a chain only multiplies and adds terms >= 0.
+ * So the two chains at the ends of a strip enclose all others. STRIP_SLACK allows for rounding errors, but
+ * this is not a proof by interval arithmetic.
  */
 #ifndef DOM_STRIP_H
 #define DOM_STRIP_H
@@ -21,7 +21,8 @@ struct strip {
     /* Largest factor by which g(theta_i(0)) of a follower increases over the strip, with g(theta) = sin
      * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
     real grows;
-    /* Upper bound on the energy that the last followers can still lose, which `grows` does not cover. */
+    /* Upper bound on the energy that the followers behind the last visited one can still lose. `grows` does
+     * not cover these followers. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds; >= 0 */
     /* Upper bounds on d margin / d ln r over a strip of growths. root_slope holds only where the barrier
@@ -31,10 +32,8 @@ struct strip {
     bool clear;
 };
 
-/*
- * Computes the bounds for the trains between lo and hi, without friction; hi has the larger r or s. Ends
- * early if K > `enough` for all trains. tol limits the relative error of K from the tails that are left out.
- */
+/* Computes the bounds for the trains between lo and hi, without friction; hi has the larger r or s. Ends
+ * early if K > `enough` for all trains. tol limits the relative error of K that the omitted tails cause. */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
