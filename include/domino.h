@@ -39,8 +39,8 @@
  * - the motion and the limits of trains with friction.
  *
  * Precision: this header uses double. <domino_quad.h> includes this header, and declares its functions,
- * structures and macros again for the widest floating-point type of the machine, with domq_ in their names
- * instead of dom_. The functions of both headers can compute in every precision.
+ * structures and macros again for the widest floating-point type of the machine. Their names there begin with
+ * domq_ instead of dom_. The functions of both headers can compute in every precision.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *

@@ -524,8 +524,8 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
  *
  * Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers:
  * - The first row->count numbers are those of dom_placement_study.
- * - For each kind of error, row->count numbers follow: how many of the rows that end at each domino would
- *   fall without the errors of this kind.
+ * - For each kind of error, row->count numbers follow, one for each domino. They count the rows that end at
+ *   this domino, but would fall without the errors of this kind.
  */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
@@ -577,9 +577,9 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so far if study[0].rows > 0.
  * Otherwise study[0].rows is 0, and the dominoes are not written.
  *
- * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps, DOM_BAD_THICKNESS
- * for a board, DOM_BAD_Q for q, DOM_BAD_MASS for the heaviest mass, and DOM_BAD_GAP for the grid. Other
- * statuses are those of dom_placement_study.
+ * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps. For a bad member of
+ * the limits, the status is DOM_BAD_THICKNESS (a board), DOM_BAD_Q, DOM_BAD_MASS (`heaviest`) or DOM_BAD_GAP
+ * (the grid). Other statuses are those of dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,

@@ -26,8 +26,8 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Estimates how much the velocities change in all further iterations, as a geometric series. Ends the loop if
- * this change is a small fraction of the change in the whole step.
+ * Estimates how much the velocities would change in all further iterations, if the changes form a geometric
+ * series. Ends the loop if this is a small fraction of the change in the whole step.
  */
 static void each(cpConstraint *watch, double dt)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels. `real` is the floating-point type, and sqrt() and so on are the functions
- * for it, as with <tgmath.h>. The same source is compiled for each precision (precision/): REAL_FLOAT is
- * defined for float, REAL_QUAD for quad, and neither for double.
+ * The arithmetic of the kernels. `real` is the floating-point type. sqrt() and the other functions of
+ * <math.h> take and return `real`, as with <tgmath.h>. The same source is compiled for each precision
+ * (precision/): REAL_FLOAT is defined for float, REAL_QUAD for quad, and neither for double.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes <domino_quad.h> from the headers in include/, so that double and quad share one source: the text after the
 # marker line of a header, "==== From here on", is written again with domq_ and DOMQ_ instead of dom_ and DOM_. Names
-# that are declared before the marker, and in a header without it, are common to both. The headers are read twice: first
-# for the names, then for the text.
+# that are declared before the marker, or in a header without a marker, are common to both. The headers are read twice:
+# first for the names, then for the text.
 #   awk -f quad.awk HEADER... write=1 HEADER...             prints domino_quad.h
 #   awk -v names=1 -f quad.awk HEADER... write=1 HEADER...  prints '#define dom_train domq_train' and so on
 
@@ -21,7 +21,7 @@ function learn(line) {
 
 function in_quad(name) { return substr(name, 1, 3) (name ~ /^dom/ ? "q" : "Q") substr(name, 4) }
 
-# Returns the line with the names of quad. With `names`, prints a #define for each name when it first occurs.
+# Returns the line, renamed for quad. With `names`, prints a #define for each name when it first occurs.
 function renamed(line,   name, own, done) {
     while (match(line, /(dom|DOM)_[A-Za-z0-9_]+/)) {
         name = substr(line, RSTART, RLENGTH)
