@@ -170,9 +170,9 @@ static real least_product(real a, real lo, real hi)
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - x - y + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large. So p is large, too, since p >= x M / b. As the tilt increases, the
- * arm decreases: in its derivative, p replaces p^2, and 1 + p replaces 2 p. The slope and the turn decrease,
- * too, so the values at both ends bound every term.
+ * and d. If y Q < d/2, then x is large. So p = x (M - rho_1 turn) / b is large, too, with M of
+ * rounded_levers. As the tilt increases, the arm decreases: in its derivative, p replaces p^2, and 1 + p
+ * replaces 2 p. The slope and the turn decrease, too, so the values at both ends bound every term.
  *
  * The condition on a_k is the same as for sharp edges, with R i/i_1 instead of R, and with a term for a foot
  * that rolls down a slope.
