@@ -5,7 +5,7 @@
  * - A quoted cell may contain separators, newlines, and '""' for one quote.
  * - Lines end with LF, CRLF or CR.
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
- * - A comment begins with a '#' at the beginning of a line or after a blank.
+ * - A '#' at the beginning of a line or after a blank begins a comment.
  *
  * Numbers have a decimal point or a decimal comma. The ambiguous "1,234" is read as 1.234 in these cases:
  * - The separator is ';'.

@@ -13,8 +13,8 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* The maximum number of columns of a kind of table, and of unknown columns in a file. A saved row of dominoes
- * has both, in at most CSV_CELLS_MOST columns. */
+/* The maximum number of columns of a kind of table, and of unknown columns in a file. A saved row has at most
+ * CSV_CELLS_MOST columns, known and unknown. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */

@@ -169,7 +169,8 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
         return false;
     *is_true = q.value != 0;
     return quantity_bare(q) ||
-           expression_wrong(e->error, t->at, "%s is not a condition, such as 'r > 1.5'", expression_kind(q));
+           expression_wrong(e->error, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
+                            expression_kind(q));
 }
 
 /* Evaluates conditions joined by 'and' or 'or', from left to right, until one of them decides the result. */
@@ -258,5 +259,5 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     case TREE_NAME:
         break;
     }
-    return expression_wrong(e->error, t->at, "'%s' has no value in a file", t->name);
+    return expression_wrong(e->error, t->at, "'%s' is not defined in csv files", t->name);
 }

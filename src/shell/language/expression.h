@@ -75,7 +75,7 @@ struct expression_error {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. The macros below are false, for `return expression_wrong(...)`. */
+/* Stores an error. The macros below also evaluate to false, for `return expression_wrong(...)`. */
 void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 #define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)

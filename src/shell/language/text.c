@@ -16,7 +16,8 @@ static const struct {
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
 /* Returns the ASCII text for the first character of `typed`, a text of `size` bytes. Stores the length of the
- * character. If the character is not in `letters`, returns its first byte, in `byte`, and stores 1. */
+ * character. If the character is not in `letters`, copies its first byte to `byte`, returns `byte`, and
+ * stores the length 1. */
 static const char *plain_form(const char *typed, size_t size, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {
@@ -122,7 +123,7 @@ const char *text_end(const char *c, const char *ends)
     char stops[8] = "#\"";
     strncat(stops, ends, sizeof stops - sizeof "#\"");
     for (const char *begin = c; *(c += strcspn(c, stops));) {
-        /* A comment begins with a '#' at the beginning or after a blank. */
+        /* A '#' begins a comment only at the beginning of the text or after a blank. */
         if (strchr(ends, *c) || (*c == '#' && (c == begin || isspace((unsigned char)c[-1]))))
             break;
         const char *next = *c == '"' ? text_quote(c) : c + 1;

@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 struct workers {
-    size_t first, points; /* the points are first, first + 1, ... */
+    size_t first, points; /* the index of the first point, and the number of points */
     /* Computes a point, and writes its rows to `out`. May change only `context`, the worker's own copy.
      * Returns false to stop the computation after this point. */
     bool (*point)(void *context, size_t point, FILE *out);

@@ -75,7 +75,7 @@ void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sam
 /* Writes text, starting in the given cell. Characters outside the canvas are not drawn. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Draws two shades in 0 .. 1 into the halves of a cell. A NaN is not drawn. */
+/* Draws a shade from 0 to 1 into each half of a cell. A NaN is not drawn. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
 /* Returns true if a cell is empty or outside the canvas. */

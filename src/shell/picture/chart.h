@@ -57,7 +57,7 @@ struct chart_look {
     const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
     enum chart_scale scale[2];
     bool has_range[2];
-    double low[2], high[2]; /* the ends of the axes, in the units that the labels of the axes name */
+    double low[2], high[2]; /* the ends of the axes, in the units of the axis labels */
     enum chart_legend legend;
     /* Only for files: */
     double width, height; /* in cm */

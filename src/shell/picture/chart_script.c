@@ -20,7 +20,7 @@ static int columns_in(double width, double font)
     return columns > 16 ? columns : 16;
 }
 
-/* The width of the sample line before a title in the legend, in characters, with blanks. */
+/* The width in characters of the sample line before a title in the legend, blanks included. */
 #define SAMPLE 9
 
 /* Returns how many characters of a title fit on a line of the legend. */
@@ -220,7 +220,7 @@ static void map_script(const struct chart *c, FILE *out)
             if (image)
                 fprintf(out, "%.8g %.8g ", axis_number(&c->x, x + wide / 2),
                         axis_number(&c->y, y + high / 2));
-            /* boxes overlap a little, because the background would show between them */
+            /* boxes overlap a little, so that the background does not show between them */
             else if (isfinite(value))
                 fprintf(out, "%.8g %.8g %.8g %.8g ", axis_number(&c->x, x),
                         axis_number(&c->x, fmin(x + 1.05 * wide, 1)), axis_number(&c->y, y),

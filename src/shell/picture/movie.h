@@ -15,7 +15,7 @@ struct movie {
     const struct movie_kind *kind;
     FILE *drawn;             /* the drawn frames for ffmpeg, or NULL for a gif */
     int delay;               /* the time between two frames, in hundredths of a second */
-    size_t frames, frame;    /* the number of all frames, and of the frames written so far */
+    size_t frames, frame;    /* the total number of frames, and the number written so far */
     char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 

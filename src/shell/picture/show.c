@@ -38,7 +38,7 @@ const struct ending *ending_of(const char *path)
 
 /* ---- Before a picture is drawn ---- */
 
-/* Returns true if the answer goes to a file with the extension of a picture. */
+/* Returns true if the answer goes to a picture file, such as .png. */
 static bool is_filed(const struct answer *a)
 {
     return a->path && ending_of(a->path)->terminal;

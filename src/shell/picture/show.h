@@ -15,7 +15,7 @@ enum ending_kind {
     ENDING_OTHER, /* an unknown extension, which is an error */
     ENDING_TEXT,  /* .txt, which has the same effect as no extension */
     ENDING_DATA,  /* the extension of an answer format, such as .csv */
-    ENDING_SHEET, /* the extension of a picture, of a document, or of both, such as .pdf */
+    ENDING_SHEET, /* an extension for pictures (.png), for documents (.md), or for both (.pdf) */
 };
 
 /* A file extension, and how files with this extension are written. */

@@ -10,7 +10,7 @@ enum { DOMINOES = 200, MORE = 32 };
 #define SMALLEST 0.01
 /* the maximum width of a picture, relative to its height; dominoes that do not fit are not drawn */
 #define WIDEST 2.4
-/* the maximum height of a picture, relative to the head; a next domino that is taller is cut off */
+/* the maximum height of a picture, relative to the head; a taller domino is cut off */
 #define TALLEST 2.5
 
 /* ---- One domino ---- */
@@ -45,7 +45,7 @@ static const struct point *silhouette_of(const struct drawn *k)
                                       {0.14, 0.84}, {0.26, 0.88}, {0.24, 0.97}, {0, 1}};
     return k->number == NUMBER_TOWER ? tower : k->number == NUMBER_PERSON ? person : NULL;
 }
-_Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "an outline has room for a silhouette");
+_Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "OUTLINE is too small for a silhouette");
 
 static int silhouette_outline(const struct drawn *k, const struct point *half, struct point outline[OUTLINE])
 {

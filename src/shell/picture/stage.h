@@ -12,7 +12,7 @@
 enum {
     CORNERS = 4,
     ARC = 5, /* the number of points on a rounded edge */
-    /* the maximum number of points of an outline; its lower back edge is sharp */
+    /* the maximum number of points of an outline, whose lower back edge is always sharp */
     OUTLINE = 3 * ARC + 1,
 };
 
@@ -61,7 +61,7 @@ struct stage {
     char caption[CAPTION]; /* caption of one or more lines */
 };
 
-/* The words with which a caption explains how the painter marks dominoes. */
+/* The words with which a caption explains how a picture marks dominoes. */
 struct marks {
     const char *theta, *weakest, *ends;
     const char *contacts; /* explains the marks at contacts in a picture of a train */
@@ -98,7 +98,7 @@ static inline bool drawn_marked(const struct drawn *domino)
     return domino->part == WEAKEST || domino->part == ENDS;
 }
 
-/* Returns the k-th domino, counted from 0, from the end towards which the dominoes fall. */
+/* Returns domino k, counted from 0 at the end towards which the dominoes fall. */
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
 /* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c, and room for 32 more dominoes.

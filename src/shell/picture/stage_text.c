@@ -13,8 +13,8 @@ enum {
 
 struct grid {
     struct canvas canvas;
-    double left, unit; /* the position on the stage at which the canvas begins, and the width of a column */
-    int ground;        /* the row of the canvas in which the ground is drawn */
+    double left, unit; /* where the canvas begins on the stage, and the width of a column */
+    int ground;        /* the row of the canvas that shows the ground */
 };
 
 struct marks text_marks(struct look look)
@@ -40,7 +40,7 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
-/* Fills a domino with a character, by sampling points that are closer than characters. */
+/* Fills a domino with a character, by sampling points that are closer together than characters. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
     const char mark[2] = {(char)(k->part == ENDS      ? 'X'

@@ -49,7 +49,7 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
         problem_error(problem, "cannot typeset: %s", strerror(errno ? errno : ENOSPC));
     done = done && program_run(argv, nothing, messages, "typeset it", interrupt, problem);
     if (done && !(document = fopen(file_of(folder, ".pdf", made), "r")))
-        done = problem_error(problem, "pdflatex made no document: %s", strerror(errno));
+        done = problem_error(problem, "pdflatex did not write a document: %s", strerror(errno));
     if (document)
         io_copy(document, out);
     FILE *const opened[] = {messages, nothing, document};

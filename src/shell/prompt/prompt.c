@@ -42,7 +42,7 @@ enum { WATCHED = sizeof watched / sizeof *watched };
 /* The lines typed so far of a command that continues after a backslash, or NULL. */
 static char *unfinished;
 
-static bool is_joined;  /* The running command was typed in several lines. */
+static bool is_joined;  /* The running command was typed on several lines. */
 static bool has_warned; /* The user has been warned that unsaved changes will be lost. */
 
 static void prompt_set(struct session *session);
@@ -72,7 +72,7 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* This may raise SIGTTOU, which is ignored, because it would stop the program a second time. */
+    /* This call may raise SIGTTOU, which is ignored, because SIGTTOU would stop the program a second time. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);

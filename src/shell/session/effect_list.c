@@ -32,8 +32,8 @@ const struct domq_effect engine_effect_bounce = {
     .adds = "dominoes that bounce off each other",
     .help = "After a collision, two dominoes separate at E times the speed at which they met. With E = 0, as "
             "in the paper, they stay together, and with E = 1 no energy is lost. The rigid-body engine "
-            "Chipmunk 7 runs the row. Dominoes that bounce collide again and again, more and more softly, "
-            "until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
+            "Chipmunk 7 runs the row. The dominoes collide again and again, more and more softly, until they "
+            "stay together. Up to E = 0.2, the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
     .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "E",

@@ -23,7 +23,7 @@ const char *scene_engine_why(const struct scene *scene)
     return "method is engine";
 }
 
-/* ---- Conversion between the rows and units of the library and those of the engine ---- */
+/* ---- Conversion between the library's and the engine's rows and units ---- */
 
 /* The engine's units: the height h and the mass of the first domino, and the time sqrt(h/g). With these
  * units, rounding errors do not depend on the size of the row. */
@@ -46,7 +46,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
         domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
-    /* By the parallel axis theorem, the ratio about the lower edge is box.inertia = (ratio + 3) / 4. */
+    /* For the ratio k about the centre, the parallel axis theorem gives box.inertia = (k + 3) / 4 about a
+     * lower edge. */
     return 4 * (double)box.inertia - 3;
 }
 
@@ -213,7 +214,7 @@ struct watch {
     const domq_real *times;  /* the next times to visit, in s */
     size_t left;             /* the number of elements left in `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    double *feet;            /* how far the feet have slid until the last step, in m */
+    double *feet;            /* how far the feet have slid by the end of the last step, in m */
     double time;             /* the time of the last step, in s */
     size_t head;
     domq_moment_visit *visit;
@@ -246,7 +247,7 @@ static bool watch_step(const struct engine_moment *m, void *context)
         w->tilt[k] = (domq_real)m->tilt[k];
         w->feet[k] = m->foot[k] * w->unit.length;
     }
-    /* Steps are so short that the state after a step also stands for the times within it. */
+    /* Steps are so short that the state after a step serves for all times within the step. */
     while (w->more && w->left > 0 && (double)*w->times <= time)
         watch_visit(w, (double)*w->times);
     return w->more && w->left > 0;

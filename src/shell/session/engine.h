@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine, while an effect is on that the model lacks, or after 'set method
- * engine'. The library's searches and studies call the engine through struct dom_engine. */
+/* Runs rows in the rigid-body engine, after 'set method engine' or if the model lacks an effect that is on.
+ * The library's searches and studies call the engine through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 

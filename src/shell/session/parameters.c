@@ -128,7 +128,7 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {
-    /* words come first, because the range of tol depends on the precision */
+    /* words such as 'quad' come first, because the range of tol depends on the precision */
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < count; i++) {
             const struct assigned *a = &assigned[i];
@@ -173,7 +173,7 @@ static int rank(const struct state *state, const struct parameter *p)
     /* Effects that are on come last. An effect is turned off before the effects that it needs. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
-    /* Numbers follow words, because the range of tol depends on the precision. */
+    /* Words such as 'quad' come before numbers, because the range of tol depends on the precision. */
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 
@@ -245,11 +245,11 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         return true;
     const char *range = parameter_range(state, p, i);
     if (broken)
-        return problem_no_answer(problem, "%s = %s is not a whole number; %s is a whole number in %s",
+        return problem_no_answer(problem, "%s = %s is not a whole number; %s must be a whole number in %s",
                                  of->name, quad_text(value, 10), of->name, range);
     if (p->of_precision && value > 0 && value < lowest)
         return problem_no_answer(
-            problem, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
+            problem, "%s = %s cannot be reached in %s precision; %s is a number in %s%s", p->name,
             quad_text(value, 10), arithmetic->name, p->name, range,
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)

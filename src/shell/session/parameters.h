@@ -12,7 +12,7 @@
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
 
-/* names_lists of the words for the values of a parameter. parameter_offered omits synonyms. */
+/* Two names_lists of the words for the values of a parameter. parameter_offered omits synonyms. */
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
 
@@ -65,7 +65,7 @@ domq_real parameter_get(const struct state *state, const struct parameter *param
 /* Returns the default of a parameter at the precision of the state, or EFFECT_OFF for an effect. */
 domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
 
-/* Returns true if value number i of the parameter may be `value`. Otherwise reports the problem. */
+/* Returns true if `value` is allowed as value number i of the parameter. Otherwise reports the problem. */
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 
@@ -86,8 +86,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Returns parameter k, counted from 0, or NULL after the last one. The order is one in which 'set' and
- * 'effect' commands can restore the state. */
+/* Returns parameter k, counted from 0, or NULL after the last one. In this order, 'set' and 'effect'
+ * commands can restore the state. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

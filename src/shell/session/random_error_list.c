@@ -6,7 +6,7 @@
 
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
-#define SOURCE        "pseudo-random numbers of GSL: the generators taus2 and mrg"
+#define SOURCE        "pseudo-random numbers from GSL: the generators taus2 and mrg"
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 

@@ -8,10 +8,11 @@
 /* A names_list (see names.h) of the kinds of random error, with "all" as its last name. */
 const char *error_names(const void *context, int k);
 
-/* Returns the unit of a kind of random error. The unit of "all", DOM_ERROR_COUNT, is "": it is a factor. */
+/* Returns the unit of a kind of random error. For DOM_ERROR_COUNT ("all"), returns "", because the value is a
+ * factor. */
 const char *error_unit(int kind);
 
-/* Returns the effect that describes a kind of random error; for gaps and heights, 'placement'. */
+/* Returns the effect that describes a kind of random error. Gaps and heights share 'placement'. */
 int error_effect(int kind);
 
 /* Fills `error` with the random errors of a scene; the size 0 means none. Returns true if any effect is

@@ -11,8 +11,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses of which only the ratios are known. The first domino gets the mass that 'mass' or 'density'
- * gives, or else the mass at which m g h/2 = 1. */
+/* Scales masses that are known only up to a common factor. The first domino gets the mass that 'mass' or
+ * 'density' gives. Without 'mass' and 'density', its mass makes m g h/2 = 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);

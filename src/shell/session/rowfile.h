@@ -33,14 +33,15 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
 /* The columns of the file. The first columns are the measurements of enum row_measure, in the same order. */
 extern const struct csv_kind rowfile_kind;
 
-/* Returns ROW_MEASURES if the measurements of a domino fit together and, if the domino leans, it stands on a
- * slope of `slope` radians. Otherwise returns the measurement that is wrong, and writes a message. */
+/* Returns ROW_MEASURES if the measurements of a domino fit together, and its lean does not make it fall over
+ * on a slope of `slope` radians. Otherwise returns the measurement that is wrong, and writes a message. */
 enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
-/* Reads all dominoes of a table. Leaning dominoes must stand on a slope of `slope` radians. On failure,
- * stores the problem in the table, leaves *rows empty and returns false. Free *rows with listed_free. */
+/* Reads all dominoes of a table. A domino that would fall over by itself on a slope of `slope` radians is an
+ * error. On failure, stores the problem in the table, leaves *rows empty and returns false. Free *rows with
+ * listed_free. */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 
 #endif

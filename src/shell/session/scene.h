@@ -115,8 +115,8 @@ domq_real scene_mass(const struct scene *scene);
 /* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 
-/* Returns true if a leaning domino with sharp edges stands on a slope of `alpha` radians. Otherwise writes a
- * message about the limit. */
+/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
+ * radians. Otherwise writes a message with the limit. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 

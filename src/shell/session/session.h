@@ -48,8 +48,7 @@ void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer. The extension of the output file decides, and otherwise 'set
- * output'. */
+/* Returns the format of the next answer. The output file's extension takes precedence over 'set output'. */
 const struct format *session_answers(const struct session *session);
 
 /* Returns a query for a command in the session's state. The caller sets `given` and `next`. */
