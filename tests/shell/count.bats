@@ -112,7 +112,7 @@ END
     grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
     # The largest growth at which a row starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
-    json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over, the row ends at domino 2'
+    json 'count 112 m 1.64' | grep -q '"reason":"if its first domino just tips over, the row ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
     answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm')
     grep -q '^Such a row falls\.$' <<<"$answer"

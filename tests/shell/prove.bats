@@ -105,7 +105,7 @@ root=$BATS_TEST_DIRNAME/../..
 @test "prove count says that the start of the row is computed, but not proved" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"
-    grep -q '"reason":"with a first domino that just tips over, the row ends at domino 2' <<<"$answer"
+    grep -q '"reason":"if its first domino just tips over, the row ends at domino 2' <<<"$answer"
     same 'with growth 1.5' 'goes on' "$(json 'prove count 112' | values result)"
     "$DOMINO" -e 'prove count 112' | grep -q 'Computed, but not proved: .* the row starts'
     run -1 "$DOMINO" -e 'set r 1.64; assert prove count 112'

@@ -3,6 +3,7 @@
 #include "commands/row_start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
+#include <ctype.h>
 #include <string.h>
 
 const struct column count_columns[] = {
@@ -172,7 +173,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     char ends[START_TEXT];
     if (!t->start.falls) {
         start_problem(query, &t->start, ends);
-        answer_say(a, "W%s.%s", ends + 1, t->stops ? "" : " A train that is already moving keeps falling.");
+        answer_say(a, "%c%s.%s", toupper((unsigned char)*ends), ends + 1,
+                   t->stops ? "" : " A train that is already moving keeps falling.");
     } else if (t->stops) {
         answer_say(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count, t->stops);
     }

@@ -302,7 +302,7 @@ const struct command effect_commands[] = {
      ANSWER(effects)},
     {.name = "scene",
      .synonyms = "setup settings list",
-     .summary = "the scene, and how its answers are computed",
+     .summary = "the row or train with its effects, and how its answers are computed",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
      .rows = true,

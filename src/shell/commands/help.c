@@ -371,7 +371,7 @@ const struct command help_commands[] = {
      .run = run_apropos},
     {.name = "lesson",
      .synonyms = "tutorial tour learn course introduction begin start",
-     .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
+     .summary = "a tour in ten steps, from a tower of 112 m to a row of your own",
      .help = "At a terminal the lesson shows a line and waits until you type that line, or press Enter. You "
              "may type other commands in between; 'q' ends the lesson. The lesson runs in a session of its "
              "own, so your parameters stay as they are. To write a lesson yourself, begin a file with "

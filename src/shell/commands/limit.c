@@ -102,14 +102,12 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     }
     if (!isnan(r_start))
         answer_say(
-            a,
-            "This is for a train that is already moving. A row that starts %s falls with a growth of up to "
-            "%.6g.%s",
-            start_words(query).text, (double)r_start, push);
+            a, "This is for a train that is already moving. A row falls with a growth of up to %.6g %s.%s",
+            (double)r_start, start_words(query).text, push);
     else
         answer_say(a,
-                   "This is for a train that is already moving. A row that starts %s does not fall, whatever "
-                   "its growth.%s",
+                   "This is for a train that is already moving. Whatever its growth, a row does not fall "
+                   "%s.%s",
                    start_words(query).text, push);
     return true;
 }
@@ -121,8 +119,7 @@ static const char *start_missing(const struct query *query, const struct answer 
     if (growths->has_engine)
         return "r_start has no value, because with the rigid-body engine the search would take too long; "
                "'rowmax' finds the largest growth of a row";
-    snprintf(reason, START_TEXT,
-             "r_start has no value: a row that starts %s does not fall, whatever its growth",
+    snprintf(reason, START_TEXT, "r_start has no value: whatever its growth, a row does not fall %s",
              start_words(query).text);
     return answer_for_people(a) ? NULL : reason;
 }

@@ -97,7 +97,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 struct words start_words(const struct query *query)
 {
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
-    struct words words = {"with a first domino that just tips over"};
+    struct words words = {"if its first domino just tips over"};
     if (push->on)
         snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s", (double)push->value[0]);
     return words;

@@ -30,7 +30,7 @@ struct start_growths {
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 
-/* Returns "with a first domino that just tips over", or "with a push of 3 rad/s". */
+/* Returns "if its first domino just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 
 /* Writes why a row does not fall, for example "with a push of 3 rad/s, the row ends at domino 2: it has too

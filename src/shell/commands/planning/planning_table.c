@@ -164,7 +164,7 @@ const struct command design_commands[] = {
                    .of = "command with a verdict",
                    .parse = assert_parse,
                    .choices = assert_names}},
-     .summary = "report an error unless the verdict of COMMAND is true",
+     .summary = "report an error unless COMMAND answers yes, or a comparison is true",
      .help = "'assert' runs the command, and reports an error if its verdict is no: the row does not fall, "
              "for example, or no row meets the wishes. A script then ends at once with exit status 1; a "
              "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
