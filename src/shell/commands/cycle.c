@@ -114,7 +114,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 
 static const struct column fuel_columns[] = {
     {"fuel", "mgh/2", "P by the formula that 'set fuel' chooses, minus the energy lost to friction", 0},
-    {"fuel_exact", "mgh/2", "P from the balance of energy over one cycle", 0},
+    {"fuel_exact", "mgh/2", "P from the energy balance over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -324,7 +324,7 @@ const struct command cycle_commands[] = {
      .summary = "the energy that one cycle releases",
      .equation = "(25; c7)",
      .help = "The paper gives two formulas for the fuel (25; c7). The first is a sum over the train, which "
-             "follows from the balance of energy. The second is a closed form, which the paper uses for its "
+             "follows from the energy balance. The second is a closed form, which the paper uses for its "
              "figures. It leaves out the weights r^(-q i) and is right only for r = 1. After 'set fuel "
              "paper' the program computes with the closed form.",
      .example = "fuel",

@@ -46,7 +46,7 @@ static const struct column rmax_columns[] = {
     {"r_max", "", "largest growth at which the train keeps falling", 0},
     {"ends_by", "",
      "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
-    {"r_max_exact", "", "r_max when the fuel is computed from the balance of energy", 0},
+    {"r_max_exact", "", "r_max when the fuel is computed from the energy balance", 0},
     {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
@@ -63,7 +63,7 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                    (double)train->s, quad_growth(used->r_max, 6),
                    used->ends == DOM_END_REACH
                        ? "With a larger growth a domino falls past the next one without touching it."
-                       : "With a larger growth there is too little energy to keep falling.");
+                       : "With a larger growth the train has too little energy to keep falling.");
 }
 
 /* Explains why the limits by the two formulas for the fuel differ or agree. */
@@ -203,7 +203,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
 
 static const struct column curve_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"exact", "", "r_max when the fuel is computed from the balance of energy", 0},
+    {"exact", "", "r_max when the fuel is computed from the energy balance", 0},
     {"paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"pair", "", "r_max of the two-domino model", 0},
     {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",

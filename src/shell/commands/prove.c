@@ -18,7 +18,7 @@ static const char *prove_names(const void *context, int k)
 
 static const struct column prove_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"what", "", "the answer with a proof", 7},
+    {"what", "", "the answer that the proof is about", 7},
     {"low", "", "proved lower bound on the answer", 0},
     {"high", "", "proved upper bound on the answer", 0},
     {"result", "", "the result of the proof", 12},

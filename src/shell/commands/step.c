@@ -170,7 +170,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a,
                    "The energies fail to balance by %.4g %s, because the paper's closed form of "
-                   "the fuel does not follow from the balance of energy.",
+                   "the fuel does not follow from the energy balance.",
                    (double)(open * u.energy), u.energy_unit);
     return true;
 }
@@ -312,7 +312,7 @@ const struct command walk_commands[] = {
      .summary = "go to the next event, and explain what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
      .help = "The first 'step' goes to the launch of the first cycle. The hit begins the next cycle, whose "
-             "dominoes are larger and fall more slowly. The table shows the balance of energy: before - lost "
+             "dominoes are larger and fall more slowly. The table shows the energy balance: before - lost "
              "+ gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",

@@ -246,7 +246,7 @@ const struct command explain_commands[] = {
      .summary = "the numbers and figures of the paper, beside the exact ones",
      .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
              "and the quiz. Each number is computed with the paper's closed form of the fuel, and with the "
-             "fuel from the balance of energy. The table says why the two results differ. The table is about "
+             "fuel from the energy balance. The table says why the two results differ. The table is about "
              "the paper's own dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",

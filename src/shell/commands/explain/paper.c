@@ -9,7 +9,7 @@ const struct column paper_columns[] = {
     {"q", "", "mass exponent: 3 for hollow dominoes, 4 for solid ones", 4},
     {"s", "h", "separation", 0},
     {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
-    {"exact", "", "with the fuel from the balance of energy", 0},
+    {"exact", "", "with the fuel from the energy balance", 0},
     {"difference", "share", "paper / exact - 1", 0},
     {"why", "", "why the two numbers differ", 30},
     {NULL, NULL, NULL, 0},
