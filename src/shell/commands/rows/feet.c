@@ -113,7 +113,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
     if (!floor->on)
         answer_say(a, "'effect floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
-                      "feet slip in a row.");
+                      "any foot slips.");
     else
         answer_say(a, "On a floor with a friction of %.4g, %s while dominoes fall, and %s in a collision.",
                    (double)floor->value[0], slips ? "feet slip" : "no foot slips",

@@ -8,8 +8,8 @@
 const struct column mend_columns[] = {
     {"domino", "", "number of the domino after the gap", 6},
     {"gap", "m", "the present gap", 12},
-    {"to", "m", "the nearest gap at which all fall", 12},
-    {"until", "m", "all fall with every gap between 'to' and 'until'", 12},
+    {"to", "m", "the nearest gap at which all dominoes fall", 12},
+    {"until", "m", "all dominoes fall if the gap is between 'to' and 'until'", 12},
     {"change", "m", "to - gap", 12},
     {"relative", "share", "change / gap", 10},
     {NULL, NULL, NULL, 0},
@@ -30,7 +30,7 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
-                      : "The row needs a stronger push: with this push, its first domino does not tip over.");
+                      : "The row needs a stronger push: its first domino does not tip over.");
     if (isnan(push))
         answer_say(a, "A push alone cannot save this row; enter 'effect push 5', and then 'mend' again.");
     else

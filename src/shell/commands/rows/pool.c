@@ -18,8 +18,8 @@ enum {
 };
 
 static const struct column block_columns[] = {
-    {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "", "relative standard deviation of every height", 0},
+    {"sigma", "m", "standard deviation (or uniform limit) of every gap", 0},
+    {"heights", "", "relative standard deviation (or uniform limit) of every height", 0},
     {"seed", "", "seed of the random rows", 0},
     {"scene", "", "checksum of the row and of everything that decides how it falls", 8},
     {"dominoes", "", "number of dominoes in the row", 8},
@@ -174,7 +174,7 @@ enum {
     FIELDS
 };
 
-_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a csv table can have all columns of a block");
+_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a csv table can hold every column of a block");
 
 #define BLOCKS "'domino --shard I/N' with 'set output csv' writes blocks of a study"
 #define NUMBER CSV_REQUIRED, "", "none", "", BLOCKS, 0

@@ -20,7 +20,7 @@ static const struct column row_columns[] = {
     {"relative", "", "mass relative to domino 1, if only ratios of masses are known", 0},
     {"radius", "m", "radius of the edges, if the file has radii; used only with 'effect edges'", 0},
     {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
-    {"width", "m", "width of the domino, if not all dominoes are half as wide as they are tall", 0},
+    {"width", "m", "width of the domino (left out if every domino is half as wide as it is tall)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -373,7 +373,7 @@ const struct command row_commands[] = {
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
-     .summary = "how far each domino may be off while all still fall",
+     .summary = "how far each domino may be off before the row stops",
      .help = "A window is a range of values. All dominoes fall with every value in it, if the rest of the "
              "row stays as it is. Each domino has windows for its place, the gap before it, its height, its "
              "thickness and its lean. The friction between dominoes has one window. A place is measured "

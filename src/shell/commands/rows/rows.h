@@ -45,9 +45,9 @@ struct study {
     domq_real sigma, heights;
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
-    bool causes; /* the rows were also run without each kind of error */
+    bool causes; /* the rows were also run with each kind of error left out in turn */
     struct domq_study counts;
-    size_t without[DOM_ERROR_COUNT]; /* the number of rows that fall without each kind of error */
+    size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
     size_t count;                    /* the number of dominoes in the row */
     size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
 };
@@ -57,12 +57,12 @@ struct study {
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_error error[DOM_ERROR_COUNT]);
 
-/* Runs a study. With several kinds of errors, also counts the rows that would fall without each kind. The
- * caller frees study->stops, even after a failure. */
+/* Runs a study. If there are several kinds of errors, runs the rows again with each kind left out in turn.
+ * The caller frees study->stops, even after a failure. */
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
-/* Returns an array: element k is how many rows stop at domino k + 1 because of this kind of error. */
+/* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
 size_t *study_stops(const struct study *study, int kind);
 
 /* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
@@ -72,7 +72,7 @@ void study_answer(struct answer *a, const struct study *study, const char *reaso
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
                   const struct scene_row *scene, const struct domq_placement *placement);
 
-/* ---- The windows of a row: how far each domino may be off while all dominoes still fall ---- */
+/* ---- The windows of a row: how far each domino may be off before the row stops ---- */
 
 enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 

@@ -87,7 +87,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the standard deviation of the gaps for which this share of the rows falls", 0},
+    {"sigma", "m", "how large the errors in the gaps may be for this share of the rows to fall", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -143,14 +143,15 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
         [DOM_ERROR_gap] = "Place the gaps",      [DOM_ERROR_place] = "Place the dominoes",
         [DOM_ERROR_height] = "Keep the heights", [DOM_ERROR_thickness] = "Keep the thicknesses",
         [DOM_ERROR_mass] = "Keep the masses",    [DOM_ERROR_lean] = "Keep the leans",
-        [DOM_ERROR_radius] = "Keep the radii",   [DOM_ERROR_friction] = "Know the friction",
-        [DOM_ERROR_slope] = "Know the slope",    [DOM_ERROR_floor] = "Know the friction of the floor",
+        [DOM_ERROR_radius] = "Keep the radii",   [DOM_ERROR_friction] = "Measure the friction",
+        [DOM_ERROR_slope] = "Measure the slope", [DOM_ERROR_floor] = "Measure the friction of the floor",
         [DOM_ERROR_push] = "Keep the push",
     };
     const bool all = call->kind == DOM_ERROR_COUNT;
     const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
     if (all)
-        snprintf(text, room, "All errors may be %s times as large as they are", size_words(call, size).text);
+        snprintf(text, room, "All errors may be %s times as large as they are now",
+                 size_words(call, size).text);
     else
         snprintf(text, room, "%s within %s (%s)", keep[call->kind], size_words(call, size).text,
                  uniform ? "uniform limits" : "one standard deviation");
@@ -237,7 +238,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     if (call->kind != DOM_ERROR_gap)
         answer_describe(
             a, "sigma", NULL,
-            "the size of the error, or the factor for all errors, for which this share of the rows falls");
+            "how large the error, or the factor for all errors, may be for this share of the rows to fall");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -307,7 +308,7 @@ const struct command study_commands[] = {
     {.name = "pool",
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "the answer of 'placement', from the parts of a study",
+     .summary = "combine the parts of a 'placement' study into one answer",
      .help = "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N. "
              "Collect the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The "
              "answer equals the answer of the undivided study, digit for digit. If rows are missing, the "
@@ -326,12 +327,13 @@ const struct command study_commands[] = {
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps, or E, must be for rows to fall with probability P",
-     .help = "Sets up ROWS random rows (1000 if ROWS is left out). Finds sigma, the standard deviation of "
-             "the gaps at which the share P of these rows falls. The answer includes the 95 % interval of "
-             "sigma. The random numbers are the same at every sigma. All other errors of the scene stay as "
-             "they are. 'budget 0.95 1000 thickness' finds the size of another error in the same way. "
-             "'budget 0.95 1000 all' finds the factor by which all errors of the scene may be multiplied. ^C "
-             "ends the search, and the answer is then the best estimate so far.",
+     .help = "Finds sigma, the standard deviation that the errors in the gaps may have. With this sigma, the "
+             "share P of ROWS random rows falls (1000 rows if ROWS is left out). If the errors are uniform, "
+             "sigma is their limit. The answer includes the 95 % interval of sigma. The random numbers are "
+             "the same at every sigma. All other errors of the scene stay as they are. 'budget 0.95 1000 "
+             "thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds the "
+             "factor by which all errors of the scene may be multiplied. ^C ends the search; sigma is then "
+             "the largest size at which enough rows are known to fall.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",

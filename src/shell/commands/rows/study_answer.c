@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 const struct column placement_columns[] = {
-    {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "share", "relative standard deviation of every height", 0},
+    {"sigma", "m", "standard deviation (or uniform limit) of every gap", 0},
+    {"heights", "share", "relative standard deviation (or uniform limit) of every height", 0},
     {"rows", "", "the number of rows that were set up", 0},
     {"fall", "", "the number of rows that fall completely", 0},
     {"probability", "share", "fall / rows", 0},
@@ -61,8 +61,8 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Iterates over the kinds of error, from the kind that makes the most rows fail. Returns the kind after
- * `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
+/* Iterates over the kinds of error, starting with the kind that makes the most rows fail. Returns the kind
+ * after `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */
@@ -78,12 +78,12 @@ static size_t cause_stops(const struct study *s, int kind)
     return most < s->count ? most + 1 : 0;
 }
 
-/* Prints how many rows would fall without each kind of error. */
+/* Prints, for each kind of error, how many rows would fall without it. */
 static void causes_say(struct answer *a, const struct study *s)
 {
     static const char *const names[] = {
         [DOM_ERROR_gap] = "the errors in the gaps",
-        [DOM_ERROR_place] = "the errors in the places",
+        [DOM_ERROR_place] = "the errors in the positions",
         [DOM_ERROR_height] = "the errors in the heights",
         [DOM_ERROR_thickness] = "the errors in the thicknesses",
         [DOM_ERROR_mass] = "the errors in the masses",
@@ -109,7 +109,7 @@ static void causes_say(struct answer *a, const struct study *s)
         answer_say(a, "Most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.", names[worst],
                    it, s->without[worst], s->counts.rows, stops, others);
     else
-        answer_say(a, "Leaving out any one of the errors would not make more of these rows fall.");
+        answer_say(a, "Leaving out a single error would not make more of these rows fall.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)

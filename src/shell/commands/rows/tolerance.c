@@ -54,7 +54,7 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     size_t first = 0;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
-        /* Heights and thicknesses are compared by their relative distances. */
+        /* A distance in height or thickness is divided by the current value. */
         domq_real free =
             quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
@@ -292,7 +292,8 @@ static void tolerance_say(struct answer *a, const struct windows *w)
         answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
-        answer_say(a, "The row does not fall now; a change to any value in one of these windows saves it.");
+        answer_say(a,
+                   "The row does not fall now; to save it, change one measure to any value in its window.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
         if (least_room(w, sizes[i]) > 0)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));
