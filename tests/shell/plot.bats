@@ -40,7 +40,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
 fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~6~fall.~Domino
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
 gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
-placement 50|How~likely rows~that~fall,~in~% standard~deviation~of~every~gap 95~%~interval
+placement 50|How~likely rows~that~fall,~in~% standard~deviation~(or~uniform~limit)~of~every~gap 95~%~interval
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 inertia|Inertia launch top hit J~(20;~c2)
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
@@ -72,8 +72,8 @@ END
         "$DOMINO" -e "$row; plot $what" | tr -s ' \n' ' ' | grep -qF -- "$label"
     done <<'END'
 growth paper|A train below its curve keeps falling|growth r
-energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy in m g h/2 of the head
-energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
+energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy, in units of m g h/2 of the head
+energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy, in units of m g h/2 of the head
 cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
 sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax against s and q|q, mass exponent: 4 for solid dominoes, 3 for hollow ones
 sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin against s and d|barrier.margin

@@ -39,7 +39,7 @@ static const struct column plot_columns[] = {
     {"low", "m", "gaps: smallest gap of a range in which all dominoes fall", 0},
     {"high", "m", "gaps: largest gap of a range in which all dominoes fall", 0},
     {"others", "", "gaps: yes if all dominoes also fall at some gap outside low .. high", 6},
-    {"sigma", "m", "placement: standard deviation of every gap", 0},
+    {"sigma", "m", "placement: standard deviation (or uniform limit) of every gap", 0},
     {"probability", "", "placement: probability that the whole row falls", 0},
     {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
     {"high", "", "placement: upper end of the 95 % interval of the probability", 0},
@@ -82,8 +82,9 @@ static const struct plot plots[] = {
      .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
-     .x = {"sigma", "standard deviation of every gap"}, .y = {NULL, "rows that fall,", .percent = true},
-     .curve = {{"probability", "", CHART_BOTH, INK_BLUE}}, .argument = &rows_argument},
+     .x = {"sigma", "standard deviation (or uniform limit) of every gap"},
+     .y = {NULL, "rows that fall,", .percent = true}, .curve = {{"probability", "", CHART_BOTH, INK_BLUE}},
+     .argument = &rows_argument},
     {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach",
      .title = "A train below its curve keeps falling", .x = {"s", ""}, .y = {NULL, "growth r"},
      .curve = {{"solid", "solid dominoes", CHART_LINE, INK_BLUE, 0},
@@ -102,7 +103,7 @@ static const struct plot plots[] = {
                {"reach", "", CHART_LINE, INK_GREY, 2}}},
     {"sweep", plot_sweep_rows, "", .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
     {"energy", plot_energy, "theta dH kinetic J event", .title = "Energy over a cycle",
-     .x = {"theta", "tilt of the head"}, .y = {NULL, "energy in m g h/2 of the head"},
+     .x = {"theta", "tilt of the head"}, .y = {NULL, "energy, in units of m g h/2 of the head"},
      .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0},
                {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
     {"omega", plot_omega, "theta omegasq omega event", .title = "Angular velocity over a cycle",
@@ -138,7 +139,7 @@ struct plot_parsed {
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* A bound struct plot_parsed. Only the expressions of a fit are evaluated later. */
+/* A struct plot_parsed after binding. The question of a fit is not bound yet; plot_fit binds it. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;

@@ -95,7 +95,7 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
 bool grid_parse(struct reader *r, struct grid_parsed *grid)
 {
     const char *no_unit = r->no_unit;
-    r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, and not seconds and grams */
+    r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, not seconds and grams */
     r->stops = ":,";
     bool is_good = axes_parse(r, grid);
     r->stops = NULL;

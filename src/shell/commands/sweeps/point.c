@@ -42,7 +42,8 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Returns true if an argument replaces the parameter that the answer repeats in a column. */
+/* Returns true if an argument of the question gives a value for the parameter command->echo, as 0.4 does for
+ * s in 'rmax 0.4'. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)

@@ -13,10 +13,10 @@ struct point_question {
 
 enum { SWEEP_REASON = 256 };
 
-/* How many points have no answer, and how many lack a value for a known reason. */
+/* How many points have no answer, and how many have a reason why a value is missing. */
 struct tally {
     size_t without_answer, with_reason;
-    size_t first; /* index of the first point that lacks a value for a known reason */
+    size_t first; /* index of the first point that has a reason */
     char reason[SWEEP_REASON];
 };
 
@@ -63,7 +63,7 @@ void point_values(struct sweeper *w, size_t k);
  * the question has an error, sets w->problem and returns false. */
 bool point_probe(struct sweeper *w);
 
-/* Callbacks of struct workers. point_write stores an error in the sweeper, and returns false. */
+/* Callbacks of struct workers. On an error, point_write stores it in sweeper->problem and returns false. */
 bool point_write(void *sweeper, size_t k, FILE *out);
 /* Adds the tally of `worker` to the tally of `sweeper`. */
 void sweeper_merge(void *sweeper, const void *worker);
