@@ -213,7 +213,7 @@ END
         wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
         wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
     done
-    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .tex, .gp or .txt, or for the data .csv or .json"
+    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .tex, .gp or .txt [(]for the data: .csv or .json[)]"
     for what in 'set s 0.3' reset; do
         wrong "$what > a.csv" "'a.csv' is the name of a data file, and '${what%% *}' cannot write one; use .txt"
     done

@@ -136,9 +136,9 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties cells whose numbers are too large for the precision. Returns the reason for the row: `reason` or,
- * if this is empty and the format is for programs, an explanation. People see the explanation below the last
- * row. */
+/* Empties cells whose numbers are too large for the precision, and explains why. For programs, the
+ * explanation becomes the reason of the row if `reason` is empty. For people, the explanation appears below
+ * the last row. Returns the reason of the row. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {

@@ -107,7 +107,8 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_head)(const char *line);
-    /* Ends the answer. Returns NULL, or a reason that the caller must report because no row could show it. */
+    /* Ends the answer. If a reason could not be written with its row, returns this reason, which the caller
+     * must report. Otherwise returns NULL. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -133,9 +134,8 @@ void answer_leave_out(struct answer *answer, const char *keys);
  * unchanged. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/* Announces that a column will contain a number. In a table of rows, each column has the unit that suits its
- * largest number, among the announced numbers and the number in the first row. Does nothing if there is no
- * such column. */
+/* Announces that a column will contain a number. In a table of rows, the unit of a column suits the largest
+ * number that was announced or is in the first row. Does nothing if there is no such column. */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
@@ -166,7 +166,7 @@ bool answer_bounded(const struct answer *answer, int i);
 
 /* ---- Sentences, and the end ---- */
 
-/* Returns true if the answer is written for people, and not for a program. */
+/* Returns true if the answer is written for people, not for a program. */
 static inline bool answer_for_people(const struct answer *answer)
 {
     return answer->out && answer->style.format->for_people && !answer->sink;

@@ -115,7 +115,7 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Parses a number as a program that uses this precision would. */
+/* Parses a number at the precision of the style. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)

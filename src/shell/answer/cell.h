@@ -61,8 +61,8 @@ enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
  * is set. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell for programs, without its error bound. Numbers have the fewest digits for an
- * exact round trip. */
+/* Returns the text of a cell for programs, without its error bound. Numbers have as few digits as an
+ * exact round trip needs. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of an error bound for programs, or `none` if no bound is known. */

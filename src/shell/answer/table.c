@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format for people: tables that fit into the terminal and use the letters that it can show. */
+/* The format for people: tables that fit the terminal and use only characters that it can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"
@@ -14,7 +14,7 @@ enum {
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
-    WORDS_SHORT = 12,   /* up to this width, a last column of words needs only its own width */
+    WORDS_SHORT = 12,   /* a last column of words that is at most this wide needs only its own width */
     WORDS_INDENT = 8,   /* the indentation of words below their row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */

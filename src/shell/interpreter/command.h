@@ -90,7 +90,7 @@ struct command {
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
     /* The name of a parameter whose value the answer repeats in a column. A sweep over this parameter omits
-     * the column, unless an argument replaces the parameter. */
+     * the column, unless an argument of the command gives the value instead. */
     const char *echo;
     /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions omit
      * the column. */
@@ -117,7 +117,7 @@ struct command {
     /* Computes the answer to a query, and stores any new state in query->next. On failure, sets *problem and
      * returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
-    /* Called instead of `run` if the command needs the whole session, and not only its state. */
+    /* Called instead of `run` if the command needs the whole session, not only its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
     /* Called instead of `run` if the answer goes to a picture file, such as 'train.svg'. */

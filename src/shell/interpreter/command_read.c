@@ -85,8 +85,8 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true for a command without a value that is written like a function, as in "quit()" or "print(2)".
- * Moves the reader past the name and an empty "()". */
+/* Returns true if a command that expressions cannot contain is written like a function, as in "quit()" or
+ * "print(2)". Moves the reader past the name and an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -180,7 +180,7 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Returns the index of the command that claims this abbreviation by its `shortest`, or NAMES_SEVERAL. */
+/* Returns the index of the command whose member `shortest` reserves this abbreviation, or NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
     const char *all;

@@ -135,10 +135,10 @@ static bool run_paged(struct session *session, const struct command *c, const st
 /* Returns a list of the file extensions that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
-    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or for the data .csv or .json"
-           : c->writes == WRITES_CHARTS ? ".svg, .png, .pdf, .tex, .gp or .txt, or for the data .csv or .json"
-           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or for the data .csv or .json"
-           : c->picture            ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf, .tex or .gp"
+    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
+           : c->picture            ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
            : c->columns || c->runs ? ".csv, .json or .txt"
                                    : ".txt";
 }
@@ -234,7 +234,7 @@ static bool is_silent(const struct session *session, const struct command *c, bo
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote is about the last command of the file. */
+    /* After 'source', session->wrote says only what the last command of the file did. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
@@ -398,7 +398,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     free(text);
     session->source = outer;
     session->command = command;
-    /* An interrupt is reported for the command 'source', and not for a line of the file. */
+    /* An interrupt is reported for the command 'source', not for a line of the file. */
     if (reason == ECANCELED && session->command) {
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);

@@ -46,7 +46,7 @@ static bool item_wrong(struct problem *problem, const struct text *text, const c
                           *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word), error->message);
 }
 
-/* Reports a character after a value that is neither a blank nor an operator. Returns false. */
+/* Reports that the character at `end` cannot follow a value. Returns false. */
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     reader_place(r, end);

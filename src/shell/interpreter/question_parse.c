@@ -177,7 +177,7 @@ static bool check_wrong(const struct reader *r, const struct command *c)
 {
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
         return false;
-    problem_error(r->problem, "commands have no options; 'assert %s' fails unless the statement is true",
+    problem_error(r->problem, "commands have no options; to check the answer in a script, enter 'assert %s'",
                   command_usage(c));
     return true;
 }
@@ -261,8 +261,9 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside other commands ---- */
 
-/* Returns the command of COMMAND or COMMAND.KEY, or NULL if it computes nothing. Stores the column KEY or,
- * without a KEY, the principal column. *key is -1 if there is no such column. */
+/* Finds the command that a word COMMAND or COMMAND.KEY names. Returns NULL if there is no such command, or if
+ * the command computes nothing. Stores the column KEY or, without a KEY, the principal column. *key is -1 if
+ * there is no such column. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

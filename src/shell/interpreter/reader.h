@@ -14,13 +14,13 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /* What may be typed next, for completion, hints and colours. The typed text is parsed with a cursor character
  * at the end. No parser accepts this character, so the functions that fail there record what they would
- * accept. */
+ * have accepted. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    /* The argument whose expression is at the cursor. Otherwise its kind is ARGUMENT_NONE. */
+    /* The argument whose expression is at the cursor. The kind is ARGUMENT_NONE if there is none. */
     struct argument value;
     bool is_inside;                    /* the cursor is not at the beginning of the expression */
     unsigned kinds;                    /* bits of enum offer_kind */
@@ -75,7 +75,7 @@ static inline bool command_ends(const char *c)
  * `stops`. */
 bool reader_ends(struct reader *reader);
 
-/* Returns true if the next word is `word`, and not a longer word that begins with `word`. */
+/* Returns true if the next word is `word`, not a longer word that begins with `word`. */
 bool word_is_next(const struct reader *reader, const char *word);
 
 /* If the next word is `word`, skips this word and the blanks after it, and returns true. */

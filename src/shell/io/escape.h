@@ -16,7 +16,7 @@ enum { ESCAPE_PIECE = 12 };
  * character in bytes. Escaping a text twice is the same as escaping it once. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
-/* Returns true if a character of the text has to be escaped. */
+/* Returns true if any character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
 /* Writes an escaped copy of a string into `shown`, a buffer of `size` bytes, at least 16. A copy that is too

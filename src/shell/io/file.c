@@ -61,8 +61,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* Returns the length of the first line of the text if it repeats the last column names of the target. This
- * line is not appended. Otherwise returns 0. */
+/* If the first line of the text repeats the last header line of the target, returns the length of this line,
+ * which is not appended. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -103,7 +103,7 @@ static bool file_fill(const struct file *f, int file)
     errno = o->append ? 0 : system_reserve(file, 0, text.st_size);
     bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
     int reason = errno;
-    /* Text that was appended in part is cut off. */
+    /* If only a part of the text could be appended, this part is removed again. */
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;
     bool is_closed = close(file) == 0;
     errno = is_copied ? errno : reason;

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The time between two attempts where no system call can wait. */
+/* The delay between two attempts to open or lock a file. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)
@@ -33,7 +33,7 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     if (file >= 0)
         FD_SET(file, to_write ? &out : &in);
     sigset_t before = io_block();
-    /* A signal after the check of the flag also ends pselect. */
+    /* A signal that arrives after this check is still blocked, and ends pselect. */
     if (!dom_raised(interrupt))
         pselect(file + 1, &in, &out, NULL, longest, &before);
     io_unblock(&before);

@@ -32,8 +32,8 @@ struct output {
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_head)(const char *line);
-    /* Frees everything except the struct itself. If `keep` is true, the level of a file first writes the
-     * collected text to the file. Returns NULL or an error message. */
+    /* Frees everything except the struct itself. For a file, first writes the collected text if `keep` is
+     * true. Returns NULL or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 
     /* The members below are only used at the level that does not pass the text on (see OUTPUT_END). */

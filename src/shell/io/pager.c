@@ -34,7 +34,7 @@ struct pager {
     size_t text_size, messages_size;
     double begun; /* when the first text arrived, as a time of terminal_clock; 0 before that */
     int width, height;
-    int rows;       /* the number of terminal rows that the current page fills so far */
+    int rows;       /* the number of terminal rows that the current page has filled so far */
     double screens; /* a text of at least this many screens is paged */
     bool may_run;
     const volatile sig_atomic_t *interrupt;
