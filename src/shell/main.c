@@ -92,7 +92,7 @@ static void signals_begin(struct session *session)
             sigaction(all[i], &action, NULL);
     }
     session->state.scene.compute.interrupt = &interrupted;
-    session->resumes = is_interruptible ? &interrupted : NULL;
+    session->interrupt_flag = is_interruptible ? &interrupted : NULL;
 }
 
 /* ---- Options ---- */
@@ -157,7 +157,7 @@ static bool is_over(const struct session *session)
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    FILE *in = standard ? io_stdin(&ended) : io_read(name, &ended);
+    FILE *in = standard ? io_stdin(&ended) : io_open_read(name, &ended);
     if (!in) {
         session->source.name = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));

@@ -27,7 +27,7 @@ const char *style_angle_unit(const struct answer_style *style)
 
 void column_fit(struct column *c, const char *word)
 {
-    int width = terminal_columns(word);
+    int width = utf8_columns(word);
     c->width = width > c->width ? width : c->width;
 }
 
@@ -64,7 +64,7 @@ void answer_describe(struct answer *a, const char *key, const char *unit, const 
         }
 }
 
-void answer_largest(struct answer *a, const char *key, domq_real number)
+void answer_announce(struct answer *a, const char *key, domq_real number)
 {
     for (int i = 0; a->columns[i].key && isfinite(number); i++)
         if (strcmp(a->columns[i].key, key) == 0)
@@ -245,7 +245,7 @@ void answer_say(struct answer *a, const char *format, ...)
     va_end(arguments);
 }
 
-void answer_holds(struct answer *a, bool yes)
+void answer_set_verdict(struct answer *a, bool yes)
 {
-    a->holds = yes ? ANSWER_YES : ANSWER_NO;
+    a->verdict = yes ? ANSWER_YES : ANSWER_NO;
 }

@@ -32,7 +32,7 @@ struct layout {
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
     /* Bit i is set if column i has error bounds. In csv and json, the bounds have a column of their own. */
     unsigned bounded;
-    double largest[ANSWER_COLUMNS];         /* see answer_largest */
+    double largest[ANSWER_COLUMNS];         /* see answer_announce */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
     /* In a table for people: */
     int digits;
@@ -73,8 +73,8 @@ struct answer {
     /* Results that the session keeps: */
     bool is_value; /* the answer is the value of an expression, stored in `value` */
     struct quantity value;
-    struct cell *kept;                                 /* receives the cells of the last row; may be NULL */
-    enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
+    struct cell *kept;                                   /* receives the cells of the last row; may be NULL */
+    enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
     /* a sentence for people was written although there was no row */
     bool wrote_text;
     int error;                       /* errno of the first write that failed, or 0 */
@@ -136,7 +136,7 @@ void answer_describe(struct answer *answer, const char *key, const char *unit, c
 
 /* Announces that a column will contain a number. In a table of rows, the unit of a column suits the largest
  * number that was announced or is in the first row. Does nothing if there is no such column. */
-void answer_largest(struct answer *answer, const char *key, domq_real number);
+void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
@@ -176,7 +176,7 @@ static inline bool answer_for_people(const struct answer *answer)
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Stores the answer to a yes-or-no question, such as whether a row falls, for 'assert' and 'solve'. */
-void answer_holds(struct answer *answer, bool yes);
+void answer_set_verdict(struct answer *answer, bool yes);
 
 /* Returns the number of digits, at least 1, that the tolerance guarantees. */
 int style_tol_digits(const struct answer_style *style);

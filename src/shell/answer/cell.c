@@ -20,7 +20,7 @@ struct cell cell_bound(domq_real value, domq_real error)
     return cell;
 }
 
-struct cell cell_unbounded(domq_real value)
+struct cell cell_without_bound(domq_real value)
 {
     struct cell cell = cell_real(value);
     cell.error = DOMQ_NAN;

@@ -40,7 +40,7 @@ struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 
 /* Makes a cell for a number whose error bound is not known. */
-struct cell cell_unbounded(domq_real value);
+struct cell cell_without_bound(domq_real value);
 
 /* Makes a cell for a number that is known to only three digits. */
 struct cell cell_brief(double value);

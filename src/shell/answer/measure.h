@@ -7,7 +7,7 @@
  *   "kg"     g below 1 kg, otherwise kg
  *   "share"  %
  *
- * A column has one unit in all rows of a table (see answer_largest). A sentence converts a value by
+ * A column has one unit in all rows of a table (see answer_announce). A sentence converts a value by
  * measured(value, "m", 4).text.
  */
 #ifndef SHELL_MEASURE_H

@@ -88,7 +88,7 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
 /* Writes text as printf("%*s") does, but counts columns rather than bytes. */
 static void field(FILE *out, const char *text, int width)
 {
-    int blanks = abs(width) - terminal_columns(text);
+    int blanks = abs(width) - utf8_columns(text);
     for (int i = 0; i < blanks && width > 0; i++)
         putc_unlocked(' ', out);
     fputs_unlocked(text, out);
@@ -121,7 +121,7 @@ static void rows_measure(struct answer *a)
         l->digits = room < DIGITS_LEAST ? DIGITS_LEAST : room;
     for (const struct column *c = a->columns; c->key; c++, i++) {
         /* The key may be wider than numbers with few digits. */
-        int number = number_width(a, l->digits), key = terminal_columns(c->key);
+        int number = number_width(a, l->digits), key = utf8_columns(c->key);
         l->column[i] = c->width ? c->width : number > key ? number : key;
         at += c[1].key ? l->column[i] + 2 : 0;
     }
@@ -137,7 +137,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
     char text[CELL_TEXT], letters[TEXT_LINE];
     int key_width = 0;
     for (const struct column *c = a->columns; c->key; c++) {
-        int width = terminal_columns(c->key);
+        int width = utf8_columns(c->key);
         key_width = width > key_width ? width : key_width;
     }
     if (a->has_rows)
@@ -206,7 +206,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
     const char *bold = a->layout.bold ? "\033[1m" : "", *end = a->layout.bold ? "\033[m" : "";
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
-        int key = terminal_columns(pretty(a, c->key, line));
+        int key = utf8_columns(pretty(a, c->key, line));
         int unit = (int)strlen(column_unit(a, c, measure_of(c->unit, cells[i].number), text));
         key_width = key > key_width ? key : key_width;
         unit_width = unit > unit_width ? unit : unit_width;
@@ -220,7 +220,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
         struct measure measure = measure_of(c->unit, cells[i].number);
         key_field(a, pretty(a, c->key, line), -key_width);
         const char *value = table_text(a, measure, cells[i], digits, text);
-        bool value_below = a->layout.width && terminal_columns(value) > number;
+        bool value_below = a->layout.width && utf8_columns(value) > number;
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
         const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, text);

@@ -310,7 +310,8 @@ const struct command cost_commands[] = {
              "true error, which includes the effect of rounding the parameters. For rmax and pair, the table "
              "also has rows for proofs, which 'prove' explains.",
      .see = "plot",
-     .unswept = "it measures computing time, and points that run at the same time would slow each other down",
+     .sweep_refusal =
+         "it measures computing time, and points that run at the same time would slow each other down",
      .rows = true,
      ANSWER(cost)},
     {.name = NULL},

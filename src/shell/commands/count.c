@@ -222,12 +222,12 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
         count_say(a, &train, &count, &t, height, first);
         start_say(query, a, &t);
     }
-    answer_holds(a, good);
+    answer_set_verdict(a, good);
     answer_row(a,
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
                    cell_real(first), CELL_OF(count, last), cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
-                   cell_unbounded(t.start.push), cell_unbounded(t.growths.r_max)),
+                   cell_without_bound(t.start.push), cell_without_bound(t.growths.r_max)),
                count_reason(query, a, count.dominoes, &t, &train, reason));
     return !answer_for_people(a) || kinds_say(query, a, problem, &train, height, count.dominoes, &t);
 }

@@ -239,7 +239,7 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     enum dom_status status = domq_barrier_find(&query->scene->train, query_compute(query), &b);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
-    answer_holds(a, status == DOM_OK);
+    answer_set_verdict(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
     answer_say(a, "%s", "");
     return answer_row(a,

@@ -82,21 +82,21 @@ static double scene_price(const struct scene *scene)
 
 /* Returns how many seconds an answer takes with one effect on or off, or NaN if there is no answer. The
  * effects that this effect needs are on in both cases. */
-static double price_with(const struct query *query, int name, bool on)
+static double price_with(const struct query *query, int effect, bool on)
 {
     struct scene scene = *query->scene; /* this copy shares the row of the original */
     /* Random rows stop early. */
     errors_off(&scene);
     /* Neither random rows nor the rigid-body engine can include 'floor'. */
-    if (name == DOM_EFFECT_placement || name >= DOM_EFFECT_COUNT)
+    if (effect == DOM_EFFECT_placement || effect >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
-        bool wanted = k == name ? on
-                                : (effect_at(name)->needs >> k & 1) != 0 ||
-                                      (k == DOM_EFFECT_row && name == DOM_EFFECT_placement);
-        /* An effect that needs `name` is off if `name` is off. */
-        bool without = !on && (k == name || (e->needs >> name & 1) != 0);
+        bool wanted = k == effect ? on
+                                  : (effect_at(effect)->needs >> k & 1) != 0 ||
+                                        (k == DOM_EFFECT_row && effect == DOM_EFFECT_placement);
+        /* If `effect` is off, the effects that need it are off, too. */
+        bool without = !on && (k == effect || (e->needs >> effect & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
             effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
     }
@@ -297,7 +297,8 @@ const struct command effect_commands[] = {
          "equation of motion, if there is friction; or a rigid-body engine, if there are feet or bounce. "
          "'scene' shows which method this scene needs, and why.",
      .see = "effect scene",
-     .unswept = "it measures computing time, and points that run at the same time would slow each other down",
+     .sweep_refusal =
+         "it measures computing time, and points that run at the same time would slow each other down",
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",

@@ -175,7 +175,7 @@ static void help_command(struct session *session, const struct topic *t)
     }
     if (c->columns && c->columns->key)
         help_columns(out, c);
-    if (command_values(c, &fewest) >= 0)
+    if (command_arity(c, &fewest) >= 0)
         help_say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
     if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE)
         help_show(session);

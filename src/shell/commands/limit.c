@@ -91,7 +91,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     struct start start;
     char push[96] = "";
     const domq_real r_start = growths->r_max;
-    if (used->ends == DOM_END_NONE || growths->has_engine || r_start >= used->r_max)
+    if (used->ends == DOM_END_NONE || growths->is_too_slow || r_start >= used->r_max)
         return true;
     if (train->r <= used->r_max && !(train->r <= r_start)) {
         if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
@@ -116,7 +116,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
 static const char *start_missing(const struct query *query, const struct answer *a,
                                  const struct start_growths *growths, char reason[START_TEXT])
 {
-    if (growths->has_engine)
+    if (growths->is_too_slow)
         return "r_start has no value, because with the rigid-body engine the search would take too long; "
                "'rowmax' finds the largest growth of a row";
     snprintf(reason, START_TEXT, "r_start has no value: whatever its growth, a row does not fall %s",
@@ -144,7 +144,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     rmax_say(a, &train, &used);
     answer_row(a,
                ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
-                   CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_unbounded(growths.r_max)),
+                   CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_without_bound(growths.r_max)),
                missing);
     rmax_fuels_say(a, &train, &used, &exact, &paper);
     return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
@@ -290,7 +290,7 @@ const struct command limit_commands[] = {
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
-     .alone = "r_start",
+     .slow_column = "r_start",
      .principal = "r_max",
      ANSWER(rmax)},
     {.name = "pair",

@@ -115,7 +115,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
                       (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof)))
         return false;
     int decimals = proof.ends == DOM_PROVED_BARRIER ? proof.decimals : 0;
-    answer_holds(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
+    answer_set_verdict(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(a, s, what, cell_proved(proof.low, decimals),
               cell_proved(proof.ends == DOM_PROVED_NONE ? DOM_NAN : proof.high, decimals), result[proof.ends],
               proof.work, gap_reason(proof.gap, reason));
@@ -152,7 +152,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     if (!query_status(query, problem, dom_prove_cycle(&train, &compute, &proof)))
         return false;
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
-    answer_holds(a, proof.verdict == DOM_PROVED_GOES_ON);
+    answer_set_verdict(a, proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
               cycle_verdicts[proof.verdict].result, proof.work, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
@@ -180,7 +180,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
         return false;
     if (!start.falls)
         start_problem(query, &start, ends);
-    answer_holds(a, is_enough && goes_on && start.falls);
+    answer_set_verdict(a, is_enough && goes_on && start.falls);
     prove_row(a, train.s, PROVE_COUNT, cell_count(least), cell_count(most),
               !is_known || proof.verdict == DOM_PROVED_NOTHING ? "not proved"
               : !goes_on                                       ? "does not"

@@ -75,7 +75,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     struct domq_row_growth found;
     *growths = (struct start_growths){DOMQ_NAN, scene_has_engine(&scene)};
     scene.train.r = 1;
-    if (growths->has_engine)
+    if (growths->is_too_slow)
         return true;
     if (!scene_row_make(&scene, &made, problem))
         return false;

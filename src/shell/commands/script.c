@@ -20,7 +20,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
         return problem_error(problem, "files are nested %d deep; perhaps one of them sources itself",
                              SOURCE_DEPTH);
     FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
-                        : io_read(name, session->state.scene.compute.interrupt);
+                        : io_open_read(name, session->state.scene.compute.interrupt);
     if (!in && errno == ECANCELED)
         return problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     if (!in)
@@ -111,7 +111,7 @@ const struct command script_commands[] = {
      .help = "Put TEXT between double quotes if it contains ';', '>' or ' #'.",
      .example = "echo hollow dominoes; set q hollow; print rmax",
      .see = "print",
-     .unswept = "it computes nothing",
+     .sweep_refusal = "it computes nothing",
      ANSWER(echo)},
     {.name = "log",
      .synonyms = "record transcript protocol journal file",

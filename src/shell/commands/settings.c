@@ -47,7 +47,8 @@ static bool height_likely(const struct query *query, struct problem *problem)
 {
     const struct arguments *given = query->given;
     const domq_real now = query->scene->scale.h, ratio = given->number[1] / now;
-    if (given->parameter != parameter_find("h") || given->count < 2 || !quantity_bare(given->quantity[1]) ||
+    if (given->parameter != parameter_find("h") || given->count < 2 ||
+        !quantity_is_number(given->quantity[1]) ||
         (ratio < SLIP_OF_UNIT && ratio > 1 / (domq_real)SLIP_OF_UNIT))
         return true;
     return problem_error(
@@ -249,7 +250,7 @@ const struct command session_commands[] = {
              "was sourced counts as one change. The last 100 changes can be undone, one after the other.",
      .example = "set s 0.3; undo; print s",
      .see = "redo diff reset",
-     .unswept = "it computes nothing",
+     .sweep_refusal = "it computes nothing",
      .columns = step_columns,
      .act = run_undo},
     {.name = "redo",
@@ -257,7 +258,7 @@ const struct command session_commands[] = {
      .summary = "redo the change that 'undo' has taken back",
      .example = "set s 0.3; undo; redo; print s",
      .see = "undo",
-     .unswept = "it computes nothing",
+     .sweep_refusal = "it computes nothing",
      .columns = step_columns,
      .act = run_undo},
     {.name = "print",

@@ -31,7 +31,7 @@ static void units_list(struct quantity kind, char *text, size_t size)
     for (int k = 0; (name = expression_units(NULL, k)) != NULL; k++)
         if (quantity_alike(expression_unit(name), kind))
             text_add(text, size, " %s", name);
-    if (quantity_bare(kind))
+    if (quantity_is_number(kind))
         snprintf(text, size, " percent");
 }
 
@@ -84,17 +84,17 @@ bool conversion_bind(const struct question *question, const struct query *query,
     if (!conversion_find(problem, name, c))
         return false;
     /* In '90 to rad', the plain number 90 is taken as an angle in the session's unit. */
-    if (quantity_bare(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
+    if (quantity_is_number(*q) && quantity_alike(c->unit, (struct quantity){.angle = 1}))
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
     const char *of = expression_kind(c->unit);
     return quantity_alike(*q, c->unit) ||
            problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q), c->name,
-                         quantity_bare(c->unit)       ? "for a plain number"
+                         quantity_is_number(c->unit)  ? "for a plain number"
                          : strncmp(of, "in ", 3) == 0 ? "" /* `of` is a phrase such as "in m s^-1" */
                                                       : "a unit of ",
-                         quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
+                         quantity_is_number(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
 
 bool run_print(const struct query *query, struct answer *a, struct problem *problem)
@@ -104,7 +104,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     const struct conversion *to = query->given->bound;
     a->is_value = true;
     a->value = q;
-    const bool is_angle = !to && quantity_plain(q) && q.angle == 1;
+    const bool is_angle = !to && quantity_is_dimensionless(q) && q.angle == 1;
     const struct answer_style *style = &query->state->settings.style;
     const char *unit = to ? to->name : is_angle ? style_angle_unit(style) : expression_unit_text(q);
     q.value = to ? q.value / to->unit.value : is_angle ? style_angle(style, q.value) : q.value;
@@ -114,7 +114,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
-        cell = cell_unbounded(q.value);
+        cell = cell_without_bound(q.value);
     if (people)
         answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
     else if (cell_vanishes(&a->style, cell)) {

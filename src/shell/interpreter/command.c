@@ -109,7 +109,7 @@ const char *command_keys(const void *command, int k)
 {
     const struct command *c = command;
     const char *key = answer_keys(c, k);
-    return key && c->alone && strcmp(key, c->alone) == 0 ? NULL : key;
+    return key && c->slow_column && strcmp(key, c->slow_column) == 0 ? NULL : key;
 }
 
 const struct command *command_find(const char *name)
@@ -212,7 +212,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
     /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(*q, per_time))
         q->angle = 1;
-    if (quantity_bare(*q) || quantity_alike(*q, unit))
+    if (quantity_is_number(*q) || quantity_alike(*q, unit))
         return true;
     const char *example = expression_example(unit);
     return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name, expression_kind(unit),
@@ -226,7 +226,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
-    if (a->kind != ARGUMENT_ANY && !quantity_bare(q) && !unit_check(query, a, &q, problem))
+    if (a->kind != ARGUMENT_ANY && !quantity_is_number(q) && !unit_check(query, a, &q, problem))
         return false;
     *number = q.value;
     switch (a->kind) {
@@ -248,7 +248,7 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
 
 /* ---- Commands in expressions ---- */
 
-int command_values(const struct command *c, int *fewest)
+int command_arity(const struct command *c, int *fewest)
 {
     int most = 0;
     *fewest = 0;

@@ -94,9 +94,9 @@ struct command {
     const char *echo;
     /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions omit
      * the column. */
-    const char *alone;
+    const char *slow_column;
     /* The reason why 'sweep' refuses this command, or NULL. Also NULL for commands that compute nothing. */
-    const char *unswept;
+    const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
     /* What the command writes: */
     enum {
@@ -106,7 +106,7 @@ struct command {
         WRITES_DOCUMENTS, /* text that can also be written to a .md or .tex file */
         WRITES_PAGES,     /* long text for the pager */
     } writes;
-    /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_holds). */
+    /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;
     bool runs;  /* the command runs other commands, whose answers go to the same output */
     bool files; /* the command reads or writes files, so a safe session refuses to run it */
@@ -159,7 +159,7 @@ int command_principal(const struct command *command);
 /* Returns the maximum number of arguments that the command takes in an expression, or -1 if an expression
  * cannot contain the command. Stores the minimum in *fewest. Only values can be arguments in an
  * expression. */
-int command_values(const struct command *command, int *fewest);
+int command_arity(const struct command *command, int *fewest);
 
 /* Returns a text such as "rmax [S]". It lives until the end of the block that contains the call. */
 enum { USAGE_SIZE = 96 };

@@ -78,7 +78,7 @@ static bool is_expression(const struct state *state, const struct head *h)
     if (!word_ends(h->end))
         return strchr("(*/^+-.", *h->end) != NULL;
     if (h->command)
-        return command_values(h->command, &fewest) >= 0 && goes_on(h->next);
+        return command_arity(h->command, &fewest) >= 0 && goes_on(h->next);
     if (strcmp(h->name, "not") == 0)
         return h->next > h->end;
     return names_exact(value_names, state, h->name) >= 0 &&
@@ -91,7 +91,7 @@ static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
     bool is_empty = h->end[0] == '(' && h->end[1] == ')' && word_ends(h->end + 2);
-    if (!h->command || *h->end != '(' || command_values(h->command, &fewest) >= 0 ||
+    if (!h->command || *h->end != '(' || command_arity(h->command, &fewest) >= 0 ||
         (!is_empty && !command_is_print(h->command)))
         return false;
     reader_named(r, h->begin, h->end);

@@ -44,7 +44,7 @@ static bool run_function(struct session *session, const struct command *c, const
                          struct answer *answer, struct problem *problem)
 {
     bool is_on_screen = is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
-    if (is_on_screen && !picture_fits(answer, c->name, problem))
+    if (is_on_screen && !picture_has_room(answer, c->name, problem))
         return false;
     if (c->act)
         return c->act(session, query->given, answer, problem);
@@ -61,7 +61,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     /* Clearing a kilobyte takes time, and most lines of a script do not need it. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
-    struct output *output = session->output, *end = *output_find(&output, OUTPUT_END);
+    struct output *output = session->output, *end = *output_find(&output, OUTPUT_SINKS);
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     struct answer answer = {
         .out = output->out,
@@ -117,7 +117,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     if (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    struct output *end = *output_find(&session->output, OUTPUT_END);
+    struct output *end = *output_find(&session->output, OUTPUT_SINKS);
     int error = end->error;
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
@@ -177,7 +177,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     if (done) {
         /* with format_table, a picture is drawn even after 'set output csv' */
         session->output->format = ending->kind == ENDING_SHEET ? &format_table : ending->format;
-        session->output->is_head = session_answers(session)->is_head;
+        session->output->is_head = session_format(session)->is_head;
         done = run_command(session, c, query, problem);
         wrong = output_pop(&session->output, done);
         if (!done)
@@ -252,7 +252,7 @@ static void run_command_at(struct session *session, struct reader *line)
     r.problem = &problem;
     if (command_parse(&r, &q)) {
         const struct command *c = q.command;
-        const struct format *format = session_answers(session);
+        const struct format *format = session_format(session);
         /* All changes that a sourced file makes are a single step for 'undo'. */
         bool is_step = c->changes && session->source.depth == 0;
         bool is_redirected = *r.at == '>';
@@ -265,7 +265,7 @@ static void run_command_at(struct session *session, struct reader *line)
                                  : run_paged(session, c, &call.query, &problem);
         arena_free(&call.given.memory);
         /* After a command that changes the output format, no empty JSON object is written. */
-        bool is_same = session_answers(session) == format;
+        bool is_same = session_format(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
         if (is_step)
@@ -348,8 +348,8 @@ static void run_line(struct session *session, const char *line, size_t length)
 /* Forgets an earlier SIGINT. At the prompt and with --interruptible, SIGINT ends only one command. */
 static void resume(struct session *session)
 {
-    if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)
-        *session->resumes = 0;
+    if (session->interrupt_flag && session->source.depth == 0 && *session->interrupt_flag == SIGINT)
+        *session->interrupt_flag = 0;
 }
 
 void command_run_text(struct session *session, const char *text)

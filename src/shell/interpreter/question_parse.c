@@ -284,7 +284,7 @@ const char *question_names(const void *context, int k)
     const char *name;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
         const struct command *c = command_find(name);
-        if ((c->principal || c->holds) && !c->unswept && k-- == 0)
+        if ((c->principal || c->holds) && !c->sweep_refusal && k-- == 0)
             return name;
     }
     return NULL;
@@ -317,8 +317,8 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
         q->key = key;
         r->at = begin + length;
         reader_named(r, begin, r->at);
-        if (c->unswept)
-            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->unswept);
+        if (c->sweep_refusal)
+            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->sweep_refusal);
         if ((is_number || !c->holds) && !question_needs_number(q, r->problem))
             return false;
     }

@@ -95,7 +95,7 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     char message[NAMES_MESSAGE], what[64];
     snprintf(what, sizeof what, "key of %s", c->name);
     const bool is_ans = strcmp(t->name, "ans") == 0;
-    if (!is_ans && t->key && c->alone && strcmp(t->key, c->alone) == 0)
+    if (!is_ans && t->key && c->slow_column && strcmp(t->key, c->slow_column) == 0)
         return fail(
             r, t,
             "%s.%s is not available in expressions, because it takes a long time to compute; enter '%s', "
@@ -111,7 +111,7 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
 
 static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
-    int fewest, most = command_values(c, &fewest);
+    int fewest, most = command_arity(c, &fewest);
     if (!c->principal)
         return fail(r, t,
                     t->count > 0 ? "'%s' has no value; enter the command without parentheses"

@@ -70,7 +70,7 @@ static long repeated_head(const struct file *f)
     rewind(f->output.out);
     if (!is_head || !fgets(first, sizeof first, f->output.out) || !is_head(first))
         return 0;
-    FILE *in = io_read(f->target.path, f->interrupt);
+    FILE *in = io_open_read(f->target.path, f->interrupt);
     for (bool begins = true; in && fgets(line, sizeof line, in); begins = strchr(line, '\n') != NULL)
         if (begins && is_head(line))
             memcpy(last, line, sizeof last);

@@ -44,7 +44,7 @@ void io_begin(void);
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
 
 /* Opens a file for reading. A directory is an error. Returns NULL on failure. */
-FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
+FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt);
 
 /* Returns the stream for standard input, which must not be closed. Only the `interrupt` of the first call
  * takes effect. */

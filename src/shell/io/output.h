@@ -36,7 +36,7 @@ struct output {
      * true. Returns NULL or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* The members below are only used at the level that does not pass the text on (see OUTPUT_END). */
+    /* The members below are only used at the level that does not pass the text on (see OUTPUT_SINKS). */
     char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
     bool answered;          /* an answer was written, so the next one needs a blank line above it */
     int error;              /* errno of the first answer that could not be written, or 0 */
@@ -52,9 +52,12 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* OUTPUT_END: the kinds that do not pass their text on to the level below. OUTPUT_BASE: the kinds that are
+/* OUTPUT_SINKS: the kinds that do not pass their text on to the level below. OUTPUT_BASE: the kinds that are
  * always below files and pagers. */
-enum { OUTPUT_END = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE };
+enum {
+    OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD,
+    OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE
+};
 
 /* Returns the address of the pointer to the highest level of these kinds, or NULL. */
 struct output **output_find(struct output **top, unsigned kinds);

@@ -178,7 +178,7 @@ FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interru
     return stream;
 }
 
-FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt)
+FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt)
 {
     struct stat status;
     int file = io_open(path, O_RDONLY, 0, interrupt);

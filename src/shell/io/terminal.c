@@ -81,7 +81,7 @@ bool terminal_decimal_comma(void)
     return comma;
 }
 
-int terminal_columns(const char *text)
+int utf8_columns(const char *text)
 {
     int columns = 0;
     for (; *text; text++)

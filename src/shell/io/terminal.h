@@ -30,7 +30,7 @@ bool terminal_utf8(void);
 bool terminal_decimal_comma(void);
 
 /* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
-int terminal_columns(const char *text);
+int utf8_columns(const char *text);
 
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);

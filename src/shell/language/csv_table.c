@@ -266,7 +266,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
                          error.message, c->advice);
     if (!good)
         return csv_wrong(&csv->file, at, "the value of %s ends before '%s'; %s", c->name, shown, c->advice);
-    bool bare = quantity_bare(q);
+    bool bare = quantity_is_number(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
     domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);

@@ -89,7 +89,7 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
                            struct quantity *q)
 {
     const struct function *f = t->function;
-    bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
+    bool number = quantity_is_dimensionless(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
         return expression_wrong(e->error, t->at, "%s of a value with this unit is not defined", f->name);
     if (f->kind == HALVES && a[0].value < 0)
@@ -117,7 +117,7 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
                         struct quantity by)
 {
     bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
-    if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
+    if (!quantity_is_number(by) || (!whole && !quantity_is_number(*q)))
         return expression_wrong(
             e->error, exponent->op_at,
             "an exponent must have no unit, and must be a whole number if the value before '^' has a unit");
@@ -131,9 +131,9 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
  * true if both values then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
-    if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
+    if (quantity_is_number(*a) && quantity_is_dimensionless(*b) && b->angle == 1)
         *a = (struct quantity){.value = a->value * e->angle, .angle = 1};
-    else if (quantity_bare(*b) && quantity_plain(*a) && a->angle == 1)
+    else if (quantity_is_number(*b) && quantity_is_dimensionless(*a) && a->angle == 1)
         *b = (struct quantity){.value = b->value * e->angle, .angle = 1};
     return quantity_alike(*a, *b);
 }
@@ -168,7 +168,7 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
     if (!expression_evaluate(e, t, &q))
         return false;
     *is_true = q.value != 0;
-    return quantity_bare(q) ||
+    return quantity_is_number(q) ||
            expression_wrong(e->error, t->at, "%s is not a condition; write, for example, 'r > 1.5'",
                             expression_kind(q));
 }

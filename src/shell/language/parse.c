@@ -69,7 +69,7 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     /* In a list of names and values, "feet" is the name of an effect and not a unit. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
-    if (*c == '%' && value->kind == TREE_NUMBER && quantity_bare(value->value)) {
+    if (*c == '%' && value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
         value->value.value /= 100;
         p->end = c + 1;
         return value;
@@ -81,7 +81,7 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     if (!stop)
         return c > p->end ? value : parse_fail(p, "'%.*s' is not a unit", (int)name_length(c), c);
     p->end = stop;
-    if (value->kind == TREE_NUMBER && quantity_bare(value->value)) {
+    if (value->kind == TREE_NUMBER && quantity_is_number(value->value)) {
         unit_scan(c, &value->value);
         return value;
     }

@@ -15,15 +15,15 @@ struct quantity {
 };
 
 /* Returns true if the unit has no length, time or mass, as for a plain number or an angle. */
-static inline bool quantity_plain(struct quantity q)
+static inline bool quantity_is_dimensionless(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;
 }
 
 /* Returns true for a number without any unit. */
-static inline bool quantity_bare(struct quantity q)
+static inline bool quantity_is_number(struct quantity q)
 {
-    return quantity_plain(q) && q.angle == 0;
+    return quantity_is_dimensionless(q) && q.angle == 0;
 }
 
 /* Returns true if both quantities have the same unit. */

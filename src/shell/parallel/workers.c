@@ -93,7 +93,7 @@ static void pool_write(struct pool *p)
     struct block *b;
     while (!p->is_over && p->written < p->taken && (b = &p->waiting[p->written % p->window])->is_done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
-            pool_end(p, (struct workers_end){WORKERS_LOST, errno});
+            pool_end(p, (struct workers_end){WORKERS_WRITE_FAILED, errno});
         else if (b->is_last) {
             memcpy(p->job->context, b->context, p->job->size);
             pool_end(p, (struct workers_end){.how = WORKERS_ENDED});
@@ -106,7 +106,7 @@ static void pool_write(struct pool *p)
     if (p->written == before)
         return;
     if (out && fflush(out) != 0)
-        pool_end(p, (struct workers_end){WORKERS_LOST, errno});
+        pool_end(p, (struct workers_end){WORKERS_WRITE_FAILED, errno});
     pthread_cond_broadcast(&p->room);
 }
 

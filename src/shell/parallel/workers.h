@@ -27,8 +27,8 @@ struct workers {
 };
 
 struct workers_end {
-    enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_LOST, WORKERS_NO_MEMORY } how;
-    int error; /* for WORKERS_LOST: errno of the write that failed */
+    enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_WRITE_FAILED, WORKERS_NO_MEMORY } how;
+    int error; /* for WORKERS_WRITE_FAILED: errno of the write that failed */
 };
 
 /* Computes all points. If some threads cannot be created, the other workers compute all points. */

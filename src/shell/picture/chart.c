@@ -71,7 +71,7 @@ void chart_level(struct chart *c, double y, const char *title)
     chart_point(c, level, HUGE_VAL, y);
 }
 
-void chart_scale(struct chart *c, double x, double y)
+void chart_convert(struct chart *c, double x, double y)
 {
     for (int k = 0; k < c->curves; k++)
         for (size_t i = 0; i < c->curve[k].count; i++) {
@@ -100,7 +100,7 @@ static const char *axis_dress(struct chart *c, int k)
     if (look->scale[k] != CHART_SCALE_USUAL)
         axis->logarithmic = look->scale[k] == CHART_LOG;
     if (axis->logarithmic && axis->low <= 0)
-        axis->low = (double)NAN; /* lets chart_fit choose where the axis begins */
+        axis->low = (double)NAN; /* lets chart_prepare choose where the axis begins */
     if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
         return k == 0 ? "xrange must begin above 0, because the x axis is logarithmic; 'xscale linear' "
                         "changes that"
@@ -222,7 +222,7 @@ static void events_fit(struct chart *c)
     c->events = kept;
 }
 
-bool chart_fit(struct chart *c)
+bool chart_prepare(struct chart *c)
 {
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
     int kept = 0;

@@ -32,11 +32,11 @@ struct chart_axis {
     char label[128]; /* label, including the unit */
     bool logarithmic;
     bool whole;       /* only whole numbers get ticks */
-    double low, high; /* the ends of the axis; if an end is NaN, chart_fit chooses it from the data */
+    double low, high; /* the ends of the axis; if an end is NaN, chart_prepare chooses it from the data */
 };
 
 /* The values of a map, one for each cell, row by row from the lowest row up. The axes end at the centres of
- * the outermost cells until chart_fit moves them to the outer edges. */
+ * the outermost cells until chart_prepare moves them to the outer edges. */
 struct chart_map {
     double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
     int across, down;
@@ -105,7 +105,7 @@ void chart_level(struct chart *chart, double y, const char *title);
 void chart_event(struct chart *chart, double x, const char *name);
 
 /* Converts all numbers of the chart to the displayed units, whose sizes are `x` and `y`. */
-void chart_scale(struct chart *chart, double x, double y);
+void chart_convert(struct chart *chart, double x, double y);
 
 /*
  * Makes a chart ready to be drawn:
@@ -114,7 +114,7 @@ void chart_scale(struct chart *chart, double x, double y);
  * - removes curves without points, and events outside the x axis
  * Returns false if nothing is left to show.
  */
-bool chart_fit(struct chart *chart);
+bool chart_prepare(struct chart *chart);
 
 /* ---- For the painters ---- */
 

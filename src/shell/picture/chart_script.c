@@ -34,7 +34,7 @@ static int legend_across(const struct chart *c, int columns, int *longest)
 {
     *longest = 0;
     for (int k = 0; k < c->curves; k++) {
-        int title = terminal_columns(c->curve[k].title);
+        int title = utf8_columns(c->curve[k].title);
         *longest = title > *longest ? title : *longest;
     }
     if (c->look.legend != CHART_LEGEND_BELOW)
@@ -49,7 +49,7 @@ static int lines_around(const struct chart *c, int columns)
     const char *const texts[] = {c->title, c->note, c->x.label, c->y.label, c->map.value ? c->map.label : ""};
     int lines = 3, longest, across = legend_across(c, columns, &longest);
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
-        lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
+        lines += *texts[k] ? utf8_columns(texts[k]) / columns + 1 : 0;
     /* An entry of the legend has two lines if the longest title has to be broken. */
     const int high = longest > legend_columns(c, columns) ? 2 : 1;
     return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
@@ -100,7 +100,7 @@ static double letter_of(const struct chart *c)
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };
-    int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / most + 1) + 8;
+    int lines = 0, at = 0, all = utf8_columns(text), columns = all / (all / most + 1) + 8;
     char piece[ESCAPE_PIECE];
     script[0] = '\0';
     while (*text && at + LETTER < ROOM) {
@@ -159,7 +159,7 @@ static void texts_script(const struct chart *c, FILE *out)
         right = c->map.value ? lines_make(c, c->map.label, most, shades) : 0;
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + left + 0.1);
-    if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > columns_of(c) - 4)
+    if (right && utf8_columns(c->y.label) + utf8_columns(c->map.label) > columns_of(c) - 4)
         above += left; /* the two labels do not fit side by side */
     above += left > right ? left : right;
     if (right)

@@ -161,7 +161,7 @@ static int text_put(struct canvas *c, int left, int right, int row, int most, bo
         char line[CHART_TEXT];
         n = rows + 1 < most ? line_break(text, right - left) : strlen(text);
         snprintf(line, sizeof line, "%.*s", (int)n, text);
-        int at = centred ? (right - left - terminal_columns(line)) / 2 : 0;
+        int at = centred ? (right - left - utf8_columns(line)) / 2 : 0;
         if (c)
             canvas_text(c, left + (at > 0 ? at : 0), row + rows, line, INK_TEXT);
     }
@@ -242,7 +242,7 @@ static int legend(const struct frame *f, int row)
         else if (curve->kind == CHART_RANGES)
             snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
         snprintf(text, sizeof text, " %s", curve->title);
-        int first = terminal_columns(sample), wide = first + terminal_columns(text);
+        int first = utf8_columns(sample), wide = first + utf8_columns(text);
         if (rows == 0 || column + wide > c->width) {
             column = 2;
             rows++;
@@ -304,7 +304,7 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
 {
     struct canvas canvas;
     int (*const legend_put)(const struct frame *f, int row) = chart->map.value ? map_legend : legend;
-    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
+    int note_rows = *chart->note ? 1 + utf8_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
     struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_LEAST, .right = width};

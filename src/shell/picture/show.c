@@ -50,7 +50,7 @@ static bool by_gnuplot(const struct answer *a)
     return is_filed(a) || (!a->path && graphics_of(a->out) != GRAPHICS_NONE && program_exists("gnuplot"));
 }
 
-bool picture_fits(const struct answer *a, const char *command, struct problem *problem)
+bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
 {
     int width, height;
     terminal_size(a->out, &width, &height);
@@ -183,7 +183,7 @@ bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_
     const bool chosen = chart->look.has_range[0] || chart->look.has_range[1] ||
                         chart->look.scale[0] != CHART_SCALE_USUAL ||
                         chart->look.scale[1] != CHART_SCALE_USUAL;
-    if (!wrong && !chart_fit(chart) && chosen)
+    if (!wrong && !chart_prepare(chart) && chosen)
         wrong = "no point of the chart is within its axes; change xrange, yrange, xscale or yscale";
     bool shown = wrong ? problem_error(problem, "%s", wrong) : show(a, chart, NULL, interrupt, problem);
     chart_free(chart);

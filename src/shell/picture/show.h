@@ -30,7 +30,7 @@ struct ending {
 const struct ending *ending_of(const char *path);
 
 /* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
-bool picture_fits(const struct answer *a, const char *command, struct problem *problem);
+bool picture_has_room(const struct answer *a, const char *command, struct problem *problem);
 
 /* Returns true if a picture can be drawn in the output of the answer. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);

@@ -20,7 +20,7 @@ static struct point direction(double theta)
     return (struct point){(double)quad(sin)((domq_real)theta), (double)quad(cos)((domq_real)theta)};
 }
 
-void drawn_stand(struct drawn *k)
+void drawn_corners(struct drawn *k)
 {
     struct point up = direction(k->theta);
     /* The rounded foot rolls, so its centre moves forwards by radius * theta. */
@@ -169,7 +169,7 @@ static void train_add(struct filling *f, double height, double foot, double thet
                              .contact = {(double)NAN, (double)NAN},
                              .force = (double)NAN,
                              .of_own = (double)NAN};
-    drawn_stand(domino);
+    drawn_corners(domino);
 }
 
 static void train_follow(struct filling *f, double theta)

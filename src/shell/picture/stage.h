@@ -76,7 +76,7 @@ static inline struct point along(struct point from, double distance, double x, d
 }
 
 /* Computes the corners of a domino from its size, foot and tilt. A rounded domino rolls as it tilts. */
-void drawn_stand(struct drawn *domino);
+void drawn_corners(struct drawn *domino);
 
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);

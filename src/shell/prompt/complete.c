@@ -48,7 +48,7 @@ static bool fits(const struct argument *a, const char *name, const char *unit)
     size_t length = a->of ? strlen(a->of) : 0;
     if (a->kind == ARGUMENT_COUNT)
         return false;
-    if (!quantity_bare(wanted))
+    if (!quantity_is_number(wanted))
         return quantity_alike(expression_unit(unit), wanted);
     /* r_max is a value for r */
     return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
@@ -69,7 +69,7 @@ static void emit_values(const struct completion *c)
             emit_name(c, p->name, "", !is_any);
     for (int i = 0; (name = command_names(NULL, i)) != NULL; i++) {
         const struct command *command = command_find(name);
-        if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
+        if (command_arity(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
         /* The parser checks a candidate by computing its value. This can take a long time for a row, so only
@@ -147,7 +147,7 @@ static void emit_keys(const struct completion *c, const char *dot)
         begin--;
     snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
     const struct command *command = command_find(name);
-    if (command && command_values(command, &fewest) >= 0)
+    if (command && command_arity(command, &fewest) >= 0)
         for (int k = 0; (key = command_keys(command, k)) != NULL; k++)
             emit_name(c, key, "", false);
 }

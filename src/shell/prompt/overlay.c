@@ -146,7 +146,7 @@ static void hint_show(struct session *session)
     }
     /* The last column stays free, because a character there may move the cursor to the next row. */
     int room = terminal_width(session->output->out) - session->source.prompt_width -
-               terminal_columns(rl_line_buffer) - 1;
+               utf8_columns(rl_line_buffer) - 1;
     size_t bytes = 0;
     if (!*hint || room < 1)
         return;

@@ -64,9 +64,9 @@ const char *effect_names(const void *context, int k)
     return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
 }
 
-const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
+const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
 {
-    const struct domq_effect *e = effect_at(name);
+    const struct domq_effect *e = effect_at(effect);
     snprintf(usage, EFFECT_USAGE, "%s", e->name);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         text_add(usage, EFFECT_USAGE,
@@ -92,12 +92,12 @@ static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
 };
 
-const char *effect_example(int name, char example[EFFECT_EXAMPLE])
+const char *effect_example(int effect, char example[EFFECT_EXAMPLE])
 {
-    const struct domq_effect *e = effect_at(name);
-    const bool is_error = name >= EFFECT_ENGINE_END;
-    if (examples[name])
-        return examples[name];
+    const struct domq_effect *e = effect_at(effect);
+    const bool is_error = effect >= EFFECT_ENGINE_END;
+    if (examples[effect])
+        return examples[effect];
     snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "effect row on; " : "");
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)

@@ -29,11 +29,11 @@ const char *effect_names(const void *context, int k);
 /* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
  * block. */
 enum { EFFECT_USAGE = 64 };
-#define effect_usage(name) effect_usage_write(name, (char[EFFECT_USAGE]){""})
-const char *effect_usage_write(int name, char usage[EFFECT_USAGE]);
+#define effect_usage(effect) effect_usage_write(effect, (char[EFFECT_USAGE]){""})
+const char *effect_usage_write(int effect, char usage[EFFECT_USAGE]);
 
 /* Returns commands that demonstrate an effect. */
 enum { EFFECT_EXAMPLE = 192 };
-const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
+const char *effect_example(int effect, char example[EFFECT_EXAMPLE]);
 
 #endif

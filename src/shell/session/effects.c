@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *effect_file(const struct scene *scene, int name)
+const char *effect_file(const struct scene *scene, int effect)
 {
-    return name == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
+    return effect == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
 }
 
 /* Returns true if argument i and all arguments after it are optional and have their usual values. */
@@ -21,11 +21,11 @@ static bool usual_from(const struct domq_effect *e, const struct effect_state *s
     return usual;
 }
 
-const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING])
+const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING])
 {
-    const struct effect_state *state = &scene->effect[name];
-    const struct domq_effect *e = effect_at(name);
-    const char *path = effect_file(scene, name), *slash = path ? strrchr(path, '/') : NULL;
+    const struct effect_state *state = &scene->effect[effect];
+    const struct domq_effect *e = effect_at(effect);
+    const char *path = effect_file(scene, effect), *slash = path ? strrchr(path, '/') : NULL;
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
     for (int i = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct domq_effect_argument *of = &e->argument[i];
@@ -38,10 +38,10 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
     return setting;
 }
 
-/* Returns true if effect `name` cannot be on without effect `other`. */
-static bool needs(int name, int other)
+/* Returns true if `effect` cannot be on without `other`. */
+static bool needs(int effect, int other)
 {
-    return effect_at(name)->needs >> other & 1;
+    return effect_at(effect)->needs >> other & 1;
 }
 
 /* Writes the names of the active effects that need the row, as in ", together with push and placement". */
@@ -112,22 +112,23 @@ bool scene_row_load(struct scene *scene, const char *name, const struct means *m
     return false;
 }
 
-bool effect_needs(const struct scene *scene, int name, struct problem *problem)
+bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (needs(name, k) && !scene->effect[k].on)
+        if (needs(effect, k) && !scene->effect[k].on)
             return problem_error(problem, "'effect %s' needs %s%s; first enter 'effect %s %s'",
-                                 effect_at(name)->name, k == DOM_EFFECT_row ? "a " : "the effect ",
+                                 effect_at(effect)->name, k == DOM_EFFECT_row ? "a " : "the effect ",
                                  effect_at(k)->name, effect_at(k)->name, effect_at(k)->argument[0].name);
-    return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || scene->train.fuel != DOM_FUEL_PAPER ||
+    return effect >= DOM_DYNAMICS_COUNT || effect_at(effect)->cancels ||
+           scene->train.fuel != DOM_FUEL_PAPER ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
-                             effect_at(name)->name);
+                             effect_at(effect)->name);
 }
 
-bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
+bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem)
 {
-    const struct domq_effect *e = effect_at(name);
+    const struct domq_effect *e = effect_at(effect);
     bool off = given > 0 && value[0] == EFFECT_OFF, usual = off || (given > 0 && value[0] == EFFECT_ON);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
         if (e->argument[i].name && i >= given && !e->argument[i].optional && !usual)
@@ -141,20 +142,20 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
         return true;
     all[0] = EFFECT_OFF;
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (scene->effect[k].on && needs(k, name))
+        if (scene->effect[k].on && needs(k, effect))
             return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
                                  effect_at(k)->name, e->name, effect_at(k)->name);
     return true;
 }
 
-void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others)
+void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others)
 {
-    struct effect_state *state = &scene->effect[name];
+    struct effect_state *state = &scene->effect[effect];
     for (int i = 1; (others || !state->on) && i < DOM_EFFECT_ARGUMENTS; i++)
-        state->value[i] = others ? others[i - 1] : effect_at(name)->argument[i].usual;
+        state->value[i] = others ? others[i - 1] : effect_at(effect)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (name == DOM_EFFECT_row)
+    if (effect == DOM_EFFECT_row)
         scene->listed = (struct listed_row){.domino = NULL};
     effects_apply(scene);
 }
@@ -183,11 +184,11 @@ static void save_name(const char *path, const char *folder, FILE *out)
     putc('"', out);
 }
 
-void effect_save(const struct scene *scene, int name, const char *folder, FILE *out)
+void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out)
 {
-    const struct domq_effect *e = effect_at(name);
-    const struct effect_state *state = &scene->effect[name];
-    const char *path = effect_file(scene, name);
+    const struct domq_effect *e = effect_at(effect);
+    const struct effect_state *state = &scene->effect[effect];
+    const char *path = effect_file(scene, effect);
     char number[WIDE_TEXT];
     fprintf(out, state->on ? "effect %s" : "effect %s off", e->name);
     if (path)
@@ -198,6 +199,6 @@ void effect_save(const struct scene *scene, int name, const char *folder, FILE *
                     e->argument[i].words ? e->argument[i].words[(int)state->value[i]]
                                          : quad_exact(state->value[i], WIDE_DIGITS, number));
     putc('\n', out);
-    if (name == DOM_EFFECT_row)
+    if (effect == DOM_EFFECT_row)
         row_changes_save(&scene->listed, out);
 }

@@ -10,26 +10,26 @@
 /* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
  * the end of the caller's block. */
 enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */
-#define effect_setting(scene, name) effect_setting_write(scene, name, (char[EFFECT_SETTING]){""})
-const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
+#define effect_setting(scene, effect) effect_setting_write(scene, effect, (char[EFFECT_SETTING]){""})
+const char *effect_setting_write(const struct scene *scene, int effect, char setting[EFFECT_SETTING]);
 
 /* Returns the path of the effect's file, or NULL if the user gave none. */
-const char *effect_file(const struct scene *scene, int name);
+const char *effect_file(const struct scene *scene, int effect);
 
 /* Fills `all` with the values of an effect: the `given` elements of `value`, and then the usual values.
  * value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem and returns false if a required value is missing, or
  * if the effect cannot be turned off because another effect needs it. */
-bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
+bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
 /* Sets value[0] of an effect to `value`, which may be EFFECT_OFF, and the other values to `others`. If
  * `others` is NULL, the other values of an active effect do not change, and an inactive effect gets the usual
  * ones. The row is not freed, so the scene must not own it. */
-void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
+void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
 
-/* Returns true if all effects that `name` needs are on, and if `name` can be combined with the current
+/* Returns true if all effects that `effect` needs are on, and if `effect` can be combined with the current
  * 'fuel'. Otherwise reports the problem. */
-bool effect_needs(const struct scene *scene, int name, struct problem *problem);
+bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
 /* Reports a problem and returns false if the path of the row's file has a control character. In a saved
  * script, the text after a newline would be another command. */
@@ -37,7 +37,7 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
 
 /* Writes the commands that give an effect its current values. `folder` is the directory of the script, or
  * NULL. For the effect 'row', also writes the 'change' commands. */
-void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
+void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. An
  * earlier row is then turned off, so that later answers are not silently about the earlier row. */

@@ -141,7 +141,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
         }
     for (int i = 0; i < count; i++) {
         const struct parameter *p = assigned[i].parameter;
-        if (p->effect && state->scene.effect[p->which].on && !effect_needs(&state->scene, p->which, problem))
+        if (p->effect && state->scene.effect[p->which].on &&
+            !effect_check_needs(&state->scene, p->which, problem))
             return false;
         if (p->check && !p->check(state, assigned[i].value, problem))
             return false;
@@ -195,7 +196,7 @@ void parameter_save(const struct state *state, const struct parameter *p, const 
     }
     const char *value = parameter_text(p, parameter_get(state, p), WIDE_DIGITS, text);
     struct quantity quantity = expression_unit(p->value->unit);
-    bool has_unit = parameter_is_number(p) && !quantity_plain(quantity) && !quantity.angle;
+    bool has_unit = parameter_is_number(p) && !quantity_is_dimensionless(quantity) && !quantity.angle;
     fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
             has_unit ? unit_write(quantity, "*", (char[UNIT_TEXT]){""}) : "");
 }

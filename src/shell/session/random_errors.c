@@ -35,12 +35,12 @@ bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_C
 {
     bool any = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
-        const int name = error_effect(k);
-        const struct effect_state *effect = &scene->effect[name];
-        const bool placed = name == DOM_EFFECT_placement;
-        const domq_real size = effect->value[k == DOM_ERROR_height], limits = effect->value[placed ? 2 : 1];
-        error[k] = (struct domq_error){.size = effect->on ? size : 0, .uniform = effect->on && limits != 0};
-        any = any || effect->on;
+        const int effect = error_effect(k);
+        const struct effect_state *state = &scene->effect[effect];
+        const bool placed = effect == DOM_EFFECT_placement;
+        const domq_real size = state->value[k == DOM_ERROR_height], limits = state->value[placed ? 2 : 1];
+        error[k] = (struct domq_error){.size = state->on ? size : 0, .uniform = state->on && limits != 0};
+        any = any || state->on;
     }
     return any;
 }

@@ -42,7 +42,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
     const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
     standard = standard && strcmp(name, "-") == 0;
     char *path = path_beside(means, name);
-    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_read(path, interrupt);
+    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
     struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
     if (!csv)
         problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));

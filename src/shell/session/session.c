@@ -23,7 +23,7 @@ void session_init(struct session *session, FILE *out)
     state_init(&session->state);
 }
 
-const struct format *session_answers(const struct session *session)
+const struct format *session_format(const struct session *session)
 {
     return session->output->format ? session->output->format : formats[session->state.settings.style.output];
 }

@@ -36,7 +36,7 @@ struct session {
 
     const char *command; /* the name of the command that is running, for notes */
     /* the flag that the handler of SIGINT sets if SIGINT ends only the running command, or NULL */
-    volatile sig_atomic_t *resumes;
+    volatile sig_atomic_t *interrupt_flag;
     bool bail; /* the first error ends the session (option --bail) */
     bool quit;
     bool wrote; /* the last command wrote an answer that has rows */
@@ -49,7 +49,7 @@ void session_init(struct session *session, FILE *out);
 void session_close(struct session *session);
 
 /* Returns the format of the next answer. The output file's extension takes precedence over 'set output'. */
-const struct format *session_answers(const struct session *session);
+const struct format *session_format(const struct session *session);
 
 /* Returns a query for a command in the session's state. The caller sets `given` and `next`. */
 struct query session_query(struct session *session);

@@ -142,7 +142,7 @@ static void stage_place(struct stage *stage, const struct train_film *f, struct 
         d->radius *= p.scale;
         d->foot = p.shift + p.scale * d->foot;
         d->contact = (struct point){p.shift + p.scale * d->contact.x, p.scale * d->contact.y};
-        drawn_stand(d);
+        drawn_corners(d);
     }
 }
 

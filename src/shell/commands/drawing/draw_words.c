@@ -133,9 +133,10 @@ bool film_parse(struct reader *r, struct question *q)
 static bool value_check(enum draw_value value, struct quantity quantity, struct problem *problem)
 {
     domq_real number = quantity.value;
-    bool plain = quantity_bare(quantity);
+    bool plain = quantity_is_number(quantity);
     if (value == DRAW_TIME)
-        return quantity_plain(quantity) || quantity_alike(quantity, (struct quantity){.time = 1}) ||
+        return quantity_is_dimensionless(quantity) ||
+               quantity_alike(quantity, (struct quantity){.time = 1}) ||
                problem_error(problem,
                              "the moment must be a time, not %s; write, for example, 'draw at 2.5 s'",
                              expression_kind(quantity));

@@ -43,7 +43,7 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
         at += k > 0 ? (double)domino->gap : 0;
         d->foot = at + (moment ? row->slid[k] : 0) + d->thickness;
         at += d->thickness;
-        drawn_stand(d);
+        drawn_corners(d);
     }
     row->stage.row = moment ? NULL : row->run.scene.domino;
 }

@@ -108,7 +108,7 @@ static bool person_add(struct stage *stage)
     *person =
         (struct drawn){.number = NUMBER_PERSON, .part = STANDS, .height = PERSON, .thickness = 0.3 * PERSON};
     person->foot = stage->right + 0.4 * PERSON + person->thickness;
-    drawn_stand(person);
+    drawn_corners(person);
     stage->top = fmax(stage->top, PERSON);
     stage->right = person->foot;
     return true;
@@ -144,7 +144,7 @@ static void caption_write(struct plan *p)
     char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
     struct stage *stage = &p->row.stage;
     const struct domq_study *s = &p->study;
-    const size_t *first = p->windows.first;
+    const size_t *critical = p->windows.critical;
     falling_row_summary(&p->row, summary);
     falling_row_verdict(&p->row, verdict);
     falling_row_weakest(&p->row, weakest);
@@ -170,7 +170,7 @@ static void caption_write(struct plan *p)
                  " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "
                  "domino "
                  "%zu.",
-                 first[DOM_WINDOW_PLACE], first[DOM_WINDOW_HEIGHT], first[DOM_WINDOW_THICKNESS]);
+                 critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
 }
 
 /* ---- The answer ---- */

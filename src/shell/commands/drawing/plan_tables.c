@@ -31,7 +31,7 @@ static void window_put(struct guide_line *line, int at, const struct plan *p, en
     mm(line->cell[at + 1], w->low, 1);
     mm(line->cell[at + 2], w->high, -1);
     for (int i = 0; i < 3; i++)
-        line->bold[at + i] = p->windows.first[kind] == k + 1;
+        line->bold[at + i] = p->windows.critical[kind] == k + 1;
 }
 
 static struct guide_table *table_add(struct plan *p, const char *title, const char *note, size_t count)

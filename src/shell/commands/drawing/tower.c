@@ -69,7 +69,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         d->thickness *= scale;
         d->radius *= scale;
         d->foot = left + scale * (d->foot - left);
-        drawn_stand(d);
+        drawn_corners(d);
         for (int i = 0; i < CORNERS; i++)
             d->corner[i].y += ZOOM_ABOVE * height;
     }
@@ -96,7 +96,7 @@ static bool tower_put(struct stage *stage, double height, double distance, size_
     tower->thickness = TOWER_WIDTH * height;
     tower->radius = tower->theta = 0;
     tower->foot = last->foot + distance * last->height + tower->thickness;
-    drawn_stand(tower);
+    drawn_corners(tower);
     stage->top = fmax(stage->top, height);
     stage->right = fmax(stage->right, tower->foot);
     return true;

@@ -17,10 +17,10 @@ enum {
     HAS_FRICTION = 2,
     HAS_EDGES = 4,
     HAS_WALLS = 8,
-    HAS_PAPER = 16,    /* the fuel is computed by the paper's closed form */
-    HAS_DETACHED = 32, /* followers detach */
-    HAS_REACH = 64,    /* the reach 1/s limits the largest growth */
-    HAS_LEFT = 128,    /* at the tilt that the user asked about, the head's follower has detached */
+    HAS_PAPER = 16,             /* the fuel is computed by the paper's closed form */
+    HAS_DETACHED = 32,          /* followers detach */
+    HAS_REACH = 64,             /* the reach 1/s limits the largest growth */
+    HAS_DETACHED_AT_TILT = 128, /* at the tilt that the user asked about, the head's follower has detached */
 };
 
 /* The tilt of the head at which a sum over all dominoes is evaluated. For a sum, the member `equation` is the
@@ -124,7 +124,7 @@ void step_numbers(const struct derivation *derivation, const struct step *step, 
                   int digits);
 
 /* The arguments after the name of the question. */
-struct explain_bound {
+struct explain_arguments {
     domq_real value; /* the value after the question, or NaN if there is none */
     bool deep;
 };
@@ -132,7 +132,7 @@ struct explain_bound {
 /* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is the first sentence
  * of the derivation, or "". Fails if pdflatex is needed and fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
-                   const struct explained *explained, const struct explain_bound *bound, const char *verdict,
-                   struct problem *problem);
+                   const struct explained *explained, const struct explain_arguments *bound,
+                   const char *verdict, struct problem *problem);
 
 #endif

@@ -270,7 +270,7 @@ static bool conditions_find(struct derivation *d, bool reach)
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);
     d->has = conditions(&scene->train, angles.detaches, reach) |
-             (angles.detaches && d->theta > angles.theta_leave ? HAS_LEFT : 0u);
+             (angles.detaches && d->theta > angles.theta_leave ? HAS_DETACHED_AT_TILT : 0u);
     return true;
 }
 

@@ -76,7 +76,7 @@ static bool explain_bind(const struct question *q, const struct query *query, st
                          struct problem *problem)
 {
     const struct explain_parsed *parsed = q->parsed;
-    struct explain_bound *b = arguments_take(given, sizeof *b, query, problem);
+    struct explain_arguments *b = arguments_take(given, sizeof *b, query, problem);
     if (!b)
         return false;
     b->deep = parsed->deep;
@@ -113,7 +113,7 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
     struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
                ROW(cell_word(s->name), equation ? cell_word(equation) : none,
-                   numbers ? cell_word(numbers) : none, cell_unbounded(s->value), cell_word(s->unit),
+                   numbers ? cell_word(numbers) : none, cell_without_bound(s->value), cell_word(s->unit),
                    cell_word(needs), cell_word(s->number), cell_count(s->depth), cell_word(s->words)),
                NULL);
     free(equation);
@@ -161,7 +161,8 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
 
 /* Writes the derivation as text or as a lesson, or as rows of csv or json. */
 static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
-                           const struct explain_bound *bound, const char *verdict, struct problem *problem)
+                           const struct explain_arguments *bound, const char *verdict,
+                           struct problem *problem)
 {
     if (answer_for_people(a))
         return explain_write(a, d, e, bound, verdict, problem);
@@ -174,7 +175,7 @@ static bool explain_answer(struct answer *a, const struct derivation *d, const s
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct explained *e = &explained_list[(int)query->given->number[0]];
-    const struct explain_bound *bound = query->given->bound, none = {.value = DOMQ_NAN};
+    const struct explain_arguments *bound = query->given->bound, none = {.value = DOMQ_NAN};
     const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
     struct domq_fall fall;
     char verdict[VERDICT_TEXT] = "";
@@ -224,7 +225,7 @@ const struct command explain_commands[] = {
          "json gives the tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
-     .unswept = "it explains one train",
+     .sweep_refusal = "it explains one train",
      .rows = true,
      .writes = WRITES_DOCUMENTS,
      ANSWER(explain)},
@@ -238,7 +239,7 @@ const struct command explain_commands[] = {
              "rounded edges there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
-     .unswept = "it compares the steps for one train",
+     .sweep_refusal = "it compares the steps for one train",
      .rows = true,
      ANSWER(recipe)},
     {.name = "paper",
@@ -250,7 +251,7 @@ const struct command explain_commands[] = {
              "the paper's own dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
-     .unswept = "it does not depend on the scene",
+     .sweep_refusal = "it does not depend on the scene",
      .rows = true,
      ANSWER(paper)},
     {.name = NULL},

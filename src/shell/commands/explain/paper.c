@@ -34,8 +34,8 @@ static void paper_row(struct table *t, const char *where, const char *what, domq
     if (t->status == DOM_OK && !answer_lost(t->answer))
         answer_row(t->answer,
                    ROW(cell_word(where), cell_word(what), cell_real(t->train.q), cell_real(s),
-                       cell_unbounded(paper), cell_unbounded(exact), cell_unbounded(differs ? difference : 0),
-                       cell_word(differs ? why : "")),
+                       cell_without_bound(paper), cell_without_bound(exact),
+                       cell_without_bound(differs ? difference : 0), cell_word(differs ? why : "")),
                    NULL);
 }
 
@@ -140,7 +140,7 @@ static void quiz_rows(struct table *t)
 bool run_paper(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct table t = {.answer = a, .train = domq_train_default(), .compute = query->scene->compute};
-    answer_largest(a, "difference", 1);
+    answer_announce(a, "difference", 1);
     if (answer_for_people(a))
         answer_leave_out(a, "why");
     for (int q = 3; q <= 4; q++) {

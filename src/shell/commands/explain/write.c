@@ -289,7 +289,7 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
 }
 
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
-                   const struct explain_bound *bound, const char *verdict, struct problem *problem)
+                   const struct explain_arguments *bound, const char *verdict, struct problem *problem)
 {
     const struct ending *ending = a->path ? ending_of(a->path) : NULL;
     const bool is_document = ending && ending->is_document;

@@ -72,7 +72,7 @@ bool picture_fit(const struct query *query, struct answer *a, struct problem *pr
 {
     const struct plot plot = {.run = fit_draw, .title = ""};
     const struct chart_look usual = {.title = NULL};
-    return plot_draw(&plot, &usual, query, a, problem);
+    return plot_write(&plot, &usual, query, a, problem);
 }
 
 bool plot_fit_parse(struct reader *r, struct question *q)

@@ -62,5 +62,5 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     if (!question_ask(asserted, query, a, problem))
         return false;
     a->wrote_text = true;
-    return a->holds == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
+    return a->verdict == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
 }

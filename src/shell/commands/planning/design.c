@@ -287,7 +287,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
 {
     const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink && query->next;
     if ((keeps && !design_keep(query, problem, d, plan)) ||
-        (keeps && w->falls > 0 && !design_improve(query, w, a, plan, d, study, problem)))
+        (keeps && w->probability > 0 && !design_improve(query, w, a, plan, d, study, problem)))
         return false;
     if (file)
         designed_list(a, plan, true);
@@ -305,7 +305,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
 {
     const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
-    const bool file = a->path && !a->style.format->for_people, falls = w->falls > 0;
+    const bool file = a->path && !a->style.format->for_people, is_random = w->probability > 0;
     struct domq_wish wish = {.first = query->scene->scale.h,
                              .height = query->given->number[0],
                              .safety = w->safety,
@@ -322,13 +322,13 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
     struct designed_row plan;
     char reason[REASON];
     struct scene_engine engine;
-    design_columns_choose(a, falls);
+    design_columns_choose(a, is_random);
     if (!wish_check(problem, &wish, w->grid) ||
-        !(falls ? design_falls(query, a, &wish, limits, w->falls, &d, &study, reason, problem)
-                : design_find(query, &wish, limits, &engine, &d, problem)))
+        !(is_random ? design_falls(query, a, &wish, limits, w->probability, &d, &study, reason, problem)
+                    : design_find(query, &wish, limits, &engine, &d, problem)))
         return false;
-    answer_holds(a, d.limit == DOM_DESIGN_FITS);
-    if (d.limit != DOM_DESIGN_FITS && !falls && !(limits && limits_forbid(query, &wish, reason)))
+    answer_set_verdict(a, d.limit == DOM_DESIGN_FITS);
+    if (d.limit != DOM_DESIGN_FITS && !is_random && !(limits && limits_forbid(query, &wish, reason)))
         infeasible_text(query, &wish, &d, reason, sizeof reason);
     if (d.limit != DOM_DESIGN_FITS)
         return design_none(a, &d, reason, file, problem);

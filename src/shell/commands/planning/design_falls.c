@@ -21,11 +21,11 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run. If the probability of falling is `falls`, then on average at least 20
- * rows do not fall, or 10 in the engine. */
-static size_t rows_for(domq_real falls, bool engine)
+/* Returns how many random rows to run. If each of them falls with this probability, then on average at least
+ * 20 rows do not fall, or 10 in the engine. */
+static size_t rows_for(domq_real probability, bool engine)
 {
-    const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
+    const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - probability)),
                  least = engine ? 100 : 2000;
     return rows > least ? rows : least;
 }
@@ -56,9 +56,9 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall. Runs more rows if the probability may reach `falls`. */
+/* Counts how many random rows of a design fall. Runs more rows if the given probability may be reached. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
-                         const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
+                         const struct domq_limits *limits, const struct domq_design *d, domq_real probability,
                          struct tried *t, struct problem *problem)
 {
     struct designed_row plan;
@@ -72,8 +72,8 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     *t = (struct tried){.count = plan.count, .length = d->length, .mass = designed_mass(&plan)};
     const bool engine = good && scene_has_engine(&scene);
     good = good && study_run(&of_row, problem, rows_for(0, engine), &t->study, error);
-    if (good && (domq_real)t->study.high >= falls && rows_for(falls, engine) > t->study.rows)
-        good = study_run(&of_row, problem, rows_for(falls, engine), &t->study, error);
+    if (good && (domq_real)t->study.high >= probability && rows_for(probability, engine) > t->study.rows)
+        good = study_run(&of_row, problem, rows_for(probability, engine), &t->study, error);
     listed_free(&scene.listed);
     free(plan.domino);
     return good;
@@ -81,7 +81,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
 
 /* Explains in `reason` that no number of dominoes reaches the probability, and names the best number. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
-                       const struct domq_limits *limits, domq_real falls, char reason[REASON])
+                       const struct domq_limits *limits, domq_real probability, char reason[REASON])
 {
     size_t best = 0;
     for (size_t i = 1; i < count; i++)
@@ -96,12 +96,12 @@ static void none_write(const struct tried *tried, size_t count, const struct dom
         snprintf(reason, REASON,
                  "infeasible: no row falls with a probability of %s, however many dominoes it has; with "
                  "%zu dominoes, %zu of %zu rows fall; make the errors smaller%s",
-                 measured(falls, "share", 6).text, tried[best].count, tried[best].study.fall,
+                 measured(probability, "share", 6).text, tried[best].count, tried[best].study.fall,
                  tried[best].study.rows, isfinite(wish->hall) ? ", or the hall longer" : "");
 }
 
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                  const struct domq_limits *limits, domq_real falls, struct domq_design *design,
+                  const struct domq_limits *limits, domq_real probability, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem)
 {
     struct tried tried[MORE];
@@ -127,10 +127,10 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
             break; /* rows with more dominoes would not fit */
         if (d.limit != DOM_DESIGN_FITS)
             continue;
-        if (!design_count(query, wish, limits, &d, falls, &tried[count], problem))
+        if (!design_count(query, wish, limits, &d, probability, &tried[count], problem))
             return false;
         const struct tried *t = &tried[count++];
-        if (beyond == 0 && (domq_real)t->study.low >= falls) {
+        if (beyond == 0 && (domq_real)t->study.low >= probability) {
             *design = d;
             *study = t->study;
         }
@@ -139,6 +139,6 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
     if (answer_for_people(a) && !a->sink && count > 0)
         table_write(a, tried, count, scene_mass(query->scene) > 0);
     if (design->limit != DOM_DESIGN_FITS)
-        none_write(tried, count, wish, limits, falls, reason);
+        none_write(tried, count, wish, limits, probability, reason);
     return true;
 }

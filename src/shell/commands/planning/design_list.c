@@ -24,10 +24,10 @@ const struct column design_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-void design_columns_choose(struct answer *a, bool falls)
+void design_columns_choose(struct answer *a, bool is_random)
 {
     static const char *const keys[] = {"probability", "low", "rows"};
-    for (size_t i = 0; !falls && i < sizeof keys / sizeof *keys; i++)
+    for (size_t i = 0; !is_random && i < sizeof keys / sizeof *keys; i++)
         answer_leave_out(a, keys[i]);
 }
 
@@ -40,7 +40,7 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     *p = (struct designed_row){.count = d->steps + 1,
                                .has_masses = mass > 0,
                                .scene = query->scene,
-                               .hollow = query->scene->train.q == 3 && scene_walls(query->scene) == 0,
+                               .walls_unknown = query->scene->train.q == 3 && scene_walls(query->scene) == 0,
                                .limits = limits};
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
@@ -59,8 +59,8 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 /* Returns the volume of a domino's wood. If its walls are not known, returns its surface area. */
 static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
-    return p->hollow ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)
-                     : d->height * d->width * d->thickness * scene_filled(p->scene, d);
+    return p->walls_unknown ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)
+                            : d->height * d->width * d->thickness * scene_filled(p->scene, d);
 }
 
 void designed_list(struct answer *a, const struct designed_row *p, bool file)
@@ -80,14 +80,14 @@ void designed_list(struct answer *a, const struct designed_row *p, bool file)
     answer_leave_out(a, p->has_masses ? "relative" : "mass");
     if (file)
         answer_leave_out(a, "at");
-    if (file || p->hollow)
+    if (file || p->walls_unknown)
         answer_leave_out(a, "volume");
-    if (file || !p->hollow)
+    if (file || !p->walls_unknown)
         answer_leave_out(a, "surface");
-    answer_largest(a, "height", last->height);
-    answer_largest(a, "thickness", last->thickness);
-    answer_largest(a, "gap", last->gap);
-    answer_largest(a, "at", last->height);
+    answer_announce(a, "height", last->height);
+    answer_announce(a, "thickness", last->thickness);
+    answer_announce(a, "gap", last->gap);
+    answer_announce(a, "at", last->height);
     for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
         const struct domq_domino *d = &p->domino[k];
         struct cell cells[] = {cell_count((domq_real)k + 1),
@@ -126,8 +126,8 @@ void design_row(struct answer *a, const struct designed_row *p, const struct dom
                ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
                    cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
                    p && p->has_masses ? cell_narrow(designed_mass(p), 5) : none,
-                   p && p->hollow ? cell_narrow(material, 5) : none,
-                   p && !p->hollow ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
+                   p && p->walls_unknown ? cell_narrow(material, 5) : none,
+                   p && !p->walls_unknown ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
                    d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
                    cell_narrow(d->seconds, 5),
                    counted ? cell_narrow((domq_real)study->fall / (domq_real)study->rows, 6) : none,

@@ -10,8 +10,8 @@ struct designed_row {
     size_t count;
     bool has_masses;           /* true if masses are in kg, false if relative to the first domino */
     const struct scene *scene; /* gives the thickness of the walls of boxes */
-    bool hollow;      /* true if the dominoes are hollow and the thickness of their walls is not known */
-    bool is_improved; /* true if 'improve sizes' has changed the dominoes */
+    bool walls_unknown;        /* the dominoes are hollow, and the thickness of their walls is not known */
+    bool is_improved;          /* true if 'improve sizes' has changed the dominoes */
     const struct domq_limits
         *limits; /* the sizes that the dominoes may have, or NULL if any size is allowed */
 };
@@ -28,8 +28,8 @@ domq_real designed_mass(const struct designed_row *plan);
  * to saw and the positions. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
-/* Leaves out the columns about random rows unless `falls` is true. */
-void design_columns_choose(struct answer *a, bool falls);
+/* Leaves out the columns about random rows unless `is_random` is true. */
+void design_columns_choose(struct answer *a, bool is_random);
 
 /* Writes the numbers of a design. If there is no design, `plan` is NULL and `reason` says why. `study` has
  * the results of the random rows, or is NULL. */
@@ -42,11 +42,11 @@ bool design_scene(const struct scene *from, const struct domq_design *design, co
 
 enum { REASON = 640 };
 
-/* Finds the design with the fewest dominoes that falls with the probability `falls`. The lower end of
- * the 95 % interval must reach `falls`. Prints a table of the designs that were tried. If there is no design,
+/* Finds the design with the fewest dominoes that falls with the given probability. The lower end of the 95 %
+ * interval must reach `probability`. Prints a table of the designs that were tried. If there is no design,
  * `reason` says why, and design->limit is not DOM_DESIGN_FITS. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                  const struct domq_limits *limits, domq_real falls, struct domq_design *design,
+                  const struct domq_limits *limits, domq_real probability, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem);
 
 #endif

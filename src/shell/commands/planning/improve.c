@@ -122,7 +122,7 @@ static void changes_list(struct answer *a, const struct improvement *i)
             for (int c = 1; c < 7; c++) {
                 cells[c].digits = 4;
                 if (!writes)
-                    answer_largest(&list, columns[c].key, cells[c].number);
+                    answer_announce(&list, columns[c].key, cells[c].number);
             }
             if (writes)
                 answer_row(&list, cells, NULL);

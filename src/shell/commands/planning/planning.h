@@ -66,7 +66,7 @@ struct wishes {
     domq_real hall;   /* the maximum length of the row in m */
     enum dom_least least;
     bool has_hall;                            /* true if the user has typed 'hall' */
-    domq_real falls;                          /* the smallest allowed probability of falling, or 0 */
+    domq_real probability;                    /* the smallest allowed probability of falling, or 0 */
     bool sizes;                               /* true if 'improve' also changes sizes */
     domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
     size_t boards;

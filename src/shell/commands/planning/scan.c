@@ -17,8 +17,8 @@ static bool verdict_ask(const struct probe *p, const struct query *at, struct qu
     struct answer answer = {.style = state_style(at->state), .columns = c->columns, .rows = c->rows};
     if (!question_ask(p->question, at, &answer, problem))
         return false;
-    *value = (struct quantity){.value = answer.holds == ANSWER_YES ? 1 : -1};
-    return answer.holds != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
+    *value = (struct quantity){.value = answer.verdict == ANSWER_YES ? 1 : -1};
+    return answer.verdict != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
 }
 
 domq_real probe_at(struct probe *p, domq_real value)

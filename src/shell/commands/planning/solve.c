@@ -223,7 +223,7 @@ static bool scan_check(const struct scan *s, struct problem *problem)
                     tol = s->probe.query->scene->compute.tol;
     if (v->verdict || s->answers == 0)
         return true;
-    if (!quantity_bare(v->value) && !quantity_alike(unit, v->value))
+    if (!quantity_is_number(v->value) && !quantity_alike(unit, v->value))
         return problem_error(problem, "%s is %s, but VALUE is %s", v->question->name, expression_kind(unit),
                              expression_kind(v->value));
     if (s->answers < 2 || s->most.f - s->least.f > (domq_real)1e-12 * size + 10 * tol * size)
@@ -240,7 +240,7 @@ static void scan_answer(const struct scan *s, struct answer *a)
     char reason[1024];
     answer_columns(a, solve_columns)[0].unit = s->solve->parameter->value->unit;
     for (int i = 0; i < s->roots; i++)
-        answer_largest(a, "value", s->root[i].x);
+        answer_announce(a, "value", s->root[i].x);
     for (int i = 0; i < s->roots && !answer_lost(a); i++)
         answer_cells(a, cell_bound(s->root[i].x, DOMQ_NAN), cell_bound(s->root[i].answer, DOMQ_NAN),
                      cell_word(s->root[i].branch));

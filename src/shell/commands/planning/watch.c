@@ -66,7 +66,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart.x.low = w->from;
     chart.x.high = w->to;
     snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
-    (void)chart_fit(&chart); /* an empty chart is shown if there are no points */
+    (void)chart_prepare(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))

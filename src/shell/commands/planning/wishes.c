@@ -168,7 +168,7 @@ static bool boards_bind(const struct question *q, const struct query *query, str
         if (!item_bind(&parsed->board[i], q->text, query, &board[i], &w->board[i], problem))
             return false;
     for (size_t i = 0; i < w->boards; i++) {
-        const bool bare = quantity_bare(board[i]),
+        const bool bare = quantity_is_number(board[i]),
                    length = quantity_alike(board[i], (struct quantity){.length = 1});
         if (!(w->board[i] > 0) || (!bare && !length))
             return problem_error(
@@ -191,18 +191,21 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
     *w = usual_wishes;
     w->least = parsed->least;
     w->sizes = parsed->sizes;
-    domq_real *const value[WISHES] = {
-        [SAFETY] = &w->safety, [FALLS] = &w->falls, [HALL] = &w->hall, [MASS] = &w->mass, [GRID] = &w->grid};
+    domq_real *const value[WISHES] = {[SAFETY] = &w->safety,
+                                      [FALLS] = &w->probability,
+                                      [HALL] = &w->hall,
+                                      [MASS] = &w->mass,
+                                      [GRID] = &w->grid};
     for (int k = 0; k < WISHES; k++)
         if (parsed->value[k].argument &&
             !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
             return false;
     w->has_hall = parsed->value[HALL].argument;
-    if (!quantity_bare(unit[SAFETY]))
+    if (!quantity_is_number(unit[SAFETY]))
         return problem_error(
             problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
     if (parsed->value[FALLS].argument &&
-        !(quantity_bare(unit[FALLS]) && w->falls > 0 && w->falls <= FALLS_MOST))
+        !(quantity_is_number(unit[FALLS]) && w->probability > 0 && w->probability <= FALLS_MOST))
         return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
     if (parsed->value[MASS].argument &&
         !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))

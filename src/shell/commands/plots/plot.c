@@ -230,13 +230,13 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     columns_choose(plot, a->copy);
     a->columns = a->copy;
     a->style.errors = 0; /* a picture shows no error bounds */
-    return plot_draw(plot, more ? &more->look : &usual, &plot_query, a, problem);
+    return plot_write(plot, more ? &more->look : &usual, &plot_query, a, problem);
 }
 
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct chart_look usual = {.title = NULL};
-    return plot_draw(&plots[names_exact(plot_names, NULL, "sweep")], &usual, query, a, problem);
+    return plot_write(&plots[names_exact(plot_names, NULL, "sweep")], &usual, query, a, problem);
 }
 
 const struct command plot_commands[] = {
@@ -268,7 +268,7 @@ const struct command plot_commands[] = {
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",
-     .unswept = "it draws",
+     .sweep_refusal = "it draws",
      .writes = WRITES_CHARTS,
      .rows = true,
      ANSWER(plot)},

@@ -122,11 +122,11 @@ static void chart_finish(const struct plot *plot, const struct answer *a, struct
             x = fmax(x, isfinite(p->x) ? p->x : 0);
             y = fmax(fmax(y, p->y), p->high);
         }
-    chart_scale(chart, axis_label(&chart->x, &plot->x, a, x), axis_label(&chart->y, &plot->y, a, y));
+    chart_convert(chart, axis_label(&chart->x, &plot->x, a, x), axis_label(&chart->y, &plot->y, a, y));
 }
 
-bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
-               struct answer *a, struct problem *problem)
+bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
+                struct answer *a, struct problem *problem)
 {
     if (!answer_for_people(a))
         return plot->run(query, a, NULL, problem);

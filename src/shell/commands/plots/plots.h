@@ -11,7 +11,7 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* Writes the rows of a plot. plot_draw adds them to `chart`, which is NULL if the output is csv or json. The
+/* Writes the rows of a plot. plot_write adds them to `chart`, which is NULL if the output is csv or json. The
  * function itself adds to the chart what is not in the rows, such as a note. On failure, sets *problem and
  * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
@@ -71,8 +71,8 @@ struct plot {
 };
 
 /* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
-bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
-               struct answer *a, struct problem *problem);
+bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
+                struct answer *a, struct problem *problem);
 
 /* The keywords for the look of a chart. The keyword for x is followed by the keyword for y. */
 enum look_word {

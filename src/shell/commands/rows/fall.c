@@ -207,11 +207,11 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     if (listed)
         columns_choose(a, scene, scene_has_masses(query->scene));
     for (size_t k = 0; k < scene->row.count && listed; k++)
-        answer_largest(a, "height", scene->domino[k].height);
+        answer_announce(a, "height", scene->domino[k].height);
     enum dom_status status =
         domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
     bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
-    answer_holds(a, known && v->end == DOM_ROW_FALLS);
+    answer_set_verdict(a, known && v->end == DOM_ROW_FALLS);
     if (known && !listed)
         verdict_row(a, &f.run);
     if (known || (status == DOM_OK && listed)) {

@@ -104,7 +104,7 @@ static void without_text(const struct study *study, char text[WITHOUT_TEXT])
         snprintf(prefix, sizeof prefix, " %s@", error_names(NULL, k));
         n += snprintf(text + n, (size_t)(WITHOUT_TEXT - n), "%s%s:%zu", n ? " " : "", error_names(NULL, k),
                       study->without[k]);
-        n += stops_text(study_stops(study, k), study->count, prefix, text + n, WITHOUT_TEXT - n);
+        n += stops_text(study_stops(study, k), study->dominoes, prefix, text + n, WITHOUT_TEXT - n);
     }
 }
 
@@ -118,18 +118,19 @@ static bool block_write(void *context, size_t block, FILE *out)
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
     p.parallel = NULL; /* the rows of a block use one thread, because blocks are computed in parallel */
-    b->status = study_make(&b->scene->row, &b->scene->compute, &p, &study);
+    b->status = study_run_with_causes(&b->scene->row, &b->scene->compute, &p, &study);
     if (!without)
         b->status = DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
-        stops_text(study.stops, study.count, "", stops, STOPS_TEXT);
+        stops_text(study.stops, study.dominoes, "", stops, STOPS_TEXT);
         without_text(&study, without);
         answer_cells(&a, cell_real(study.sigma), cell_real(study.heights), cell_count((domq_real)p.seed),
-                     cell_word(b->checksum), cell_count((domq_real)study.count), cell_count((domq_real)all),
-                     cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
-                     cell_count((domq_real)study.counts.fall), cell_count((domq_real)study.counts.unknown),
-                     cell_word(stops), cell_word(errors_text(p.error, errors)), cell_word(without));
+                     cell_word(b->checksum), cell_count((domq_real)study.dominoes),
+                     cell_count((domq_real)all), cell_count((domq_real)p.first + 1),
+                     cell_count((domq_real)p.rows), cell_count((domq_real)study.result.fall),
+                     cell_count((domq_real)study.result.unknown), cell_word(stops),
+                     cell_word(errors_text(p.error, errors)), cell_word(without));
     }
     free(study.stops);
     free(without);
@@ -227,9 +228,9 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     p->checksum = csv_cell(csv, SCENE).text;
     p->errors = csv_cell(csv, ERRORS).text;
     p->study = (struct study){
-        .sigma = p->common[SIGMA], .heights = p->common[HEIGHTS], .count = (size_t)csv->value[DOMINOES]};
+        .sigma = p->common[SIGMA], .heights = p->common[HEIGHTS], .dominoes = (size_t)csv->value[DOMINOES]};
     snprintf(p->study.errors, sizeof p->study.errors, "%s", p->errors);
-    p->study.stops = calloc((1 + DOM_ERROR_COUNT) * p->study.count, sizeof *p->study.stops);
+    p->study.stops = calloc((1 + DOM_ERROR_COUNT) * p->study.dominoes, sizeof *p->study.stops);
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
@@ -251,7 +252,7 @@ static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
-        const size_t count = stop_add(&text, p->study.stops, p->study.count);
+        const size_t count = stop_add(&text, p->study.stops, p->study.dominoes);
         if (count == 0)
             return false;
         *sum += count;
@@ -274,7 +275,7 @@ static bool without_add(struct pool *p, const char *text)
             return false;
         text += length;
         if (mark == '@') {
-            if (stop_add(&text, study_stops(study, kind), study->count) == 0)
+            if (stop_add(&text, study_stops(study, kind), study->dominoes) == 0)
                 return false;
             continue;
         }
@@ -306,9 +307,9 @@ static bool block_add(struct pool *p, struct csv_table *csv)
         !without_add(p, csv_cell(csv, WITHOUT).text) || fall + unknown + stopped != rows)
         return csv_wrong(&csv->file, csv->row.at,
                          "the counts of this block do not add up to its number of rows");
-    p->study.counts.rows += rows;
-    p->study.counts.fall += fall;
-    p->study.counts.unknown += unknown;
+    p->study.result.rows += rows;
+    p->study.result.fall += fall;
+    p->study.result.unknown += unknown;
     struct block *more = realloc(p->block, (p->blocks + 1) * sizeof *more);
     if (!more)
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
@@ -338,7 +339,7 @@ static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, s
                              "row %zu of the study is in the file twice; leave one part out", b->first);
         if (b->first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing; the first missing row is number %zu",
-                     all - p->study.counts.rows, all, next);
+                     all - p->study.result.rows, all, next);
         next = b->first + b->rows;
     }
     return true;
@@ -354,7 +355,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         ;
     bool good = p.block && !*csv->file.problem.text && blocks_check(&p, csv, missing, sizeof missing);
     good = csv_end(csv, problem) && good;
-    enum dom_status status = good ? domq_study_interval(&p.study.counts) : DOM_OK;
+    enum dom_status status = good ? domq_study_interval(&p.study.result) : DOM_OK;
     if (good && status == DOM_OK)
         study_answer(a, &p.study, *missing ? missing : NULL);
     free(p.study.stops);

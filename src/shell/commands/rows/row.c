@@ -55,7 +55,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
                 cell_real(d->radius),         cell_real(lean_offset(d)),
                 cell_real(d->width)};
             for (int i = 1; i < 9 && !writes; i++)
-                answer_largest(a, row_columns[i].key, cells[i].number);
+                answer_announce(a, row_columns[i].key, cells[i].number);
             if (writes)
                 answer_row(a, cells, NULL);
         }
@@ -208,7 +208,7 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
     const char *name = row_measure_names(NULL, (int)change->measure),
                *unit = rowfile_kind.column[change->measure].unit;
     const struct quantity wanted = expression_unit(unit);
-    const bool is_relative = parsed->has_sign && !parsed->is_set, is_bare = quantity_bare(*value);
+    const bool is_relative = parsed->has_sign && !parsed->is_set, is_bare = quantity_is_number(*value);
     change->value = value->value;
     change->is_angle =
         change->measure == MEASURE_LEAN && quantity_alike(*value, (struct quantity){.angle = 1});

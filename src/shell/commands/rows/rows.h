@@ -46,9 +46,9 @@ struct study {
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
     bool causes; /* the rows were also run with each kind of error left out in turn */
-    struct domq_study counts;
+    struct domq_study result;
     size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
-    size_t count;                    /* the number of dominoes in the row */
+    size_t dominoes;                 /* the number of dominoes in the row */
     size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
 };
 
@@ -59,8 +59,8 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
 
 /* Runs a study. If there are several kinds of errors, runs the rows again with each kind left out in turn.
  * The caller frees study->stops, even after a failure. */
-enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
-                           const struct domq_placement *placement, struct study *study);
+enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
+                                      const struct domq_placement *placement, struct study *study);
 
 /* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
 size_t *study_stops(const struct study *study, int kind);
@@ -84,7 +84,7 @@ struct windows {
     struct domq_window *kind[WINDOW_KINDS];
     /* For each kind, the number of the domino with the tightest limits, or 0. If the row does not fall, only
      * the element for leans is set, to the domino that needs the smallest change. */
-    size_t first[WINDOW_KINDS];
+    size_t critical[WINDOW_KINDS];
     bool falls;
 };
 

@@ -56,8 +56,9 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
 {
     struct study study;
     char partial[80];
-    const enum dom_status status = study_make(&t->scene.row, &t->scene.compute, &t->placement, &study);
-    const size_t rows = study.counts.rows;
+    const enum dom_status status =
+        study_run_with_causes(&t->scene.row, &t->scene.compute, &t->placement, &study);
+    const size_t rows = study.result.rows;
     bool interrupted =
         /* Within a sweep, an interrupted study has no answer. */
         status == DOM_INTERRUPTED && rows > 0 && !a->sink;
@@ -221,7 +222,7 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
                problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
                                       "placement 1 mm' and 'effect error_thickness 1 %%'");
     const int effect = error_effect((int)kind);
-    if (!effect_needs(query->scene, effect, problem))
+    if (!effect_check_needs(query->scene, effect, problem))
         return false;
     effect_put(&with, effect, effect_at(effect)->argument[0].usual, NULL);
     return errors_check(&with, problem);
@@ -316,7 +317,7 @@ const struct command study_commands[] = {
              "studies.",
      .see = "placement",
      .columns = placement_columns,
-     .unswept = "it reads a file",
+     .sweep_refusal = "it reads a file",
      .principal = "probability",
      .files = true,
      .run = run_pool},

@@ -24,16 +24,16 @@ const struct column placement_columns[] = {
 
 size_t *study_stops(const struct study *study, int kind)
 {
-    return study->stops + ((size_t)kind + 1) * study->count;
+    return study->stops + ((size_t)kind + 1) * study->dominoes;
 }
 
-enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
-                           const struct domq_placement *p, struct study *study)
+enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
+                                      const struct domq_placement *p, struct study *study)
 {
     int on = 0;
     *study = (struct study){.sigma = p->error[DOM_ERROR_gap].size,
                             .heights = p->error[DOM_ERROR_height].size,
-                            .count = row->count};
+                            .dominoes = row->count};
     errors_text(p->error, study->errors);
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
         study->is_on[k] = p->error[k].size > 0;
@@ -44,8 +44,8 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
     if (!study->stops)
         return DOM_NO_MEMORY;
     return study->causes
-               ? domq_placement_causes(row, compute, p, &study->counts, study->without, study->stops)
-               : domq_placement_study(row, compute, p, &study->counts, study->stops);
+               ? domq_placement_causes(row, compute, p, &study->result, study->without, study->stops)
+               : domq_placement_study(row, compute, p, &study->result, study->stops);
 }
 
 /* Iterates over the indices of number[0 .. count - 1], from the largest number to the smallest, without
@@ -74,8 +74,8 @@ static int cause_next(const struct study *s, int last)
 /* Returns the domino at which this kind of error stops the most rows, or 0. */
 static size_t cause_stops(const struct study *s, int kind)
 {
-    const size_t most = most_next(study_stops(s, kind), s->count, s->count);
-    return most < s->count ? most + 1 : 0;
+    const size_t most = most_next(study_stops(s, kind), s->dominoes, s->dominoes);
+    return most < s->dominoes ? most + 1 : 0;
 }
 
 /* Prints, for each kind of error, how many rows would fall without it. */
@@ -105,9 +105,9 @@ static void causes_say(struct answer *a, const struct study *s)
                  names[k], s->without[k]);
     if (domino > 0)
         snprintf(stops, sizeof stops, "; because of %s, most rows stop at domino %zu", it, domino);
-    if (s->without[worst] > s->counts.fall)
+    if (s->without[worst] > s->result.fall)
         answer_say(a, "Most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.", names[worst],
-                   it, s->without[worst], s->counts.rows, stops, others);
+                   it, s->without[worst], s->result.rows, stops, others);
     else
         answer_say(a, "Leaving out a single error would not make more of these rows fall.");
 }
@@ -115,8 +115,8 @@ static void causes_say(struct answer *a, const struct study *s)
 void study_answer(struct answer *a, const struct study *s, const char *reason)
 {
     enum { SHOWN = 5 };
-    const struct domq_study *study = &s->counts;
-    const size_t count = s->count, others = study->rows - study->fall - study->unknown,
+    const struct domq_study *study = &s->result;
+    const size_t count = s->dominoes, others = study->rows - study->fall - study->unknown,
                  most = most_next(s->stops, count, count);
     const int worst = cause_next(s, DOM_ERROR_COUNT);
     const bool costs = worst < DOM_ERROR_COUNT && s->without[worst] > study->fall;

@@ -135,11 +135,11 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
     if (status == DOM_OK)
-        w->first[DOM_WINDOW_PLUMB] = least_room(w, DOM_WINDOW_PLUMB);
+        w->critical[DOM_WINDOW_PLUMB] = least_room(w, DOM_WINDOW_PLUMB);
     if (status == DOM_OK && w->falls) {
-        w->first[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
-        w->first[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
-        w->first[DOM_WINDOW_THICKNESS] = least_room(w, DOM_WINDOW_THICKNESS);
+        w->critical[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
+        w->critical[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
+        w->critical[DOM_WINDOW_THICKNESS] = least_room(w, DOM_WINDOW_THICKNESS);
     }
     return status;
 }
@@ -199,7 +199,7 @@ static struct words off_plumb(domq_real value, int digits)
 
 static void lean_say(struct answer *a, const struct windows *w)
 {
-    const size_t k = w->first[DOM_WINDOW_PLUMB];
+    const size_t k = w->critical[DOM_WINDOW_PLUMB];
     if (k == 0)
         return;
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
@@ -272,7 +272,7 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
 /* Prints the window of the domino whose height or thickness has the tightest limits. */
 static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind, const char *how)
 {
-    const size_t k = w->first[kind];
+    const size_t k = w->critical[kind];
     if (k == 0)
         return;
     const struct domq_window of = readable(&w->kind[kind][k - 1]);
@@ -285,7 +285,7 @@ static void size_say(struct answer *a, const struct windows *w, enum dom_window_
 static void tolerance_say(struct answer *a, const struct windows *w)
 {
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
-    const size_t place = w->first[DOM_WINDOW_PLACE];
+    const size_t place = w->critical[DOM_WINDOW_PLACE];
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
                   "is for one change, with the rest of the row as it is.");
     if (w->scene->row.engine)
@@ -326,14 +326,15 @@ static void columns_choose(struct answer *a, const struct windows *w)
     for (size_t k = 0; k < w->count; k++)
         for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window get the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
-            answer_largest(a, tolerance_columns[3 * i + 2].key, high);
-            answer_largest(a, tolerance_columns[3 * i + 3].key, high);
+            answer_announce(a, tolerance_columns[3 * i + 2].key, high);
+            answer_announce(a, tolerance_columns[3 * i + 3].key, high);
         }
 }
 
 static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
 {
-    const bool place = w->first[DOM_WINDOW_PLACE] == k + 1, height = w->first[DOM_WINDOW_HEIGHT] == k + 1;
+    const bool place = w->critical[DOM_WINDOW_PLACE] == k + 1,
+               height = w->critical[DOM_WINDOW_HEIGHT] == k + 1;
     const struct domq_window *friction = w->kind[DOM_WINDOW_FRICTION];
     struct cell cells[ANSWER_COLUMNS] = {cell_count((domq_real)k + 1)}, *cell = cells + 1;
     bool saves = w->falls;

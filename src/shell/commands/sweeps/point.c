@@ -71,7 +71,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         for (int i = 0; i < w->grid->axes; i++)
             is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
         const bool is_alone =
-            !w->question->next && q->command->alone && strcmp(q->command->alone, from->key) == 0;
+            !w->question->next && q->command->slow_column && strcmp(q->command->slow_column, from->key) == 0;
         if (is_alone || (is_parameter && strcmp(repeated, from->key) == 0))
             continue;
         if (is_parameter) {

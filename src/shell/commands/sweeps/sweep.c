@@ -34,7 +34,7 @@ static const char *sweepable_names(const void *context, int k)
 {
     const char *name;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_find(name)->columns && !command_find(name)->unswept && k-- == 0)
+        if (command_find(name)->columns && !command_find(name)->sweep_refusal && k-- == 0)
             return name;
     return NULL;
 }
@@ -47,8 +47,8 @@ static bool answer_parse(struct reader *r, struct question *q)
     const struct command *c = q->command = command_read_inner(r, sweepable_names);
     if (!c)
         return false;
-    if (c->unswept)
-        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->unswept);
+    if (c->sweep_refusal)
+        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->sweep_refusal);
     if (!c->columns)
         return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);
@@ -132,7 +132,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
         /* Unless the values are a list, the first and the last value are enough. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
-            answer_largest(a, axis->parameter->name, axis_value(axis, k));
+            answer_announce(a, axis->parameter->name, axis_value(axis, k));
     }
 }
 
