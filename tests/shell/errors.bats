@@ -102,7 +102,7 @@ END
 @test "a value out of range: the message has the value and the range" {
     while read -r name below above range; do
         for text in $below $above; do
-            echo "$((${#name} + 6))|set $name $text|^set: $name = .* is out of range; $name is .* $range"
+            echo "$((${#name} + 6))|set $name $text|^set: $name = .* is out of range; $name must be in the range $range"
         done
     done <<'END' | all_wrong
 s 0 1.0001 1e-06 \.\. 1( |$)
@@ -175,7 +175,7 @@ END
         done
     done <<'END'
 set s 1e-6; set d 1e-12; set r 1|chain 0,energy 0,fuel,barrier|use a larger s, d or tol
-set s 1e-6; set r 1e6; set q 100|fuel,barrier,duration|range of the precision.*(smaller|lower|larger|less|fewer|at most|up to)
+set s 1e-6; set r 1e6; set q 100|fuel,barrier,duration|too large for this precision; use a smaller r or q
 END
 }
 

@@ -206,9 +206,9 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
             return true;
         }
         if (*message)
-            return problem_error(r->problem,
-                                 p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
-                                 message, p->name, parameter_range(r->query->state, p, 0));
+            return problem_error(
+                r->problem, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in the range %s)",
+                message, p->name, parameter_range(r->query->state, p, 0));
     }
     struct argument *a = reader_memory(r, sizeof *a);
     if (!a)

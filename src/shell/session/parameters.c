@@ -246,18 +246,19 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         return true;
     const char *range = parameter_range(state, p, i);
     if (broken)
-        return problem_no_answer(problem, "%s = %s is not a whole number; %s must be a whole number in %s",
+        return problem_no_answer(problem,
+                                 "%s = %s is not a whole number; %s must be a whole number in the range %s",
                                  of->name, quad_text(value, 10), of->name, range);
     if (p->of_precision && value > 0 && value < lowest)
         return problem_no_answer(
-            problem, "%s = %s cannot be reached in %s precision; %s is a number in %s%s", p->name,
+            problem, "%s = %s cannot be reached in %s precision; %s must be in the range %s%s", p->name,
             quad_text(value, 10), arithmetic->name, p->name, range,
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
-    return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s%s", of->name,
-                             quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "", of->unit,
-                             p->words && !p->effect ? ", or a word such as " : "",
+    return problem_no_answer(problem, "%s = %s is out of range; %s%s must be in the range %s%s%s%s%s",
+                             of->name, quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "",
+                             of->unit, p->words && !p->effect ? ", or a word such as " : "",
                              p->words && !p->effect ? p->words->name : "");
 }
 

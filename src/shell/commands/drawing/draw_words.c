@@ -142,8 +142,9 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
                              expression_kind(quantity));
     if (value == DRAW_SPEED && !(plain && number >= (domq_real)0.001 && number <= 1000))
         return problem_error(
-            problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, and 0.5 is half as fast"
-                           : "the speed must be a number without a unit");
+            problem,
+            plain ? "the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast"
+                  : "the speed must be a number without a unit");
     plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
     return value != DRAW_RATE || (plain && number >= 1 && number <= 50) ||
            problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"
