@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
+enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEADER = OUTPUT_HEADER };
 
 struct column {
     const char *key;     /* the name of the column */
@@ -45,9 +45,9 @@ struct layout {
 };
 
 struct csv_layout {
-    bool units;       /* column names include the units, so that the file can be read back */
-    bool has_reasons; /* the rows have a column for reasons */
-    char *last_head;  /* the last header line that was written to this file, or NULL */
+    bool units;        /* column names include the units, so that the file can be read back */
+    bool has_reasons;  /* the rows have a column for reasons */
+    char *last_header; /* the last header line that was written to this file, or NULL */
     /* Texts to append, each with a NUL byte. The first is appended to the header line, and the others are
      * appended to the rows. May be NULL. */
     const char *extra;
@@ -106,7 +106,7 @@ struct format {
     /* Writes an error into the output, in addition to the message on standard error. */
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
-    bool (*is_head)(const char *line);
+    bool (*is_header)(const char *line);
     /* Ends the answer. If a reason could not be written with its row, returns this reason, which the caller
      * must report. Otherwise returns NULL. */
     const char *(*end)(struct answer *answer);

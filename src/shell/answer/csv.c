@@ -27,30 +27,30 @@ static const char *extra_next(struct answer *a)
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;
-    char head[ANSWER_HEAD];
+    char header[ANSWER_HEADER];
     size_t n = 0;
     /* The column for reasons exists only if the `reason` of the first row is not NULL. */
     a->csv.has_reasons = a->csv.has_reasons || reason;
-    for (int i = 0; a->columns[i].key && n < sizeof head; i++) {
+    for (int i = 0; a->columns[i].key && n < sizeof header; i++) {
         const struct column *c = &a->columns[i];
-        n += (size_t)snprintf(head + n, sizeof head - n, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s",
+        n += (size_t)snprintf(header + n, sizeof header - n, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s",
                               i ? "," : "", c->key, c->unit);
-        if (answer_bounded(a, i) && n < sizeof head)
-            n += (size_t)snprintf(head + n, sizeof head - n, ",%s_error", c->key);
+        if (answer_bounded(a, i) && n < sizeof header)
+            n += (size_t)snprintf(header + n, sizeof header - n, ",%s_error", c->key);
     }
-    if (n < sizeof head)
-        snprintf(head + n, sizeof head - n, "%s%s", a->csv.has_reasons ? ",reason" : "",
+    if (n < sizeof header)
+        snprintf(header + n, sizeof header - n, "%s%s", a->csv.has_reasons ? ",reason" : "",
                  a->note ? ",note" : "");
     const char *extra = extra_next(a);
-    bool is_same = a->csv.last_head && !*extra && strcmp(a->csv.last_head, head) == 0;
+    bool is_same = a->csv.last_header && !*extra && strcmp(a->csv.last_header, header) == 0;
     if (a->style.header && !is_same)
-        fprintf(a->out, "%s%s\n", head, extra);
-    if (a->csv.last_head)
-        memcpy(a->csv.last_head, *extra ? "" : head, *extra ? 1 : sizeof head);
+        fprintf(a->out, "%s%s\n", header, extra);
+    if (a->csv.last_header)
+        memcpy(a->csv.last_header, *extra ? "" : header, *extra ? 1 : sizeof header);
 }
 
 /* A line is a header if every cell in it begins with a letter. */
-static bool csv_is_head(const char *line)
+static bool csv_is_header(const char *line)
 {
     for (const char *cell = line; *cell; cell += strcspn(cell, ","), cell += *cell == ',')
         if (!isalpha((unsigned char)*cell))
@@ -86,4 +86,5 @@ static const char *csv_end(struct answer *a)
     return *a->late_reason ? a->late_reason : NULL;
 }
 
-const struct format format_csv = {.begin = csv_begin, .row = csv_row, .is_head = csv_is_head, .end = csv_end};
+const struct format format_csv = {
+    .begin = csv_begin, .row = csv_row, .is_header = csv_is_header, .end = csv_end};

@@ -10,7 +10,7 @@ struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
     const char *name, *kind, *summary, *equation, *text, *example, *see, *synonyms;
-    char usage[96], keys[ANSWER_HEAD], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
+    char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
 };
 
 /* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',

@@ -27,7 +27,7 @@ static void train_note(const struct session *session, struct answer *answer)
             : "(" TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
-    if (answer->path && ending_of(answer->path)->kind == ENDING_SHEET)
+    if (answer->path && extension_of(answer->path)->kind == EXTENSION_SHEET)
         fprintf(stderr, "%s\n", note);
     else
         answer_say(answer, "%s", note);
@@ -48,7 +48,7 @@ static bool run_function(struct session *session, const struct command *c, const
         return false;
     if (c->act)
         return c->act(session, query->given, answer, problem);
-    if (answer->path && c->picture && ending_of(answer->path)->terminal)
+    if (answer->path && c->picture && extension_of(answer->path)->terminal)
         return c->picture(query, answer, problem);
     return c->run(query, answer, problem);
 }
@@ -70,7 +70,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         .style = state_style(query->state),
         .command = c->name,
         .note = is_not_row ? TRAIN_NOTE : NULL,
-        .csv.last_head = end->head,
+        .csv.last_header = end->header,
         .columns = c->columns,
         .rows = c->rows,
         .blank_above = end->answered && session->source.name,
@@ -144,40 +144,40 @@ static const char *endings_of(const struct command *c)
 }
 
 /* Returns true if the command can write a file with this extension. Otherwise reports a problem. */
-static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
+static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
-    const struct ending *ending = ending_of(path);
+    const struct extension *extension = extension_of(path);
     const bool charts = c->writes == WRITES_CHARTS || c->picture, draws = charts || is_picture(c);
     bool fits = true;
-    if (ending->kind == ENDING_OTHER)
+    if (extension->kind == EXTENSION_OTHER)
         return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
                              endings_of(c));
-    if (ending->kind == ENDING_DATA)
+    if (extension->kind == EXTENSION_DATA)
         fits = c->columns || c->runs || c->writes == WRITES_PAGES;
-    else if (ending->kind == ENDING_SHEET)
+    else if (extension->kind == EXTENSION_SHEET)
         fits = c->writes == WRITES_DOCUMENTS
-                   ? ending->is_document
-                   : ending->terminal && draws && (charts || strcmp(ending->text, ".tex") != 0);
+                   ? extension->is_document
+                   : extension->terminal && draws && (charts || strcmp(extension->text, ".tex") != 0);
     return fits || problem_error(problem, "'%s' is the name of a %s, and '%s' cannot write one; use %s%s",
                                  names_shown(path),
-                                 ending->kind == ENDING_DATA ? "data file"
-                                 : ending->terminal          ? "picture"
-                                                             : "document",
+                                 extension->kind == EXTENSION_DATA ? "data file"
+                                 : extension->terminal             ? "picture"
+                                                                   : "document",
                                  c->name, endings_of(c),
-                                 draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
+                                 draws || !extension->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
 /* Runs a command and writes its answer to a file, in the format that the file extension stands for. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
-    const struct ending *ending = ending_of(path);
+    const struct extension *extension = extension_of(path);
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
         /* with format_table, a picture is drawn even after 'set output csv' */
-        session->output->format = ending->kind == ENDING_SHEET ? &format_table : ending->format;
-        session->output->is_head = session_format(session)->is_head;
+        session->output->format = extension->kind == EXTENSION_SHEET ? &format_table : extension->format;
+        session->output->is_header = session_format(session)->is_header;
         done = run_command(session, c, query, problem);
         wrong = output_pop(&session->output, done);
         if (!done)
@@ -197,9 +197,9 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
         word--;
     char path[64];
     snprintf(path, sizeof path, "%.*s", (int)(end - word), word);
-    const enum ending_kind kind = ending_of(path)->kind;
+    const enum extension_kind kind = extension_of(path)->kind;
     const size_t length = strlen(problem->text);
-    if (*skip_blanks(end) != '>' && kind >= ENDING_TEXT && (c->columns || is_picture(c)) && !c->files)
+    if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) && !c->files)
         snprintf(problem->text + length, sizeof problem->text - length,
                  "; to write the answer into a file, put '>' before its name: '> %s'", names_shown(path));
 }
@@ -223,7 +223,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                              "only one word can follow '>'; put a file name with blanks in double quotes");
     if (session->means.safe)
         return problem_error(problem, "a safe session cannot read or write files");
-    return ending_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
 }
 
 /* ---- Commands ---- */

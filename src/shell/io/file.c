@@ -63,16 +63,16 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* If the first line of the text repeats the last header line of the target, returns the length of this line,
  * which is not appended. Otherwise returns 0. */
-static long repeated_head(const struct file *f)
+static long repeated_header(const struct file *f)
 {
-    char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
-    bool (*is_head)(const char *) = f->output.is_head;
+    char first[OUTPUT_HEADER + 1], line[sizeof first], last[sizeof first] = "";
+    bool (*is_header)(const char *) = f->output.is_header;
     rewind(f->output.out);
-    if (!is_head || !fgets(first, sizeof first, f->output.out) || !is_head(first))
+    if (!is_header || !fgets(first, sizeof first, f->output.out) || !is_header(first))
         return 0;
     FILE *in = io_open_read(f->target.path, f->interrupt);
     for (bool begins = true; in && fgets(line, sizeof line, in); begins = strchr(line, '\n') != NULL)
-        if (begins && is_head(line))
+        if (begins && is_header(line))
             memcpy(last, line, sizeof last);
     if (in)
         fclose(in);
@@ -101,7 +101,7 @@ static bool file_fill(const struct file *f, int file)
     fstat(fileno(o->out), &text);
     /* Space is reserved before the first byte is overwritten. */
     errno = o->append ? 0 : system_reserve(file, 0, text.st_size);
-    bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
+    bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_header(f) : 0, file);
     int reason = errno;
     /* If only a part of the text could be appended, this part is removed again. */
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;

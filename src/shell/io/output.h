@@ -13,7 +13,7 @@
 
 struct format;
 
-enum { OUTPUT_HEAD = 1024 };
+enum { OUTPUT_HEADER = 1024 };
 
 struct output {
     enum output_kind {
@@ -31,15 +31,15 @@ struct output {
     /* the format that the file extension selects, or NULL for the format of 'set output' */
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
-    bool (*is_head)(const char *line);
+    bool (*is_header)(const char *line);
     /* Frees everything except the struct itself. For a file, first writes the collected text if `keep` is
      * true. Returns NULL or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 
     /* The members below are only used at the level that does not pass the text on (see OUTPUT_SINKS). */
-    char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
-    bool answered;          /* an answer was written, so the next one needs a blank line above it */
-    int error;              /* errno of the first answer that could not be written, or 0 */
+    char header[OUTPUT_HEADER]; /* the last line of column names, or "" */
+    bool answered;              /* an answer was written, so the next one needs a blank line above it */
+    int error;                  /* errno of the first answer that could not be written, or 0 */
 };
 
 /* Pushes a level. The caller sets the members of the level except `below`. */

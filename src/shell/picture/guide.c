@@ -188,11 +188,11 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
 }
 
 /* Writes the gnuplot terminal setting. The font is smaller than for 'draw', since a guide has margins. */
-static void guide_terminal(const struct sheet *v, const char *ending, char *terminal, size_t size)
+static void guide_terminal(const struct sheet *v, const char *extension, char *terminal, size_t size)
 {
-    if (strcmp(ending, ".pdf") == 0)
+    if (strcmp(extension, ".pdf") == 0)
         snprintf(terminal, size, "pdfcairo size 21cm,29.7cm font 'sans,14' fontscale 0.75 enhanced");
-    else if (strcmp(ending, ".png") == 0)
+    else if (strcmp(extension, ".png") == 0)
         snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,14' fontscale 1.25 linewidth 2 enhanced",
                  2 * v->width, 2 * v->height);
     else
@@ -205,13 +205,13 @@ static void guide_terminal(const struct sheet *v, const char *ending, char *term
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {
-    const struct ending *ending = ending_of(a->path);
-    const bool is_pdf = ending->is_script || strcmp(ending->text, ".pdf") == 0;
+    const struct extension *extension = extension_of(a->path);
+    const bool is_pdf = extension->is_script || strcmp(extension->text, ".pdf") == 0;
     struct page p = page_first(guide, is_pdf);
     struct picture picture;
     char terminal[160];
-    guide_terminal(&p.sheet, ending->is_script ? ".pdf" : ending->text, terminal, sizeof terminal);
-    if (ending->is_script) {
+    guide_terminal(&p.sheet, extension->is_script ? ".pdf" : extension->text, terminal, sizeof terminal);
+    if (extension->is_script) {
         script_head(a, terminal);
         guide_script(guide, &p, a->out);
         return true;

@@ -9,7 +9,7 @@ enum { FRAME_LEAST = 170, FRAME_MOST = 420 }; /* the minimum and maximum height 
 /* The formats of films, and the options of ffmpeg for each format. */
 enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
-    const char *ending;
+    const char *extension;
     bool ffmpeg;
     const char *option[OPTIONS]; /* the options, followed by NULL */
 };
@@ -22,9 +22,9 @@ static const struct movie_kind kinds[] = {
 
 static const struct movie_kind *kind_of(const char *path)
 {
-    const char *ending = strrchr(path, '.');
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds && ending; k++)
-        if (strcasecmp(ending, kinds[k].ending) == 0)
+    const char *extension = strrchr(path, '.');
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds && extension; k++)
+        if (strcasecmp(extension, kinds[k].extension) == 0)
             return &kinds[k];
     return NULL;
 }
@@ -40,7 +40,7 @@ bool movie_named(const char *path, struct problem *problem)
            problem_error(problem,
                          "%s needs ffmpeg, which is not installed; run 'apt install ffmpeg', or use a name "
                          "that ends in .gif",
-                         kind->ending);
+                         kind->extension);
 }
 
 bool movie_begin(struct movie *m, const char *path, const struct stage *stage, size_t frames, int delay,

@@ -13,26 +13,26 @@ enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height 
 
 /* ---- File extensions ---- */
 
-#define ENDING_OF_FORMAT(name) {.text = "." #name, .kind = ENDING_DATA, .format = &format_##name},
-static const struct ending endings[] = {
-    FORMATS(ENDING_OF_FORMAT){.text = ".txt", .kind = ENDING_TEXT},
-    {.text = ".svg", .kind = ENDING_SHEET, .terminal = "svg"},
-    {.text = ".png", .kind = ENDING_SHEET, .terminal = "pngcairo"},
-    {.text = ".pdf", .kind = ENDING_SHEET, .terminal = "pdfcairo", .is_document = true},
-    {.text = ".gp", .kind = ENDING_SHEET, .terminal = "pdfcairo", .is_script = true},
-    {.text = ".tex", .kind = ENDING_SHEET, .terminal = "tikz", .is_document = true},
-    {.text = ".md", .kind = ENDING_SHEET, .is_document = true},
+#define EXTENSION_OF_FORMAT(name) {.text = "." #name, .kind = EXTENSION_DATA, .format = &format_##name},
+static const struct extension extensions[] = {
+    FORMATS(EXTENSION_OF_FORMAT){.text = ".txt", .kind = EXTENSION_TEXT},
+    {.text = ".svg", .kind = EXTENSION_SHEET, .terminal = "svg"},
+    {.text = ".png", .kind = EXTENSION_SHEET, .terminal = "pngcairo"},
+    {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_document = true},
+    {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
+    {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
+    {.text = ".md", .kind = EXTENSION_SHEET, .is_document = true},
 };
 
-const struct ending *ending_of(const char *path)
+const struct extension *extension_of(const char *path)
 {
-    static const struct ending none = {.kind = ENDING_NONE}, other = {.kind = ENDING_OTHER};
+    static const struct extension none = {.kind = EXTENSION_NONE}, other = {.kind = EXTENSION_OTHER};
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     if (!dot || dot == name || dot[1] == '\0') /* '.hidden' has no extension */
         return &none;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        if (strcasecmp(endings[i].text, dot) == 0)
-            return &endings[i];
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
+        if (strcasecmp(extensions[i].text, dot) == 0)
+            return &extensions[i];
     return &other;
 }
 
@@ -41,7 +41,7 @@ const struct ending *ending_of(const char *path)
 /* Returns true if the answer goes to a picture file, such as .png. */
 static bool is_filed(const struct answer *a)
 {
-    return a->path && ending_of(a->path)->terminal;
+    return a->path && extension_of(a->path)->terminal;
 }
 
 /* Returns true if gnuplot draws the picture, and false if it is drawn in characters. */
@@ -66,7 +66,7 @@ bool picture_ready(const struct answer *a, struct problem *problem)
     if (is_filed(a) && a->appended)
         return problem_error(problem, "'%s' can hold only one picture; '>' replaces it",
                              names_shown(a->path));
-    return !is_filed(a) || ending_of(a->path)->is_script || gnuplot_ready(problem);
+    return !is_filed(a) || extension_of(a->path)->is_script || gnuplot_ready(problem);
 }
 
 struct marks picture_marks(const struct answer *a)
@@ -98,7 +98,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
     const struct chart_look *chosen = &chart->look;
     struct chart_look look = chart_size(chart);
     /* the font 'sans' exists even on a minimal Debian system */
-    const char *name = ending_of(path)->terminal, *family = look.family ? look.family : "sans";
+    const char *name = extension_of(path)->terminal, *family = look.family ? look.family : "sans";
     const bool svg = strcmp(name, "svg") == 0;
     const double dots = svg ? 45 : 60; /* dots per cm */
     if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
@@ -137,7 +137,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     struct sheet sheet;
     char terminal[TERMINAL_TEXT];
     int width = SHEET_WIDTH, height = STAGE_MOST;
-    const bool is_script = a->path && ending_of(a->path)->is_script;
+    const bool is_script = a->path && extension_of(a->path)->is_script;
     if (!a->path)
         graphics_size(a->out, &width, &height);
     if (!chart) {
@@ -178,7 +178,7 @@ static bool show(const struct answer *a, const struct chart *chart, const struct
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {
-    chart->tex = is_filed(a) && strcmp(ending_of(a->path)->text, ".tex") == 0;
+    chart->tex = is_filed(a) && strcmp(extension_of(a->path)->text, ".tex") == 0;
     const char *wrong = chart->failed ? dom_status_text(DOM_NO_MEMORY) : chart_dress(chart);
     const bool chosen = chart->look.has_range[0] || chart->look.has_range[1] ||
                         chart->look.scale[0] != CHART_SCALE_USUAL ||

@@ -10,24 +10,24 @@
 #include "session/problem.h"
 #include <signal.h>
 
-enum ending_kind {
-    ENDING_NONE,  /* no extension: the session's settings decide */
-    ENDING_OTHER, /* an unknown extension, which is an error */
-    ENDING_TEXT,  /* .txt, which has the same effect as no extension */
-    ENDING_DATA,  /* the extension of an answer format, such as .csv */
-    ENDING_SHEET, /* an extension for pictures (.png), for documents (.md), or for both (.pdf) */
+enum extension_kind {
+    EXTENSION_NONE,  /* no extension: the session's settings decide */
+    EXTENSION_OTHER, /* an unknown extension, which is an error */
+    EXTENSION_TEXT,  /* .txt, which has the same effect as no extension */
+    EXTENSION_DATA,  /* the extension of an answer format, such as .csv */
+    EXTENSION_SHEET, /* an extension for pictures (.png), for documents (.md), or for both (.pdf) */
 };
 
 /* A file extension, and how files with this extension are written. */
-struct ending {
-    const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
-    enum ending_kind kind;
-    const struct format *format; /* for ENDING_DATA: the format of the answer */
-    bool is_document;            /* for ENDING_SHEET: the file can be a document with formulas */
+struct extension {
+    const char *text; /* the extension, such as ".csv"; NULL for EXTENSION_NONE and EXTENSION_OTHER */
+    enum extension_kind kind;
+    const struct format *format; /* for EXTENSION_DATA: the format of the answer */
+    bool is_document;            /* for EXTENSION_SHEET: the file can be a document with formulas */
     bool is_script;              /* the script of the picture is written instead of the picture */
     const char *terminal;        /* the name of the gnuplot terminal that draws the picture, or NULL */
 };
-const struct ending *ending_of(const char *path);
+const struct extension *extension_of(const char *path);
 
 /* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
 bool picture_has_room(const struct answer *a, const char *command, struct problem *problem);

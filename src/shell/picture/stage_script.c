@@ -71,11 +71,11 @@ void sheet_follow(struct sheet *v, double at, double tall)
 
 void sheet_terminal(const struct sheet *v, const char *path, char *terminal, size_t size)
 {
-    const char *ending = strrchr(path, '.');
-    if (strcasecmp(ending, ".pdf") == 0)
+    const char *extension = strrchr(path, '.');
+    if (strcasecmp(extension, ".pdf") == 0)
         snprintf(terminal, size, "pdfcairo size %.3fcm,%.3fcm font 'sans,%d' fontscale 0.67 enhanced",
                  v->width / 40, v->height / 40, FONT);
-    else if (strcasecmp(ending, ".png") == 0)
+    else if (strcasecmp(extension, ".png") == 0)
         snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,%d' fontscale %.3g linewidth 2 enhanced",
                  2 * v->width, 2 * v->height, FONT, 2 * 0.72);
     else

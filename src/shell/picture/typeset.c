@@ -18,9 +18,9 @@ bool typeset_ready(struct problem *problem)
 }
 
 /* Returns the path of one of the document's files, which are in `folder`. */
-static const char *file_of(const char *folder, const char *ending, char path[PATH_TEXT])
+static const char *file_of(const char *folder, const char *extension, char path[PATH_TEXT])
 {
-    snprintf(path, PATH_TEXT, "%s/document%s", folder, ending);
+    snprintf(path, PATH_TEXT, "%s/document%s", folder, extension);
     return path;
 }
 
@@ -61,7 +61,7 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
 
 bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    static const char *const endings[] = {".tex", ".aux", ".log", ".pdf"};
+    static const char *const extensions[] = {".tex", ".aux", ".log", ".pdf"};
     char folder[PATH_TEXT - 32], path[PATH_TEXT];
     int length = snprintf(folder, sizeof folder, "%s/domino-XXXXXX", io_temporary_folder());
     errno = ENAMETOOLONG;
@@ -71,8 +71,8 @@ bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struc
                              names_shown(io_temporary_folder()), strerror(error));
     }
     bool done = run(folder, tex, out, interrupt, problem);
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        unlink(file_of(folder, endings[i], path));
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
+        unlink(file_of(folder, extensions[i], path));
     rmdir(folder);
     return done;
 }

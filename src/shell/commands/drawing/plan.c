@@ -199,7 +199,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     struct plan p;
     const char *const *title = query->given->bound;
     const bool has_masses = scene_has_masses(query->scene), people = answer_for_people(a),
-               is_drawn = a->path && ending_of(a->path)->kind == ENDING_SHEET;
+               is_drawn = a->path && extension_of(a->path)->kind == EXTENSION_SHEET;
     if (is_drawn && !picture_ready(a, problem))
         return false;
     if (!plan_make(query, a, problem, &p))

@@ -179,8 +179,9 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
     struct domq_fall fall;
     char verdict[VERDICT_TEXT] = "";
-    const struct ending *ending = a->path ? ending_of(a->path) : NULL;
-    if (ending && ending->is_document && strcmp(ending->text, ".pdf") == 0 && !typeset_ready(problem))
+    const struct extension *extension = a->path ? extension_of(a->path) : NULL;
+    if (extension && extension->is_document && strcmp(extension->text, ".pdf") == 0 &&
+        !typeset_ready(problem))
         return false;
     if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,

@@ -291,16 +291,16 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
                    const struct explain_arguments *bound, const char *verdict, struct problem *problem)
 {
-    const struct ending *ending = a->path ? ending_of(a->path) : NULL;
-    const bool is_document = ending && ending->is_document;
+    const struct extension *extension = a->path ? extension_of(a->path) : NULL;
+    const bool is_document = extension && extension->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
-    w.dialect = !is_document ? PLAIN : strcmp(ending->text, ".md") == 0 ? MARKDOWN : TEX;
+    w.dialect = !is_document ? PLAIN : strcmp(extension->text, ".md") == 0 ? MARKDOWN : TEX;
     answer_plan(a, NULL);
     w.formula = (struct formula){.out = a->out,
                                  .style = is_document         ? FORMULA_TEX
                                           : a->layout.letters ? FORMULA_LETTERS
                                                               : FORMULA_PLAIN};
-    if (is_document && strcmp(ending->text, ".pdf") == 0)
+    if (is_document && strcmp(extension->text, ".pdf") == 0)
         return typeset_write(&w, e, bound->deep, verdict, a->out, problem);
     if (is_document) {
         document_write(&w, e, bound->deep, verdict);

@@ -71,8 +71,8 @@ struct fit {
     size_t free_count;
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlation between each pair of unknowns, or NaN
                                                        if one is at a limit */
-    double spread;          /* the sum of (residual / error)^2, divided by the degrees of freedom */
-    size_t freedom;         /* the number of residuals minus the number of fitted values */
+    double reduced_chi_squared; /* the sum of (residual / error)^2, divided by the degrees of freedom */
+    size_t freedom;             /* the number of residuals minus the number of fitted values */
     double *computed;       /* the model's result for each measurement, at the best values of the unknowns */
     struct problem problem; /* why the last computation gave no answer */
 };

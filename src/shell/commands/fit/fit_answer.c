@@ -201,7 +201,7 @@ static void residuals_say(struct answer *a, const struct fit *f)
                "not all equal. The fit and the table therefore compare the times between successive hits.");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
-                   f->spread > 2 ? ", which are smaller than the residuals" : "");
+                   f->reduced_chi_squared > 2 ? ", which are smaller than the residuals" : "");
     else
         answer_say(a, "%s", alike[f->data.kind]);
     if (f->data.kind == FIT_SPEEDS)

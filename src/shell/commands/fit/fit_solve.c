@@ -206,7 +206,7 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     }
     /* If no errors are known, or the residuals are larger, the size of the errors is estimated from the
      * residuals. */
-    const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
+    const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
     for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
         f->unknown[f->free[a]].deviation =
@@ -249,7 +249,7 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
         double value[FIT_UNKNOWNS];
         gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
         residuals_at(f, x, residual); /* recomputes f->computed at the minimum */
-        f->spread = residuals_fill(f, residual) / (double)f->freedom;
+        f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
         memcpy(clock, values_of(f, x, value), (x->size - f->free_count) * sizeof *clock);
         for (int i = 0; i < f->unknowns; i++)
             f->unknown[i].value = value[i];
@@ -297,7 +297,7 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
         value[i] = f->unknown[i].value;
     if (!fit_compute(f, value, clock, f->computed))
         return GSL_EDOM;
-    f->spread = residuals_fill(f, residual) / (double)f->freedom;
+    f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
     return GSL_SUCCESS;
 }
 
