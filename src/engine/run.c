@@ -221,7 +221,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
     const double most = most_work * grain->steps * ((double)row->count + 20);
     while (status == ENGINE_OK && !done) {
         if (r.world.count < row->count && r.world.count < r.world.head + 2)
-            world_stand(&r.world);
+            world_add_box(&r.world);
         step(&r);
         done = ends(&r, !hit && !visit) || (visit && !visited(&r, visit, context));
         if (interrupt && *interrupt)

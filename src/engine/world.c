@@ -102,7 +102,7 @@ static cpShape *shape_of(const struct world *w, size_t k)
     return w->cp->cpPolyShapeNewRaw(w->body[k].body, 4, edge, r);
 }
 
-void world_stand(struct world *w)
+void world_add_box(struct world *w)
 {
     const struct chipmunk *cp = w->cp;
     const size_t k = w->count;
@@ -240,7 +240,7 @@ enum engine_status world_make(struct world *w)
     w->cp->cpSpaceSetCollisionBias(w->space, 1);
     if (isfinite(w->row->feet) || w->row->radius > 0)
         pave(w);
-    world_stand(w);
+    world_add_box(w);
     converge_begin(w);
     start(w);
     return ENGINE_OK;

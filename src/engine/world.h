@@ -49,7 +49,7 @@ enum engine_status world_make(struct world *world);
 void world_free(struct world *world);
 
 /* Adds the next box in its upright position. */
-void world_stand(struct world *world);
+void world_add_box(struct world *world);
 
 /*
  * Call converge_begin after the first box has been added, converge_step before each step, and converge_end

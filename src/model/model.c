@@ -15,14 +15,14 @@ static struct question question_of_limit(const struct dom_train *train, const st
 static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
 {
     if (!q->request.errors)
-        no_bounds(bounds, size);
+        bounds_set_nan(bounds, size);
     return status;
 }
 
 /* Calls a function of the kernel that fills in a result and its error bounds. Bounds that are not requested
  * or not found are NaN. */
 #define FIND(question, member, bounds, ...)                                                                  \
-    (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
+    (bounds_set_nan(&(bounds), sizeof(bounds)),                                                              \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
 
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
@@ -221,7 +221,7 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
         return status;
     status = kernels[compute.precision]->count_find(first, height, r, &compute, count);
     if (status != DOM_OK || !compute.errors)
-        no_bounds(&count->error, sizeof count->error);
+        bounds_set_nan(&count->error, sizeof count->error);
     return status;
 }
 

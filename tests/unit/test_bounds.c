@@ -281,7 +281,7 @@ TEST(heads_that_keep_falling)
         static struct random_dominoes row;
         struct random_row *s;
         dominoes_make(&row, &seed, 0);
-        assert_status(row_sample(&row.request, &s), DOM_OK);
+        assert_status(row_sample_begin(&row.request, &s), DOM_OK);
         struct run run = {.request = &s->request, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
         row_launch(&run);
         s->head = SIZE_MAX;

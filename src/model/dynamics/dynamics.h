@@ -32,7 +32,7 @@ struct launch {
     real velocity_ratio; /* omega(0) / omega_1(theta_c) */
     real omegasq;        /* tau^2 omega(0)^2 */
     real kinetic;        /* J(0) tau^2 omega(0)^2 */
-    real arrives;        /* kinetic energy at theta_c, if the train gets that far */
+    real kinetic_at_hit; /* kinetic energy at theta_c, if the train gets that far */
 };
 
 /* The state in which a motion begins, with the head at the tilt `from`. */
@@ -93,7 +93,7 @@ struct dynamics {
                                        real *energy);
     /* Optional. Returns an estimate of the error of required energies. The error may be large compared with a
      * small barrier. */
-    real (*unsure)(const struct geometry *geometry);
+    real (*required_energy_error)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);

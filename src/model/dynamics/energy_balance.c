@@ -21,7 +21,7 @@ KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *a
 {
     return (struct fuel){.exact = -at_c->dH,
                          .paper = geometry->law->paper_fuel(geometry),
-                         .inertia_ratio = geometry->inertia * at_c->J / geometry->upright};
+                         .inertia_ratio = geometry->inertia * at_c->J / geometry->upright_inertia};
 }
 
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
@@ -43,7 +43,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
-    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = geometry->upright * (1 + f->inertia_ratio);
+    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact,
+         J0 = geometry->upright_inertia * (1 + f->inertia_ratio);
     /* (24; c6), with the denominator r^q J(0) - J(0) + 1 written as r^q + T (r^q - 1), whose terms have one
      * sign */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
@@ -53,7 +54,7 @@ KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fu
                            .velocity_ratio = collision_velocity_ratio(f->inertia_ratio),
                            .omegasq = kinetic / J0,
                            .kinetic = kinetic,
-                           .arrives = kinetic + f->exact};
+                           .kinetic_at_hit = kinetic + f->exact};
 }
 
 static enum dom_status energy_collide(const struct geometry *geometry, enum dom_fuel fuel,
@@ -84,7 +85,7 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
                 (e.inertia_ratio + of_J0 * f.inertia_ratio / J0) / J0 + UNIT * f.inertia_ratio / J0,
             .omegasq = (of_kinetic + size * (of_J0 / J0 + UNIT)) / J0,
             .kinetic = of_kinetic,
-            .arrives = of_kinetic + e.exact,
+            .kinetic_at_hit = of_kinetic + e.exact,
         };
     }
     return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
@@ -95,7 +96,7 @@ static enum dom_status energy_inertia_ratio(const struct geometry *next, const s
 {
     (void)hitting, (void)at;
     const real slope = geometry_hit_slope(next);
-    *inertia_ratio = next->inertia * slope * slope * J / next->upright;
+    *inertia_ratio = next->inertia * slope * slope * J / next->upright_inertia;
     return *inertia_ratio > 0 ? DOM_OK : DOM_UNDERFLOW;
 }
 

@@ -109,7 +109,7 @@ static enum dom_status flow_collision(const struct geometry *geometry, struct fl
         status = geometry->law->sum(&hitting, geometry->c, &sums);
     if (status != DOM_OK)
         return status;
-    flow->J0 = geometry->upright + geometry->inertia * sums.J;
+    flow->J0 = geometry->upright_inertia + geometry->inertia * sums.J;
     flow->J_c = sums.J;
     return DOM_OK;
 }
@@ -260,7 +260,7 @@ KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fu
         .velocity_ratio = velocity_ratio,
         .omegasq = omegasq,
         .kinetic = flow->J0 * omegasq,
-        .arrives = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
+        .kinetic_at_hit = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
     };
     if (error)
         *error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
@@ -276,13 +276,13 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     return DOM_OK;
 }
 
-KERNEL real flow_rises(const struct geometry *geometry, real theta)
+KERNEL real flow_solved_slope(const struct geometry *geometry, real theta)
 {
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
 /* Returns the error of required energies: the error of the solution, plus the omitted tail of the chain. */
-KERNEL real flow_unsure(const struct geometry *geometry)
+KERNEL real flow_required_error(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;
     real ln_G, u;

@@ -31,7 +31,7 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                     struct launch *launch, struct launch *error);
 KERNEL enum dom_status flow_required(const struct geometry *geometry, struct tilt from, real p, real *energy);
-KERNEL real flow_unsure(const struct geometry *geometry);
+KERNEL real flow_required_error(const struct geometry *geometry);
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
                                   real *omegasq, real *error);
 KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
@@ -40,6 +40,6 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);
 
 /* Returns du/dtheta, with a reliable sign. */
-KERNEL real flow_rises(const struct geometry *geometry, real theta);
+KERNEL real flow_solved_slope(const struct geometry *geometry, real theta);
 
 #endif

@@ -32,7 +32,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
         return DOM_LOCKS;
     enum dom_status status = hitting->law->equation(hitting, at, &at_hit);
     if (status == DOM_OK)
-        *inertia_ratio = next->inertia * rest.step * at_hit.A * arms.ratio / next->upright;
+        *inertia_ratio = next->inertia * rest.step * at_hit.A * arms.ratio / next->upright_inertia;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 
@@ -47,7 +47,7 @@ static enum dom_status friction_slope(const struct geometry *geometry, struct ti
 {
     struct equation_of_motion equation = {.C = 0};
     if (rough) {
-        *slope = flow_rises(geometry, tilt_angle(head));
+        *slope = flow_solved_slope(geometry, tilt_angle(head));
         return DOM_OK;
     }
     enum dom_status status = geometry->law->equation(geometry, head, &equation);
@@ -94,7 +94,7 @@ static const struct dynamics friction = {
     .inertia_ratio = friction_inertia_ratio,
     .slope = friction_slope,
     .required_energy = flow_required,
-    .unsure = flow_unsure,
+    .required_energy_error = flow_required_error,
     .speed = flow_speed,
     .before_rest = flow_before_rest,
     .acceleration = friction_acceleration,

@@ -56,7 +56,8 @@ KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, 
         status = energy_fuel(&geometry, &fuel, train->errors ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
-    *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = geometry.upright * (1 + fuel.inertia_ratio)};
+    *energy = (struct dom_energy){
+        .dH = at.dH, .J = at.J, .J0 = geometry.upright_inertia * (1 + fuel.inertia_ratio)};
     if (train->errors)
         energy->error = (struct dom_energy_error){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};

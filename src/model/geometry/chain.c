@@ -5,7 +5,7 @@
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error)
 {
-    return geometry->law->change(geometry, from, head, half_turn(from, head), pass, sums, error);
+    return geometry->law->change(geometry, from, head, tan_half_between(from, head), pass, sums, error);
 }
 
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
@@ -125,7 +125,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)
-            no_bounds(&link.error, sizeof link.error);
+            bounds_set_nan(&link.error, sizeof link.error);
         if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
             return DOM_OK;
         const struct link leader = *k;

@@ -10,7 +10,7 @@
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
-KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
+KERNEL_LOOP real far_variable(const struct geometry *geometry, struct tilt t)
 {
     real sine = geometry->inf.x * t.y - geometry->inf.y * t.x,
          cosine = geometry->inf.y * t.y + geometry->inf.x * t.x;
@@ -68,7 +68,7 @@ KERNEL struct far_point far_J(const struct far *far, real z)
                               .first = one * one * (at.first - 2 * z * at.value)};
 }
 
-/* Returns H(theta_a) - H(theta_b). z_a and z_b are the values of far_off at the two tilts, and t is
+/* Returns H(theta_a) - H(theta_b). z_a and z_b are the values of far_variable at the two tilts, and t is
  * tan((theta_a - theta_b) / 2). */
 KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 {
@@ -82,18 +82,19 @@ KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 }
 
 /* Returns true if a and b are so close to theta_inf that the far series can replace all further dominoes. */
-KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
-                          const struct link *a, const struct link *b, real t)
+KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_state *state,
+                              const struct link *a, const struct link *b, real t)
 {
     const struct far *far = &geometry->far;
-    real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
+    real share = far_share(far, far_variable(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
     /* Test again with the whole tail, not only its first term: the tail may cancel the sum. */
-    real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
+    real tail =
+        a->weight * far_difference(far, far_variable(geometry, a->tilt), far_variable(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;
-    share = far_share(far, far_off(geometry, a->tilt));
+    share = far_share(far, far_variable(geometry, a->tilt));
     real H1 = a->weight * a->slope / 2, J = a->inertia * a->slope * a->slope;
     return far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol) &&
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
@@ -104,7 +105,7 @@ KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_stat
                                 const struct link *a, const struct link *b, real t)
 {
     const struct far *far = &geometry->far;
-    real z_a = far_off(geometry, a->tilt), z_b = far_off(geometry, b->tilt);
+    real z_a = far_variable(geometry, a->tilt), z_b = far_variable(geometry, b->tilt);
     struct far_point H = far_H(far, z_a);
     series_add(&state->dH, a->weight * far_difference(far, z_a, z_b, t));
     series_add(&state->H1, a->weight * a->slope * H.first);

@@ -16,12 +16,12 @@ KERNEL real geometry_half_u(const struct geometry *geometry)
 {
     if (geometry->rounded.roll != 0)
         return tan(geometry_theta_u(geometry) / 2);
-    return geometry->h.x / (geometry->h.y + geometry->reach);
+    return geometry->h.x / (geometry->h.y + geometry->steepest);
 }
 
 KERNEL real geometry_theta_u(const struct geometry *geometry)
 {
-    real level = atan(geometry->h.x / geometry->h.y), part = geometry->rounded.roll / geometry->reach;
+    real level = atan(geometry->h.x / geometry->h.y), part = geometry->rounded.roll / geometry->steepest;
     return part == 0 ? level : fmax(level + atan2(part, sqrt((1 - part) * (1 + part))), 0);
 }
 
@@ -36,7 +36,7 @@ KERNEL real geometry_rise_u(const struct geometry *geometry)
 
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
-    real u = geometry->reach; /* h(theta_u) (6; b2) */
+    real u = geometry->steepest; /* h(theta_u) (6; b2) */
     *sine = -geometry_lift(geometry, geometry->c) / u;
     *cosine = geometry_height(geometry, geometry->c) / u;
 }
@@ -56,9 +56,9 @@ KERNEL real geometry_error_head(struct tilt head)
 /* On a level floor, h.x and h.y are exact, so theta_u = atan(h.x / h.y) is exact, too. */
 KERNEL real geometry_error_u(const struct geometry *geometry)
 {
-    real reach = geometry->reach;
-    struct tilt u = tilt_make(geometry->h.x / reach, geometry->h.y / reach);
-    return geometry->g.along == 0 ? 0 : 3 * UNIT * geometry_height_terms(geometry, u) / reach;
+    real steepest = geometry->steepest;
+    struct tilt u = tilt_make(geometry->h.x / steepest, geometry->h.y / steepest);
+    return geometry->g.along == 0 ? 0 : 3 * UNIT * geometry_height_terms(geometry, u) / steepest;
 }
 
 KERNEL real geometry_error_f(const struct geometry *geometry)

@@ -75,7 +75,7 @@ struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
-    real box;                        /* moment of inertia divided by that of a solid block */
+    real inertia_factor;             /* moment of inertia divided by that of a solid block */
     const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
     struct flow *flow;               /* solution of the equation of motion; NULL if none is needed */
     const volatile sig_atomic_t *interrupt;
@@ -93,7 +93,7 @@ struct geometry {
     real weight;   /* r^-q: weight of a follower / weight of its leader in H (19; c1) */
     real inertia;  /* r^-(q+1): weight of a follower / weight of its leader in J (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
-    real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    real steepest; /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
         real along, down; /* gravity along and into the floor; 0 and 1 on a level floor */
     } g;
@@ -114,7 +114,7 @@ struct geometry {
     size_t n; /* number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
-    real upright; /* inertia of an upright domino; 1 with sharp edges */
+    real upright_inertia; /* inertia of an upright domino; 1 with sharp edges */
     /* The largest gap that a head reaches, divided by its height. 1 with sharp edges. */
     real span;
     struct rounded rounded;
@@ -221,7 +221,7 @@ KERNEL real half_of_tilt(struct tilt t)
 
 /* Returns the tangent of half the angle between two tilts. If `from` is upright, no digits are lost to
  * cancellation. */
-KERNEL real half_turn(struct tilt from, struct tilt head)
+KERNEL real tan_half_between(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
     return sine / (1 + cosine);

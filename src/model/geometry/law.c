@@ -28,11 +28,11 @@ KERNEL struct geometry geometry_read(const struct request *t)
                                 .d = (real)t->d,
                                 .q = (real)t->q,
                                 .tol = (real)t->tol,
-                                .box = 1,
+                                .inertia_factor = 1,
                                 .n = CHAIN_ENDLESS,
                                 .interrupt = t->interrupt,
                                 .work = t->work};
-    geometry.reach = sqrt(1 + geometry.d * geometry.d);
+    geometry.steepest = sqrt(1 + geometry.d * geometry.d);
     geometry_gravity(&geometry, 0, 1);
     return geometry;
 }
@@ -44,7 +44,7 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
     geometry->g.down = down;
     geometry->h.x = d * down - along;
     geometry->h.y = down + d * along;
-    geometry->upright = geometry->span = 1;
+    geometry->upright_inertia = geometry->span = 1;
     geometry->law = &sharp_edges;
     geometry->rounded = (struct rounded){.tall = 1, .wide = d, .i.c = 1};
 }

@@ -44,7 +44,7 @@ struct row_request {
 #undef MEMBER
 
 /* Sets all members of a structure of error bounds to NaN. */
-static inline void no_bounds(void *bounds, size_t size)
+static inline void bounds_set_nan(void *bounds, size_t size)
 {
     const dom_real none = DOM_NAN;
     for (size_t at = 0; at < size; at += sizeof none)

@@ -31,7 +31,7 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
-    return series_done(&a->H1, k->weight * k->slope * (geometry->reach + fabs(geometry->rounded.roll)),
+    return series_done(&a->H1, k->weight * k->slope * (geometry->steepest + fabs(geometry->rounded.roll)),
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
@@ -263,14 +263,14 @@ KERNEL_LOOP bool rolling_done(struct rolling_pair *p, struct apart next)
     const struct geometry *self = link->geometry;
     const real by = p->apart.by, shrinks = by == 0 ? 1 : fabs(next.by / by);
     p->apart = next;
-    return series_done(&p->state.dH, link->weight * fabs(by) * (self->reach + fabs(self->rounded.roll)),
+    return series_done(&p->state.dH, link->weight * fabs(by) * (self->steepest + fabs(self->rounded.roll)),
                        fmax(self->weight * shrinks, self->decay), self->tol) &&
            done_J(&p->state, link) && rolling_done_H1(&p->state, link, self->tol);
 }
 
 static bool rolling_near(const struct rolling_pair *p, const struct walk *b)
 {
-    return far_near(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
+    return far_suffices(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
 }
 
 /* Adds the current domino and all dominoes behind it, using the far series. */
@@ -314,7 +314,7 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
                 rounded_step(&b);
             p.state.left = link->weight * geometry->weight *
                            rolling_rise(geometry, geometry->f, b.link.tilt,
-                                        apart_by(half_turn(b.link.tilt, geometry->f)));
+                                        apart_by(tan_half_between(b.link.tilt, geometry->f)));
             series_add(&p.state.dH, p.state.left);
             break;
         }

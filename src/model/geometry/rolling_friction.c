@@ -42,7 +42,7 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
             return status;
         real i = geometry_inertia(self, link->tilt), half_i1 = geometry_inertia_slope(self, link->tilt) / 2,
              slope = link->slope, turns = i * k.second_derivative + slope * slope * half_i1, size = fabs(S),
-             lift = self->reach + fabs(self->rounded.roll);
+             lift = self->steepest + fabs(self->rounded.roll);
         series_add(&A, link->inertia * S * i * slope);
         series_add(&B, link->inertia * S * turns);
         series_add(&C, -link->weight * S * geometry_lift(self, link->tilt) / 2);

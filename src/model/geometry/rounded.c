@@ -6,18 +6,18 @@
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 {
     real d = geometry->d, along = geometry->g.along, down = geometry->g.down, tall = 1 - 2 * rho,
-         wide = d - 2 * rho, block = geometry->box * (1 + d * d) / 3;
+         wide = d - 2 * rho, block = geometry->inertia_factor * (1 + d * d) / 3;
     struct rounded *of = &geometry->rounded;
     *of = (struct rounded){.rho = rho, .tall = tall, .wide = wide, .roll = -2 * rho * along};
     of->i.c = (block - (1 + d * d) / 4 + (tall * tall + wide * wide) / 4 + rho * rho) / block;
     of->i.x = rho * wide / block;
     of->i.y = rho * tall / block;
     geometry->law = &rounded_edges;
-    geometry->upright = of->i.c + of->i.y;
+    geometry->upright_inertia = of->i.c + of->i.y;
     geometry->span = reach_span(rho);
     geometry->h.x = wide * down - tall * along;
     geometry->h.y = tall * down + wide * along;
-    geometry->reach = hypot(tall, wide);
+    geometry->steepest = hypot(tall, wide);
     return wide >= 0 && tall > 0 ? DOM_OK : DOM_NO_ROUND;
 }
 

@@ -67,14 +67,14 @@ static real sharp_paper_fuel(const struct geometry *geometry)
 
 static real sharp_tips_at(const struct geometry *geometry)
 {
-    return geometry->h.x / geometry->reach;
+    return geometry->h.x / geometry->steepest;
 }
 
 static real sharp_push(const struct geometry *geometry)
 {
     real sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
-    return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
+    return sine > 0 ? geometry->steepest * sine * sine / (1 + cosine) : 0;
 }
 
 static void sharp_turns(const struct geometry *geometry, int order, real *p)
@@ -186,7 +186,7 @@ static bool rates_close(const struct link *k, real second_derivative, struct sum
     const struct far *far = &geometry->far;
     if (geometry->n != CHAIN_ENDLESS || far->order == 0 || geometry->follower)
         return false;
-    real z = far_off(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
+    real z = far_variable(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
          J = k->inertia * k->slope * k->slope;
     if (!far_done(&a->H1, -H1 / 2 * far->H[1], H1 / 2 * far->rest_H * share, geometry->tol) ||
         !far_done(&a->J, J * far->J[0], J * far->rest_J * share, geometry->tol))

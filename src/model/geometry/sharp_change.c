@@ -84,8 +84,8 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
-    return series_done(&state->dH, a->weight * 2 * t * a->geometry->reach, ratio, tol) && done_J(state, a) &&
-           done_H1(state, a, tol);
+    return series_done(&state->dH, a->weight * 2 * t * a->geometry->steepest, ratio, tol) &&
+           done_J(state, a) && done_H1(state, a, tol);
 }
 
 /*
@@ -176,7 +176,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         enum dom_status status = chain_watch(geometry, a.i);
         if (status != DOM_OK)
             return status;
-        if (closes && far_near(geometry, &state, &a, &b, t)) {
+        if (closes && far_suffices(geometry, &state, &a, &b, t)) {
             struct far_point rest = far_add(geometry, &state, &a, &b, t);
             if (pass & PASS_SECOND_DERIVATIVE)
                 H2 += far_H2(&a, second_derivative, &rest);
@@ -288,7 +288,7 @@ KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt h
         enum dom_status status = chain_watch(geometry, a.i);
         if (status != DOM_OK)
             return status;
-        if (closes && far_near(geometry, &up, &a, &b, t) && far_near(geometry, &down, &c, &b, t_c)) {
+        if (closes && far_suffices(geometry, &up, &a, &b, t) && far_suffices(geometry, &down, &c, &b, t_c)) {
             struct far_point rest = far_add(geometry, &up, &a, &b, t);
             far_add(geometry, &down, &c, &b, t_c);
             H2 += far_H2(&a, second_derivative, &rest);

@@ -72,7 +72,7 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
     real S = fabs(k->S), Y = link->contact.Y, passed = fabs(torque_ratio(link)),
          margin_slope = geometry->r * geometry->L / (Y * Y) * link->slope * link->slope;
     real ratio = fmax(geometry->inertia * passed, fmax(geometry->decay, geometry->decay_J));
-    return series_done(C, link->weight * S * geometry->reach,
+    return series_done(C, link->weight * S * geometry->steepest,
                        fmax(geometry->weight * passed, geometry->decay), geometry->tol) &&
            series_done(A, link->inertia * S * link->slope, ratio, geometry->tol) &&
            series_done(B, link->inertia * S * (fabs(k->second_derivative) + margin_slope), ratio,
@@ -82,7 +82,7 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
 /* Returns the angle from a tilt to theta_inf, correct to the fourth order of this angle. */
 static real far_angle(const struct geometry *geometry, struct tilt t)
 {
-    real z = far_off(geometry, t);
+    real z = far_variable(geometry, t);
     return 2 * z * (1 - z * z / 3);
 }
 

@@ -121,7 +121,7 @@ KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
 KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
-    return series_done(&a->H1, k->weight * k->slope * geometry->reach,
+    return series_done(&a->H1, k->weight * k->slope * geometry->steepest,
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 

@@ -133,7 +133,7 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
 {
     real up = margin_share(&lo->margin), down = margin_share(&hi->margin);
     struct root_search s = {.lo = lo->r, .hi = hi->r};
-    bool both = !lo->margin.most && !hi->margin.most && up < 1 && down > -1;
+    bool both = !lo->margin.barrier_is_bound && !hi->margin.barrier_is_bound && up < 1 && down > -1;
     real first = both ? up / (up - down) : (real)0.5;
     margin_follow_begin(c);
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
@@ -235,7 +235,7 @@ static bool root_near_reach(struct margin_context *c, real reach, real *start, r
     *slope = lacks / (2 * root);
     c->nearest.height = at.barrier;
     c->share = margin_share(&at);
-    return c->status == DOM_OK && at.most;
+    return c->status == DOM_OK && at.barrier_is_bound;
 }
 
 KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
@@ -333,7 +333,7 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         if (status != DOM_OK)
             return status;
         /* Try again with the barrier at hi itself instead of an upper bound. */
-        if (known == KNOWN_NOTHING && hi->margin.most) {
+        if (known == KNOWN_NOTHING && hi->margin.barrier_is_bound) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;
         }

@@ -85,10 +85,10 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
         return c->status = status;
     /* At r = 1, K = P T, and P has a closed form. T is at least its first term, `own`, which is 1
      * with sharp edges. */
-    const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
+    const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright_inertia;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
-                                   .most = true};
+                                   .barrier_is_bound = true};
     if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {

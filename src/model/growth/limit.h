@@ -20,8 +20,8 @@ struct edge {
 };
 
 /* What is known about the margin over an interval of growths. The margin is >= 0 at the lower end.
- * KNOWN_TO_FALL: the margin has at most one root in the interval, and decreases at this root. */
-enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
+ * KNOWN_DECREASING: the margin has at most one root in the interval, and decreases at this root. */
+enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_DECREASING };
 
 /* Finds the bounds of struct strip for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);

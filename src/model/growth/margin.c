@@ -13,7 +13,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     real most = barrier_most(geometry), sure = 4 * geometry->tol;
     if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
         m->barrier = most;
-        m->most = true;
+        m->barrier_is_bound = true;
         return DOM_OK;
     }
     if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is negative, whatever the barrier is */
@@ -40,7 +40,9 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
     if (status == DOM_OK && c->errors)
         status = barrier_error(geometry, b, &b_error);
-    m->unsure = status == DOM_OK && geometry->dynamics->unsure ? geometry->dynamics->unsure(geometry) : 0;
+    m->barrier_error = status == DOM_OK && geometry->dynamics->required_energy_error
+                           ? geometry->dynamics->required_energy_error(geometry)
+                           : 0;
     m->barrier = b->height;
     m->error += b_error.height;
     return status;
@@ -78,7 +80,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
                                    struct margin *m)
 {
     struct geometry two = *geometry;
-    real u = geometry->reach, sine, cosine;
+    real u = geometry->steepest, sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
     two.n = 1; /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
@@ -88,7 +90,8 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real kinetic = (geometry->upright + k) * geometry->r * geometry->law->push(geometry) * share * share;
+    real kinetic =
+        (geometry->upright_inertia + k) * geometry->r * geometry->law->push(geometry) * share * share;
     real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
          powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
@@ -170,7 +173,7 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     c->how = conservative ? how : MARGIN_SURE;
     for (;; tol = fmax(tol * ROUGH, tol_wanted)) {
         if (margin_to(c, r, tol, &m) == DOM_OK &&
-            fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.unsure)
+            fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.barrier_error)
             return m;
         if (c->status != DOM_OK || !conservative || tol <= tol_wanted)
             break;

@@ -8,8 +8,8 @@
 /* The kinetic energy after a collision or a push, and the barrier. */
 struct margin {
     real kinetic, barrier;
-    bool most;   /* true if `barrier` is only an upper bound */
-    real unsure; /* with friction, an estimate of the error of the barrier (`unsure` in struct dynamics) */
+    bool barrier_is_bound; /* true if `barrier` is only an upper bound */
+    real barrier_error;    /* an estimate; 0 without friction */
     real error;
 };
 

@@ -62,7 +62,7 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
     const struct margin *m = &edge->margin;
-    const real margin = m->kinetic - (m->most ? barrier : m->barrier),
+    const real margin = m->kinetic - (m->barrier_is_bound ? barrier : m->barrier),
                value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
     if (edge->r == p->root)
         return p->falls;
@@ -76,7 +76,7 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
                         const struct edge *hi)
 {
     /* a mixture of upper bounds and true barriers would look like curvature */
-    const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
+    const real barrier = hi->margin.barrier_is_bound ? third->margin.barrier : hi->margin.barrier,
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
                width = probe_x(p->c, hi->r) - x, before = probe_x(p->c, third->r) - x;

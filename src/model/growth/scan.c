@@ -51,7 +51,8 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     if (status != DOM_OK)
         return status;
     if (strip.clear) {
-        hi->margin = (struct margin){.kinetic = strip.kinetic_least, .barrier = most, .most = true};
+        hi->margin =
+            (struct margin){.kinetic = strip.kinetic_least, .barrier = most, .barrier_is_bound = true};
         *known = KNOWN_POSITIVE;
         return DOM_OK;
     }
@@ -61,10 +62,10 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
         return c->status;
     bool above = margin_value(&hi->margin) >= 0;
     if (strip.root_slope < 0) {
-        *known = above ? KNOWN_POSITIVE : KNOWN_TO_FALL;
+        *known = above ? KNOWN_POSITIVE : KNOWN_DECREASING;
         return DOM_OK;
     }
-    for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
+    for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.barrier_is_bound && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
         /* From any growth in the strip up to hi, the margin increases by at most margin_slope * ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
@@ -116,7 +117,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         status = scan_strip(c, &lo, &hi, &known);
         if (status != DOM_OK && !(status == DOM_UNDERFLOW && step > finest))
             return status;
-        if (known == KNOWN_TO_FALL)
+        if (known == KNOWN_DECREASING)
             return scan_root(c, &lo, &hi, r);
         const bool falls = status == DOM_OK && known == KNOWN_NOTHING && margin_value(&hi.margin) < 0;
         if (falls) {

@@ -123,7 +123,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
         s->drops +=
-            weight * (lo->reach * moves * u - g_lo * fmax(u - s->least_advance, 0) - ages * g_lo * moves);
+            weight * (lo->steepest * moves * u - g_lo * fmax(u - s->least_advance, 0) - ages * g_lo * moves);
         s->ages += (real)i * weight * g_lo * strip_advance(lo, hi, at->lo); /* asin X <= X / Y */
     }
     s->rests += weight * fmax(g_hi, 0) * u;
@@ -138,7 +138,7 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
         /* Upper bound on h(theta_u) - h of the head: the head has gained at least kinetic + loss. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
-        const real before = sqrt(spare / (2 * lo->reach - spare));
+        const real before = sqrt(spare / (2 * lo->steepest - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
         const bool leads = !hi->detaches || head.v < hi->leave.v;
         const struct tilt first = leads ? tilt_follower(head, geometry_contact(hi, head)) : hi->f;
@@ -234,7 +234,7 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
 {
     if (!(strip_sink(lo, lo->c) > 0))
         return half_of_tilt(hi->c);
-    const real last = geometry_half_u(lo), pull = hi->weight * strip_sink(lo, first) / (2 * lo->reach);
+    const real last = geometry_half_u(lo), pull = hi->weight * strip_sink(lo, first) / (2 * lo->steepest);
     real top = last;
     for (int k = 0; k < 2 && top > 0; k++) {
         const struct tilt head = tilt_half(top);

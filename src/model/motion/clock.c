@@ -184,7 +184,7 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
         timed.domino = event->domino;
     }
     if (!t->errors)
-        no_bounds(&state.error, sizeof state.error);
+        bounds_set_nan(&state.error, sizeof state.error);
     t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
 }

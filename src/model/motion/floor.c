@@ -12,8 +12,8 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
 {
     struct required_friction *required_friction = context;
-    real motion = forces_needed(hinge_load->x, hinge_load->z),
-         hit = forces_needed(hinge_load->impulse_x, hinge_load->impulse_z);
+    real motion = friction_needed(hinge_load->x, hinge_load->z),
+         hit = friction_needed(hinge_load->impulse_x, hinge_load->impulse_z);
     if (motion > required_friction->motion) {
         required_friction->motion = motion;
         required_friction->domino = hinge_load->link->i;

@@ -67,7 +67,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
                        struct hinge_load *hinge_load)
 {
     const struct link *self = &k->link;
-    real tausq = head->box * (1 + head->d * head->d) / 3; /* tau^2 of the head, in units of h/g */
+    real tausq = head->inertia_factor * (1 + head->d * head->d) / 3; /* tau^2 of the head, in units of h/g */
     const struct rounded *shape = &self->geometry->rounded;
     real mass = self->weight / k->size,
          across = (shape->tall * self->tilt.x - shape->wide * self->tilt.y) / 2,
@@ -135,7 +135,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
     return DOM_OK;
 }
 
-KERNEL real forces_needed(real x, real z)
+KERNEL real friction_needed(real x, real z)
 {
     if (x == (real)INFINITY)
         return x;

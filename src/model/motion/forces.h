@@ -63,7 +63,7 @@ KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *l
 
 /* Returns the friction coefficient |x| / z that a hinge needs for the force (x, z) of the floor. It is
  * infinite if the floor would have to pull. */
-KERNEL real forces_needed(real x, real z);
+KERNEL real friction_needed(real x, real z);
 
 /*
  * The friction coefficient that the floor needs so that no hinge slips. It is the largest |R_x| / R_z, where

@@ -185,7 +185,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         return status;
     /* The train that hits the head is this train at theta_c, scaled by 1 / r. So its energy has the factor
      * r^-q. */
-    real before = geometry->weight * launch->arrives;
+    real before = geometry->weight * launch->kinetic_at_hit;
     *state = (struct dom_state){
         .theta = theta,
         .time = time,
@@ -195,7 +195,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .climbed = at.dH,
         .fallen = at.left,
         .before = before,
-        .lost = conservative ? before * geometry->upright / launch->J0 : before - launch->kinetic,
+        .lost = conservative ? before * geometry->upright_inertia / launch->J0 : before - launch->kinetic,
         .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
     };
     if (!errors)
@@ -203,7 +203,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     real of_time = REAL_NAN;
     if (dynamics_bounded(geometry))
         status = time_error(m, state, &of_time);
-    real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
+    real of_before = geometry->weight * launch_error->kinetic_at_hit + 5 * UNIT * before;
     state->error = (struct dom_state_error){
         .time = of_time,
         .omegasq = omegasq_error,

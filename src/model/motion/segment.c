@@ -3,10 +3,10 @@
 
 /* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
  * so the loop goes on. */
-KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
+KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
 {
     const struct geometry *geometry = &st->geometry;
-    *stay = geometry->n;
+    *moving = geometry->n;
     for (;;) {
         struct tilt head;
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
@@ -16,8 +16,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         const struct link *link = &k.link;
         /* The first search ends where motions are below the rounding errors. Later searches visit every
          * domino up to the one that detaches at hi. */
-        bool last = false, all = *stay < geometry->n;
-        while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
+        bool last = false, all = *moving < geometry->n;
+        while (!last && ((*moving < geometry->n && link->i < *moving) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
             last = link->i + 1 >= geometry->n || (!all && link->slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
@@ -26,7 +26,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
         struct tilt leave = link->geometry->leave;
-        *stay = link->i + 1;
+        *moving = link->i + 1;
         const struct geometry *leader = link->geometry + 1;
         for (size_t i = link->i; i > 0; i--)
             leave = geometry->law->leader(leader++, leave);

@@ -31,9 +31,9 @@ struct segment {
     enum dom_status status; /* status of an integrand, or of a function whose root is sought */
 };
 
-/* Lowers hi to the tilt at which a domino detaches, if one does. *stay is the number of dominoes that still
+/* Lowers hi to the tilt at which a domino detaches, if one does. *moving is the number of dominoes that still
  * move. */
-KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
+KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 
 /* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If
  * friction locks the motion, lowers hi to the tilt of the lock. */

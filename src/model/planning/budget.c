@@ -131,7 +131,8 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     if (status != DOM_OK || falls < share)
         return status != DOM_OK ? status : DOM_STOPS;
     b.widest = size_most(row, kind);
-    double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
+    double N = (double)p->rows, few = fmax(unlikely_count(share, N, false), 0),
+           many = unlikely_count(share, N, true);
     struct dom_budget found = {.low = 0};
     status = sigma_at(&b, share, &found.sigma);
     b.of_answer = false;

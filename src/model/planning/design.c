@@ -236,9 +236,9 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
     if (p.status == DOM_OK)
         design_search(&p, &final, &found);
     bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
-    if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed > 0) {
+    if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed_s > 0) {
         found.limit = DOM_DESIGN_FAILED;
-        found.needs = p.failed;
+        found.needs = p.failed_s;
     }
     if (p.status == DOM_OK)
         *design = found;

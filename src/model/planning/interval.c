@@ -83,7 +83,7 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-double unlikely(double share, double rows, bool at_least)
+double unlikely_count(double share, double rows, bool at_least)
 {
     double lo = at_least ? 0 : -1, hi = lo + rows + 1;
     while (hi - lo > 1) {

@@ -10,6 +10,6 @@
  * P(at least k rows fall) < 2.5 %. Otherwise returns the largest k with P(at most k rows fall) < 2.5 %, or
  * -1.
  */
-double unlikely(double share, double rows, bool at_least);
+double unlikely_count(double share, double rows, bool at_least);
 
 #endif

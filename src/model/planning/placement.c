@@ -44,7 +44,7 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                                struct dom_verdict *verdict)
 {
     draw_row(&b->draw, s->row, s->placement, i, off);
-    return b->sample ? b->kernel->row_sampled(b->sample, &b->draw.row, s->gaps, verdict)
+    return b->sample ? b->kernel->row_sample_run(b->sample, &b->draw.row, s->gaps, verdict)
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
@@ -91,7 +91,7 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);
     b->kernel = q.kernel;
-    return ASK(q, row_sample, &b->sample);
+    return ASK(q, row_sample_begin, &b->sample);
 }
 
 /* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */

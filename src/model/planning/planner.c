@@ -34,7 +34,7 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
-        p->failed = p->train.s;
+        p->failed_s = p->train.s;
     else
         p->status = status;
 }

@@ -27,8 +27,8 @@ struct planner {
     struct dom_domino *domino; /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
-    dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole;      /* false if a run may end at the first domino with too little safety */
+    dom_real failed_s; /* last separation at which a train or row could not be computed, or 0 */
+    bool whole;        /* false if a run may end at the first domino with too little safety */
     /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */

@@ -37,8 +37,8 @@
     X(row_course, const struct row_request *, struct course **, struct dom_verdict *)                        \
     X(row_again, struct course *, const struct dom_domino *, size_t, size_t, struct dom_verdict *)           \
     X(row_course_end, struct course *)                                                                       \
-    X(row_sample, const struct row_request *, struct random_row **)                                          \
-    X(row_sampled, struct random_row *, const struct dom_row *, bool, struct dom_verdict *)                  \
+    X(row_sample_begin, const struct row_request *, struct random_row **)                                    \
+    X(row_sample_run, struct random_row *, const struct dom_row *, bool, struct dom_verdict *)               \
     X(row_sample_end, struct random_row *)                                                                   \
     X(count_find, dom_real, dom_real, dom_real, const struct dom_compute *, struct dom_count *)
 

@@ -22,8 +22,8 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
     real g = (real)row->g, walls = (real)row_walls(row, k),
          width = domino->width > 0 ? (real)(domino->width / domino->height) : WALLS_WIDTH,
-         box = walls != 0 ? walls_box(d, width, walls).inertia : 1;
-    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
+         factor = walls != 0 ? walls_box(d, width, walls).inertia : 1;
+    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
 }
 
 /* Sets the geometry of the contact between domino k and its follower k - 1. */
@@ -51,14 +51,14 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     joint_shape(row, k, geometry);
     geometry->weight = previous.mass / self.mass / geometry->r;
     geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) /
-                        (1 + self.d * self.d) * (previous.box / self.box);
+                        (1 + self.d * self.d) * (previous.inertia_factor / self.inertia_factor);
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
     /* A sum that ends at domino k leaves out all dominoes behind it. `weights` and `moments` are upper bounds
      * on their weights and moments of inertia, divided by those of domino k. */
-    real weights =
-        geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
+    real weights = geometry->weight * follower->steepest / geometry->steepest *
+                   (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
         /* While the domino leans backwards, the slope is 1 + r L |x| / Y. Y is smallest for an upright
@@ -133,11 +133,11 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
                                   .interrupt = request->interrupt,
                                   .work = request->work,
                                   .d = block_of(request, k).d,
-                                  .box = 1,
+                                  .inertia_factor = 1,
                                   .lean = (real)request->domino[k].lean,
                                   .short_of = 1,
                                   .n = k + 1};
-    geometry->reach = hypot(1, geometry->d);
+    geometry->steepest = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
     enum dom_status status = row_effects(request, k, geometry);
     geometry->c = row_end(request, k, geometry);

@@ -17,7 +17,7 @@
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
     /* moment of inertia relative to a solid block of the same size and mass */
-    real box;
+    real inertia_factor;
     real unit; /* unit of energy, m g h / 2 */
 };
 

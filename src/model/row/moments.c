@@ -179,12 +179,12 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
     return status;
 }
 
-KERNEL enum dom_status watch_detach(struct watch *w, const struct segment *st, size_t head, size_t stay)
+KERNEL enum dom_status watch_detach(struct watch *w, const struct segment *st, size_t head, size_t moving)
 {
-    if (!w || stay >= st->geometry.n)
+    if (!w || moving >= st->geometry.n)
         return DOM_OK;
     enum dom_status status = watch_lean(w, st, head, st->hi, 0);
-    w->moving = stay;
+    w->moving = moving;
     return status;
 }
 
@@ -251,7 +251,7 @@ static real tipping_at(const struct segment *st, real left)
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /* The moment of inertia is at least a quarter of its value for sharp edges. So per tau, p grows by at
      * most sqrt(2 R), where R is the reach. The p that is sought is at least `first`. */
-    real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
+    real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
 }
@@ -263,7 +263,7 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
     if (!w)
         return;
     const bool closed = tip->geometry.law->closed_form;
-    const real u = tip->geometry.reach, whole = tip->hi - tip->lo;
+    const real u = tip->geometry.steepest, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
     w->moving = 1;

@@ -52,9 +52,10 @@ KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Stores the tilts of the dominoes that detach at the end of a segment. The first `stay` dominoes, counted
+/* Stores the tilts of the dominoes that detach at the end of a segment. The first `moving` dominoes, counted
  * from the head, do not detach. */
-KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
+KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head,
+                                    size_t moving);
 
 /* After the end of the run, reports the states at all remaining requested times. */
 KERNEL enum dom_status watch_rest(struct watch *watch);

@@ -58,13 +58,13 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 {
     struct segment *st = &d->st, next;
     bool over = d->stops;
-    st->geometry.n = d->stay;
+    st->geometry.n = d->moving;
     st->hi = end;
-    enum dom_status status = segment_cut(st, &d->stay);
+    enum dom_status status = segment_cut(st, &d->moving);
     if (status == DOM_OK)
         status = segment_begin(st);
     if (status == DOM_OK && !over && st->lo == st->hi)
-        status = watch_detach(d->watch, st, d->head, d->stay);
+        status = watch_detach(d->watch, st, d->head, d->moving);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* Converts the margin to an energy at the launch. With friction, only the fraction st->gain of a change
@@ -83,7 +83,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     if (status == DOM_OK && !over)
         status = descent_move(d, times, floor);
     if (status == DOM_OK && !d->stops && !d->locks)
-        status = watch_detach(d->watch, st, d->head, d->stay);
+        status = watch_detach(d->watch, st, d->head, d->moving);
     if (status == DOM_OK && !st->locks)
         *st = next;
     return status;
@@ -98,7 +98,7 @@ static enum dom_status inertia_begin(const struct run *run, size_t k, struct til
     struct geometry geometry = run->geometry[k];
     struct sums at = {0};
     if (!geometry.law->closed_form && geometry.dynamics->conservative && run->inertia_ratio > 0) {
-        *J = geometry.upright * (1 + run->inertia_ratio);
+        *J = geometry.upright_inertia * (1 + run->inertia_ratio);
         return DOM_OK;
     }
     geometry.n = run->moving;
@@ -117,7 +117,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
                                  .start = {.from = rest, .omegasq = run->omegasq},
                                  .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
-                          .stay = run->moving,
+                          .moving = run->moving,
                           .least_margin = (real)INFINITY,
                           .least_force = (real)INFINITY,
                           .forces = run->forces,
@@ -138,7 +138,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
         status = descent_segment(d, end, run->times, run->request->floor);
     if (status != DOM_OK)
         return status;
-    run->moving = d->stay;
+    run->moving = d->moving;
     run->carried = d->st.start.kinetic * block.unit;
     fall->omega = sqrt(run->omegasq) / block.tau;
     fall->kinetic = kinetic * block.unit;
@@ -164,7 +164,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     const struct tilt top = tilt_half(geometry_half_u(geometry));
     bool tips = geometry_lift(geometry, geometry->c) < 0;
     if (geometry->lean != 0)
-        barrier = (geometry->reach - geometry_height(geometry, geometry_rest(geometry))) * block.unit;
+        barrier = (geometry->steepest - geometry_height(geometry, geometry_rest(geometry))) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,

@@ -28,7 +28,7 @@ struct run {
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
 struct descent {
     struct segment st; /* the current segment */
-    size_t stay;       /* number of dominoes that move after this segment */
+    size_t moving;     /* number of dominoes that move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     /* `stops` is true if the head comes to rest, `locks` if friction locks it while it moves */
     bool stops, locks;

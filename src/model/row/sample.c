@@ -6,8 +6,8 @@
  * the previous pass), and when the head hits the next domino. If the bounds are not sharp enough, or if a
  * domino detaches, row_head runs the head.
  */
+#include "row/rough.h"
 #include "row/run.h"
-#include "row/slide.h"
 #include <stdlib.h>
 
 struct random_row {
@@ -18,7 +18,7 @@ struct random_row {
      * doubt. */
     bool has_friction;
     bool rough, doubt;
-    struct slide slide;
+    struct rough_motion motion;
     real off_at_end; /* bound on the error in omegasq at the end of the current head's motion */
     struct block *block;
     struct geometry *geometry;
@@ -50,7 +50,7 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     const struct geometry *self = a->geometry;
     const real lift = geometry_height_slope(self, b->tilt), height = geometry_height(self, a->tilt),
                slope = height > 0 ? a->slope : b->slope,
-               fall = height > 0 ? -geometry_height_slope(self, a->tilt) : self->reach;
+               fall = height > 0 ? -geometry_height_slope(self, a->tilt) : self->steepest;
     g->J += a->inertia * a->slope * a->slope;
     g->dH += a->weight * g->t * (self->h.x * (a->tilt.y + b->tilt.y) - self->h.y * (a->tilt.x + b->tilt.x));
     g->rise += a->weight * b->slope * lift;
@@ -90,7 +90,7 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
 {
     const struct geometry *self = a->geometry;
     const real ratio = fmax(self->weight * shrinks, self->decay),
-               rest = a->weight * 2 * g->t * self->reach * ratio;
+               rest = a->weight * 2 * g->t * self->steepest * ratio;
     if (!(rest <= (1 - ratio) * tol * fabs(g->dH)))
         return false;
     const real ratio_J = fmax(self->inertia * a->step * a->step, self->decay_J);
@@ -147,9 +147,9 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     if (!s->rough)
         return false;
     if (k + 1 == s->request.count && !g.rises) /* beyond theta_u, all dominoes only lose height */
-        return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
-                            run->omegasq);
-    return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
+        return rough_reaches(&s->motion, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
+                             run->omegasq);
+    return rough_descend(&s->motion, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
 /* Like head_goes, but for a row with rounded edges and friction. Stores no chain. */
@@ -172,9 +172,9 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
     }
     *at = (struct start){.from = head->c};
     if (last && !rises) /* beyond theta_u, all dominoes only lose height */
-        return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
-                            run->omegasq);
-    return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
+        return rough_reaches(&s->motion, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
+                             run->omegasq);
+    return rough_descend(&s->motion, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
 /* Returns true if head_goes or head_rolls finds that head k certainly keeps falling. */
@@ -189,14 +189,14 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
                                   const struct geometry *hitting, const struct start *at)
 {
     enum dom_status status = row_hit(run, k, hitting, at);
-    s->slide.off = s->off_at_end / at->omegasq * run->omegasq;
+    s->motion.off = s->off_at_end / at->omegasq * run->omegasq;
     return status;
 }
 
 /* A rough run trusts the sign of a contact force above this fraction of the pushed domino's weight. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. Sets s->doubt if an error of s->slide.off in omegasq may change the
+/* Runs head k as in any other row. Sets s->doubt if an error of s->motion.off in omegasq may change the
  * verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
@@ -207,11 +207,11 @@ static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
     if (status != DOM_OK)
         return status;
     const bool tips = before == 0, pushes = fabs(d.least_force) > LEAST_CLEAR,
-               sure = slide_sure(&s->slide, before, (real)fall.margin, (real)fall.kinetic);
+               sure = rough_sure(&s->motion, before, (real)fall.margin, (real)fall.kinetic);
     s->doubt = s->rough && !tips && !(pushes && sure && !d.locks);
     if (s->doubt || run->verdict.end != DOM_ROW_FALLS || k + 1 == s->request.count)
         return DOM_OK;
-    s->off_at_end = tips ? 0 : s->slide.off * d.st.gain + slide_error(&d.st.geometry) * d.st.start.omegasq;
+    s->off_at_end = tips ? 0 : s->motion.off * d.st.gain + rough_error(&d.st.geometry) * d.st.start.omegasq;
     return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
 }
 
@@ -221,7 +221,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     enum dom_status status = DOM_OK;
     row_launch(run);
     s->head = SIZE_MAX;
-    s->slide.off = 0;
+    s->motion.off = 0;
     s->doubt = false;
     for (size_t k = 0;
          k < s->request.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && !s->doubt; k++) {
@@ -244,7 +244,7 @@ static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;
     for (size_t k = 0; k < s->request.count; k++)
-        s->geometry[k].tol = rough ? fmax((real)s->request.tol, SLIDE_TOL) : (real)s->request.tol;
+        s->geometry[k].tol = rough ? fmax((real)s->request.tol, ROUGH_TOL) : (real)s->request.tol;
 }
 
 /* Checks the row, fills in its blocks and geometry, and chooses the fast methods that can be used. */
@@ -266,7 +266,7 @@ static enum dom_status sample_make(struct random_row *s)
     return status;
 }
 
-KERNEL enum dom_status row_sample(const struct row_request *request, struct random_row **sample)
+KERNEL enum dom_status row_sample_begin(const struct row_request *request, struct random_row **sample)
 {
     const size_t n = request->count;
     size_t wrong;
@@ -295,12 +295,12 @@ KERNEL enum dom_status row_sample(const struct row_request *request, struct rand
         return status;
     for (size_t k = 1; k < n; k++) /* all joints share the memory that dynamics_begin allocated */
         s->geometry[k].flow = s->geometry[0].flow;
-    num_rough_begin(&s->slide.flow);
+    num_rough_begin(&s->motion.flow);
     return DOM_OK;
 }
 
-KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_row *row, bool gaps,
-                                   struct dom_verdict *verdict)
+KERNEL enum dom_status row_sample_run(struct random_row *s, const struct dom_row *row, bool gaps,
+                                      struct dom_verdict *verdict)
 {
 #define VALUE(effect, member, status) row->member,
     const dom_real effect[] = {DOM_DYNAMICS(VALUE)};

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "row/slide.h"
+#include "row/rough.h"
 
-/* A verdict is certain if the margin exceeds SLIDE_CLEAR times the estimated error, and SLIDE_ROOM times the
+/* A verdict is certain if the margin exceeds ROUGH_CLEAR times the estimated error, and ROUGH_ROOM times the
  * energy. */
-#define SLIDE_CLEAR 8
-#define SLIDE_ROOM  ((real)1 / 64)
+#define ROUGH_CLEAR 8
+#define ROUGH_ROOM  ((real)1 / 64)
 
 /* Number of tilts at which the required energy is sampled to find its maximum. */
-enum { SLIDE_PLACES = 12 };
+enum { ROUGH_PLACES = 12 };
 
 /* The sums A, B and C of the equation of motion (friction.c), without compensation of rounding errors. */
-struct slide_sums {
+struct rough_sums {
     real A, B, C;
     real S, curve; /* S_i and theta_i'' of the current domino i */
 };
 
 /* Adds one domino to the sums. Returns false if the contributions of all further dominoes are negligible. */
-static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, real tol)
+static bool rough_add(struct rough_sums *s, const struct link *k, real ratio, real tol)
 {
     const struct geometry *self = k->geometry;
     const real m = k->inertia * s->S, w = k->weight * s->S;
@@ -25,25 +25,25 @@ static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, re
     s->C -= w * geometry_height_slope(self, k->tilt) / 2;
     const real rate = fmax(fmax(self->weight, self->inertia) * ratio, fmax(self->decay, self->decay_J)),
                share = TAIL_SHARE * tol * (1 - rate);
-    return rate * w * self->reach > share * fabs(s->C) ||
+    return rate * w * self->steepest > share * fabs(s->C) ||
            rate * m * (k->slope * (1 + self->rL * k->slope) + fabs(s->curve)) > share * s->A;
 }
 
-struct slide_context {
+struct rough_context {
     const struct geometry *head;
 };
 
 /* Finds the sums for a chain with sharp edges. */
-static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct slide_sums *sums)
+static bool rough_sharp(const struct geometry *head, struct tilt tilt, struct rough_sums *sums)
 {
-    struct slide_sums s = {.S = 1};
+    struct rough_sums s = {.S = 1};
     struct link k = link_head(head, tilt);
     for (;;) {
         const real a = contact_arm_a(&k), b = contact_arm_b(&k), ratio = a / b;
         const bool last = k.i + 1 == head->n;
         if (!last && !(a >= 0 && b > 0))
             return false;
-        if (!slide_add(&s, &k, last ? 0 : ratio, head->tol) || last)
+        if (!rough_add(&s, &k, last ? 0 : ratio, head->tol) || last)
             break;
         s.S *= ratio;
         s.curve = link_second_derivative(&k, s.curve);
@@ -55,18 +55,18 @@ static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct sl
 
 /* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometric
  * functions. */
-static bool slide_rate(real p, void *context, struct num_rate *rate)
+static bool rough_rate(real p, void *context, struct num_rate *rate)
 {
-    const struct geometry *head = ((const struct slide_context *)context)->head;
+    const struct geometry *head = ((const struct rough_context *)context)->head;
     const real turn = 2 / (1 + p * p); /* dtheta / dp */
-    struct slide_sums s = {.S = 1};
+    struct rough_sums s = {.S = 1};
     struct equation_of_motion e = {.A = 0};
     bool found;
     if (head->law->closed_form)
-        found = slide_sharp(head, tilt_half(p), &s);
+        found = rough_sharp(head, tilt_half(p), &s);
     else {
         found = head->law->equation(head, tilt_half(p), &e) == DOM_OK && !e.locks;
-        s = (struct slide_sums){.A = e.A, .B = e.B, .C = e.C};
+        s = (struct rough_sums){.A = e.A, .B = e.B, .C = e.C};
     }
     rate->p = -2 * s.B / s.A * turn;
     rate->c = 2 * s.C / s.A * turn;
@@ -75,11 +75,11 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
 
 /* Returns the omegasq that the head needs: the maximum of -num_rough_v, from samples and parabolas through
  * them. */
-static real slide_need(const struct num_rough *flow)
+static real rough_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;
-    for (int i = 1; i <= SLIDE_PLACES; i++) {
-        const real next = -num_rough_v(flow, 2 * (real)i / SLIDE_PLACES - 1), bend = 2 * self - last - next;
+    for (int i = 1; i <= ROUGH_PLACES; i++) {
+        const real next = -num_rough_v(flow, 2 * (real)i / ROUGH_PLACES - 1), bend = 2 * self - last - next;
         most = fmax(most, next);
         if (i > 1 && self >= last && self >= next && bend > 0)
             most = fmax(most, self + (next - last) * (next - last) / (8 * bend));
@@ -89,32 +89,32 @@ static real slide_need(const struct num_rough *flow)
     return most;
 }
 
-KERNEL real slide_error(const struct geometry *head)
+KERNEL real rough_error(const struct geometry *head)
 {
-    return SLIDE_CLEAR * head->tol;
+    return ROUGH_CLEAR * head->tol;
 }
 
-KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq)
+KERNEL bool rough_reaches(struct rough_motion *s, const struct geometry *head, real hi, real omegasq)
 {
-    struct slide_context context = {head};
+    struct rough_context context = {head};
     struct num_rough *flow = &s->flow;
-    return num_rough_solve(slide_rate, &context, hi, flow) &&
-           omegasq - slide_need(flow) > SLIDE_CLEAR * (s->off + flow->v_error) + SLIDE_ROOM * omegasq;
+    return num_rough_solve(rough_rate, &context, hi, flow) &&
+           omegasq - rough_need(flow) > ROUGH_CLEAR * (s->off + flow->v_error) + ROUGH_ROOM * omegasq;
 }
 
-KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
-                       real *after_off)
+KERNEL bool rough_descend(struct rough_motion *s, const struct geometry *head, real omegasq, real *after,
+                          real *after_off)
 {
     const struct num_rough *flow = &s->flow;
-    if (!slide_passes(s, head, half_of_tilt(head->c), omegasq))
+    if (!rough_reaches(s, head, half_of_tilt(head->c), omegasq))
         return false;
     const real off = s->off + flow->v_error, G = num_rough_G(flow, 1);
     *after = G * (omegasq + num_rough_v(flow, 1));
-    *after_off = G * off + *after * (flow->ln_G_error + slide_error(head));
-    return *after > SLIDE_CLEAR * *after_off;
+    *after_off = G * off + *after * (flow->ln_G_error + rough_error(head));
+    return *after > ROUGH_CLEAR * *after_off;
 }
 
-KERNEL bool slide_sure(const struct slide *s, real omegasq, real margin, real kinetic)
+KERNEL bool rough_sure(const struct rough_motion *s, real omegasq, real margin, real kinetic)
 {
-    return fabs(margin) > kinetic * SLIDE_CLEAR * (s->off / omegasq + SLIDE_CLEAR * SLIDE_TOL);
+    return fabs(margin) > kinetic * ROUGH_CLEAR * (s->off / omegasq + ROUGH_CLEAR * ROUGH_TOL);
 }
