@@ -33,7 +33,7 @@ parts() { # PARTS ROWS
 
 @test "budget finds sigma while the effect placement is off, and says how many rows fall with this sigma" {
     said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
-    grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
+    grep -qE '^Keep the gaps accurate to within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(95 % interval: 92 to 98\)\.$' <<<"$said"
     same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
     # The interval agrees with a study of placement with this sigma.
     answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')

@@ -54,9 +54,9 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
     const domq_real until = round_digits(m->until, 4, !wider), room = m->to + (until - m->to) / 3;
     const struct measured end = measured(until, "m", 7);
     const char *from = until > 0 ? (wider ? to : end).text : "";
-    answer_say(a, "All fall with gaps %s%s%s%s: 'place %zu %s' leaves room for errors of %s.",
-               *from ? "between " : "up to ", from, *from ? " and " : "", (wider ? end : to).text, m->domino,
-               measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
+    answer_say(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
+               *from ? "between " : "at most ", from, *from ? " and " : "", (wider ? end : to).text,
+               m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
 /* Prints a table of the changes that were found, and says how to make the smallest one. */

@@ -137,16 +137,21 @@ static struct measured size_words(const struct budget_call *call, domq_real size
     return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
 }
 
-/* Writes how precise the row must be, for example "Place the gaps within 2 mm (one standard deviation)". */
+/* Writes how precise the row must be, for example "Keep the gaps accurate to within 2 mm". */
 static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
 {
     static const char *const keep[DOM_ERROR_COUNT] = {
-        [DOM_ERROR_gap] = "Place the gaps",      [DOM_ERROR_place] = "Place the dominoes",
-        [DOM_ERROR_height] = "Keep the heights", [DOM_ERROR_thickness] = "Keep the thicknesses",
-        [DOM_ERROR_mass] = "Keep the masses",    [DOM_ERROR_lean] = "Keep the leans",
-        [DOM_ERROR_radius] = "Keep the radii",   [DOM_ERROR_friction] = "Measure the friction",
-        [DOM_ERROR_slope] = "Measure the slope", [DOM_ERROR_floor] = "Measure the friction of the floor",
-        [DOM_ERROR_push] = "Keep the push",
+        [DOM_ERROR_gap] = "Keep the gaps accurate",
+        [DOM_ERROR_place] = "Place the dominoes",
+        [DOM_ERROR_height] = "Keep the heights accurate",
+        [DOM_ERROR_thickness] = "Keep the thicknesses accurate",
+        [DOM_ERROR_mass] = "Keep the masses accurate",
+        [DOM_ERROR_lean] = "Keep the leans accurate",
+        [DOM_ERROR_radius] = "Keep the radii accurate",
+        [DOM_ERROR_friction] = "Measure the friction",
+        [DOM_ERROR_slope] = "Measure the slope",
+        [DOM_ERROR_floor] = "Measure the friction of the floor",
+        [DOM_ERROR_push] = "Keep the push accurate",
     };
     const bool all = call->kind == DOM_ERROR_COUNT;
     const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
@@ -154,7 +159,7 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
         snprintf(text, room, "All errors may be %s times as large as they are now",
                  size_words(call, size).text);
     else
-        snprintf(text, room, "%s within %s (%s)", keep[call->kind], size_words(call, size).text,
+        snprintf(text, room, "%s to within %s (%s)", keep[call->kind], size_words(call, size).text,
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
@@ -179,9 +184,9 @@ static enum dom_status budget_say(struct answer *a, const struct budget_call *ca
     const int of = rows_of(call->share), digits = of ? 0 : 2;
     const double digit = pow(10, -digits), scale = of ? of : 100;
     precision_say(call, size, text, sizeof text);
-    answer_say(a, "%s: then %s rows fall (%.*f to %.*f%s).", text, share_words(call->share).text, digits,
-               floor(scale * study.low / digit) * digit, digits, ceil(scale * study.high / digit) * digit,
-               of ? "" : " %");
+    answer_say(a, "%s: then %s rows fall (95 %% interval: %.*f to %.*f%s).", text,
+               share_words(call->share).text, digits, floor(scale * study.low / digit) * digit, digits,
+               ceil(scale * study.high / digit) * digit, of ? "" : " %");
     return DOM_OK;
 }
 
@@ -327,7 +332,7 @@ const struct command study_commands[] = {
          {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
-     .summary = "how precise gaps, or E, must be for rows to fall with probability P",
+     .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
      .help = "Finds sigma, the standard deviation that the errors in the gaps may have. With this sigma, the "
              "share P of ROWS random rows falls (1000 rows if ROWS is left out). If the errors are uniform, "
              "sigma is their limit. The answer includes the 95 % interval of sigma. The random numbers are "
