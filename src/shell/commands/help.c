@@ -268,9 +268,9 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     int found = 0;
     struct topic topic;
     /* Topics about the word come before topics that only mention the word in their details. */
-    for (int rank = 1; rank <= 2; rank++)
+    for (int match = MATCH_TOPIC; match < MATCH_NONE; match++)
         for (int k = 0; topic_at(k, &topic); k++) {
-            if (topic_mentions(&topic, word) != rank)
+            if ((int)topic_match(&topic, word) != match)
                 continue;
             found++;
             if (!people) {

@@ -67,7 +67,7 @@ static bool mentions(const char *text, const char *word)
     return text && strcasestr(text, word);
 }
 
-int topic_mentions(const struct topic *t, const char *word)
+enum topic_match topic_match(const struct topic *t, const char *word)
 {
     bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
     bool in_details = mentions(t->text, word) || (t->command && mentions(t->equation, word));
@@ -77,7 +77,7 @@ int topic_mentions(const struct topic *t, const char *word)
         is_about = is_about || mentions(w->name, word);
     for (; k && k->key; k++)
         in_details = in_details || mentions(k->key, word) || mentions(k->meaning, word);
-    return is_about ? 1 : in_details ? 2 : 0;
+    return is_about ? MATCH_TOPIC : in_details ? MATCH_DETAILS : MATCH_NONE;
 }
 
 /* ---- For programs ---- */

@@ -106,7 +106,7 @@ static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const 
 static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
     const struct lookup *lookup = e->context;
-    const struct ans *ans = lookup->query->ans;
+    const struct last_answer *ans = lookup->query->ans;
     const struct tree *child = t->child;
     struct quantity argument[EXPRESSION_ARGUMENTS];
     switch ((enum symbol)t->symbol) {

@@ -47,7 +47,7 @@ struct routine {
 
 struct resolver {
     const struct state *state;
-    const struct ans *ans;
+    const struct last_answer *ans;
     struct arena *arena;
     struct expression_error *error;
     /* Parses 'with' in the bodies of functions; see struct parse. */

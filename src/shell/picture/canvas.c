@@ -45,19 +45,19 @@ bool term_begins(const char *const *names)
     return *names != NULL;
 }
 
-struct look look_of(FILE *stream)
+struct display display_of(FILE *stream)
 {
     static const char *const without_braille[] = {"dumb", "linux", "vt", "cons", NULL};
     const char *term = getenv("TERM"), *all = getenv("COLORTERM");
-    struct look look = {.colours = COLOURS_NONE};
+    struct display display = {.colours = COLOURS_NONE};
     if (!isatty(fileno(stream)) || !term)
-        return look;
-    look.braille = terminal_utf8() && !term_begins(without_braille);
+        return display;
+    display.braille = terminal_utf8() && !term_begins(without_braille);
     if (terminal_colour(stream))
-        look.colours = all && (strcmp(all, "truecolor") == 0 || strcmp(all, "24bit") == 0)    ? COLOURS_ALL
-                       : strstr(term, "256") || strstr(term, "kitty") || strstr(term, "foot") ? COLOURS_256
-                                                                                              : COLOURS_8;
-    return look;
+        display.colours = all && (strcmp(all, "truecolor") == 0 || strcmp(all, "24bit") == 0)    ? COLOURS_ALL
+                          : strstr(term, "256") || strstr(term, "kitty") || strstr(term, "foot") ? COLOURS_256
+                                                                                                 : COLOURS_8;
+    return display;
 }
 
 double ruler_step(double least)
@@ -68,13 +68,13 @@ double ruler_step(double least)
 
 /* ---- Dots ---- */
 
-bool canvas_make(struct canvas *c, struct look look, int width, int height)
+bool canvas_make(struct canvas *c, struct display display, int width, int height)
 {
-    *c = (struct canvas){.look = look,
+    *c = (struct canvas){.display = display,
                          .width = width,
                          .height = height,
-                         .across = look.braille ? 2 : 1,
-                         .down = look.braille ? 4 : 1};
+                         .across = display.braille ? 2 : 1,
+                         .down = display.braille ? 4 : 1};
     size_t cells = (size_t)width * (size_t)height;
     c->cell = calloc(cells ? cells : 1, sizeof *c->cell);
     for (size_t i = 0; c->cell && i < cells; i++)
@@ -112,7 +112,7 @@ static bool dash_on(const struct canvas *c, int dash, int phase)
         int length;
     } dashes[DASHES] = {{1, 1}, {0x0f, 7}, {0x1, 3}, {0x11f, 11}, {0x3, 5}};
     const int k = dash % DASHES;
-    return !c->look.braille || (dashes[k].bits >> phase % dashes[k].length & 1) != 0;
+    return !c->display.braille || (dashes[k].bits >> phase % dashes[k].length & 1) != 0;
 }
 
 void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, enum ink ink, int dash,
@@ -133,14 +133,14 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
 /* Writes a braille character or, without braille, the character of the ink. Returns its length in bytes. */
 static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
-    if (!c->look.braille)
+    if (!c->display.braille)
         return snprintf(glyph, GLYPH, "%c", inks[ink].letter);
     return snprintf(glyph, GLYPH, "\xe2%c%c", (int)(0xa0 | dots >> 6), (int)(0x80 | (dots & 0x3f)));
 }
 
 void canvas_sample(const struct canvas *c, enum ink ink, int dash, char sample[4 * GLYPH])
 {
-    for (int k = 0, used = 0; k < (c->look.braille ? 3 : 1); k++)
+    for (int k = 0, used = 0; k < (c->display.braille ? 3 : 1); k++)
         used +=
             dots_text(c, (dash_on(c, dash, 2 * k) ? 0x04u : 0) | (dash_on(c, dash, 2 * k + 1) ? 0x20u : 0),
                       (int)ink, sample + used);
@@ -173,11 +173,11 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     if (!cell)
         return;
     /* If the terminal has too few colours, or no half blocks, the shade is shown by a character. */
-    if (!c->look.braille || c->look.colours < COLOURS_256)
+    if (!c->display.braille || c->display.colours < COLOURS_256)
         canvas_text(c, column, row,
-                    shade < 0         ? " "
-                    : c->look.braille ? blocks[shade * 4 / 256]
-                                      : letters[shade * 9 / 256],
+                    shade < 0            ? " "
+                    : c->display.braille ? blocks[shade * 4 / 256]
+                                         : letters[shade * 9 / 256],
                     INK_TEXT);
     else
         *cell = (struct canvas_cell){.upper = isnan(upper) ? -1 : shade_colour(upper),
@@ -194,7 +194,7 @@ static void colour_write(const struct canvas *c, enum ground ground, int rgb, FI
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
     if (rgb < 0)
         fprintf(out, "\033[%dm", ground + 1);
-    else if (c->look.colours == COLOURS_ALL)
+    else if (c->display.colours == COLOURS_ALL)
         fprintf(out, "\033[%d;2;%d;%d;%dm", ground, red, green, blue);
     else /* the palette has a cube of 6 x 6 x 6 colours */
         fprintf(out, "\033[%d;5;%dm", ground,
@@ -203,12 +203,12 @@ static void colour_write(const struct canvas *c, enum ground ground, int rgb, FI
 
 static void ink_write(const struct canvas *c, enum ink ink, FILE *out)
 {
-    if (c->look.colours == COLOURS_NONE)
+    if (c->display.colours == COLOURS_NONE)
         return;
     fputs("\033[0m", out);
-    if (c->look.colours == COLOURS_8 && inks[ink].of_8)
+    if (c->display.colours == COLOURS_8 && inks[ink].of_8)
         fprintf(out, "\033[%dm", inks[ink].of_8);
-    else if (c->look.colours > COLOURS_8 && ink != INK_TEXT)
+    else if (c->display.colours > COLOURS_8 && ink != INK_TEXT)
         colour_write(c, GROUND_FRONT, inks[ink].rgb, out);
 }
 

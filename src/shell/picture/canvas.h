@@ -33,11 +33,11 @@ double ruler_step(double least);
 bool term_begins(const char *const *names);
 
 /* What the terminal of a stream can show. Files and pipes get plain characters. */
-struct look {
+struct display {
     bool braille; /* the terminal shows braille, box-drawing characters and half blocks */
     enum { COLOURS_NONE, COLOURS_8, COLOURS_256, COLOURS_ALL } colours;
 };
-struct look look_of(FILE *stream);
+struct display display_of(FILE *stream);
 
 enum { GLYPH = 5 /* the size of a character in UTF-8 with the terminating NUL byte */ };
 
@@ -48,14 +48,14 @@ struct canvas_cell {
 };
 
 struct canvas {
-    struct look look;
+    struct display display;
     int width, height; /* size of the canvas in cells */
     int across, down;  /* number of dots in a cell, across and down */
     struct canvas_cell *cell;
 };
 
 /* Makes an empty canvas. Returns false if memory runs out. */
-bool canvas_make(struct canvas *canvas, struct look look, int width, int height);
+bool canvas_make(struct canvas *canvas, struct display display, int width, int height);
 void canvas_free(struct canvas *canvas);
 
 /* Draws the dot at (x, y), counted from the upper left corner. A dot outside the canvas is ignored. */

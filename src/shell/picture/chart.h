@@ -154,7 +154,7 @@ struct event_spot event_spot(const struct chart *chart, int event, double letter
 int event_rows(const struct chart *chart, double letter);
 
 /* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
-bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out);
+bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out);
 
 /* Writes a gnuplot script that draws a chart. */
 void chart_script(const struct chart *chart, FILE *script);

@@ -69,7 +69,7 @@ static void points_draw(const struct frame *f, const struct chart_curve *curve)
         if (!(px >= -1e-9 && px <= 1 + 1e-9 && py >= -1e-9 && py <= 1 + 1e-9))
             continue;
         int x = (int)dot_x(f, p->x), y = (int)dot_y(f, p->y);
-        if (f->canvas->look.braille)
+        if (f->canvas->display.braille)
             canvas_text(f->canvas, x / f->canvas->across, y / f->canvas->down, "●", curve->ink);
         else
             canvas_dot(f->canvas, x, y, curve->ink);
@@ -101,9 +101,9 @@ static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
         int phase = 0;
         if (isnan(p->low) || isnan(p->high) || isnan(x))
             continue;
-        for (int row = (int)y1; row <= (int)y0 && !c->look.braille; row++)
+        for (int row = (int)y1; row <= (int)y0 && !c->display.braille; row++)
             canvas_text(f->canvas, (int)x, row, "|", curve->ink);
-        if (!c->look.braille)
+        if (!c->display.braille)
             continue;
         canvas_line(f->canvas, x, y0, x, y1, curve->ink, 0, &phase);
         for (int k = -1; k <= 1; k++) {
@@ -170,7 +170,7 @@ static int text_put(struct canvas *c, int left, int right, int row, int most, bo
 
 static void axis_y_draw(const struct frame *f, const struct ticks *ticks)
 {
-    bool boxes = f->canvas->look.braille;
+    bool boxes = f->canvas->display.braille;
     for (int row = f->top; row < f->bottom; row++)
         canvas_text(f->canvas, f->left - 1, row, boxes ? "│" : "|", INK_TEXT);
     for (int k = 0; k < ticks->count; k++) {
@@ -184,7 +184,7 @@ static void axis_y_draw(const struct frame *f, const struct ticks *ticks)
 static void axis_x_draw(const struct frame *f)
 {
     struct canvas *c = f->canvas;
-    bool boxes = c->look.braille;
+    bool boxes = c->display.braille;
     const struct ticks ticks = axis_ticks(&f->chart->x, (f->right - f->left) / 9);
     int free_from = 0;
     canvas_text(c, f->left - 1, f->bottom, boxes ? "└" : "+", INK_TEXT);
@@ -235,7 +235,7 @@ static int legend(const struct frame *f, int row)
         char sample[4 * GLYPH], text[160];
         if (!*curve->title)
             continue;
-        bool braille = c->look.braille;
+        bool braille = c->display.braille;
         canvas_sample(c, curve->ink, curve->dash, sample);
         if (braille && has_points(curve->kind))
             snprintf(sample, sizeof sample, "●");
@@ -300,12 +300,12 @@ static void data_draw(const struct frame *f)
     }
 }
 
-bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out)
+bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out)
 {
     struct canvas canvas;
     int (*const legend_put)(const struct frame *f, int row) = chart->map.value ? map_legend : legend;
     int note_rows = *chart->note ? 1 + utf8_columns(chart->note) / (width - 4) : 0;
-    if (!canvas_make(&canvas, look, width, height - note_rows))
+    if (!canvas_make(&canvas, display, width, height - note_rows))
         return false;
     struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_LEAST, .right = width};
     f.most = height / 10 > 0 ? height / 10 : 1;

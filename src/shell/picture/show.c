@@ -71,7 +71,7 @@ bool picture_ready(const struct answer *a, struct problem *problem)
 
 struct marks picture_marks(const struct answer *a)
 {
-    return by_gnuplot(a) ? script_marks : text_marks(look_of(a->out));
+    return by_gnuplot(a) ? script_marks : text_marks(display_of(a->out));
 }
 
 /* ---- Drawing a chart, or a stage if chart is NULL ---- */
@@ -79,15 +79,15 @@ struct marks picture_marks(const struct answer *a)
 static bool show_text(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
     int width, height;
-    struct look look = look_of(a->out);
+    struct display display = display_of(a->out);
     progress_end();
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
     /* half the usual width, because characters are twice as tall as wide */
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
-    return chart ? chart_text(chart, look, width, height, a->out)
-                 : stage_text(stage, look, width, height, a->out);
+    return chart ? chart_text(chart, display, width, height, a->out)
+                 : stage_text(stage, display, width, height, a->out);
 }
 
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */

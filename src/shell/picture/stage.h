@@ -120,11 +120,11 @@ struct axis_unit stage_unit(const struct stage *stage, double across);
 
 /* ---- In characters ---- */
 
-struct marks text_marks(struct look look);
+struct marks text_marks(struct display display);
 
 /* Draws a stage with its caption in at most `width` columns and `height` rows. Returns false if memory runs
  * out. */
-bool stage_text(const struct stage *stage, struct look look, int width, int height, FILE *out);
+bool stage_text(const struct stage *stage, struct display display, int width, int height, FILE *out);
 
 /* ---- By gnuplot ---- */
 

@@ -17,14 +17,14 @@ struct grid {
     int ground;        /* the row of the canvas that shows the ground */
 };
 
-struct marks text_marks(struct look look)
+struct marks text_marks(struct display display)
 {
     return (struct marks){.theta = "theta",
-                          .weakest = !look.braille  ? "*"
-                                     : look.colours ? "red"
-                                                    : "filled",
-                          .ends = look.braille ? "filled" : "X",
-                          .contacts = look.braille ? "" : "; #: the next; @: contact"};
+                          .weakest = !display.braille  ? "*"
+                                     : display.colours ? "red"
+                                                       : "filled",
+                          .ends = display.braille ? "filled" : "X",
+                          .contacts = display.braille ? "" : "; #: the next; @: contact"};
 }
 
 static int column_of(const struct grid *g, double x)
@@ -92,11 +92,11 @@ static void domino_outline(struct grid *g, const struct drawn *k)
 static void dominoes_draw(struct grid *g, const struct stage *stage)
 {
     for (size_t k = stage->count; k-- > 0;)
-        if (g->canvas.look.braille)
+        if (g->canvas.display.braille)
             domino_outline(g, stage_front(stage, k));
         else
             domino_fill(g, stage, &stage->domino[k]);
-    for (size_t k = 0; k < stage->count && !g->canvas.look.braille; k++) {
+    for (size_t k = 0; k < stage->count && !g->canvas.display.braille; k++) {
         const struct drawn *d = &stage->domino[k];
         if (d->touched && d->height > 4 * g->unit)
             canvas_text(&g->canvas, column_of(g, d->contact.x),
@@ -167,12 +167,12 @@ static int caption_write(const char *text, int width, FILE *out)
     return lines;
 }
 
-bool stage_text(const struct stage *stage, struct look look, int width, int height, FILE *out)
+bool stage_text(const struct stage *stage, struct display display, int width, int height, FILE *out)
 {
     width = width < WIDTH_MOST ? width : WIDTH_MOST;
     int rows = height - caption_write(stage->caption, width, out), top = 0;
     struct grid g = {.ground = rows - BELOW};
-    if (!canvas_make(&g.canvas, look, width, rows))
+    if (!canvas_make(&g.canvas, display, width, rows))
         return false;
     /* A free column on either side leaves room for the outlines at the ends. */
     double across = (stage->right - stage->left) / (width - LEFT - 2),

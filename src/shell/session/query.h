@@ -36,7 +36,7 @@ struct range means_part(const struct means *means, size_t points);
 enum { ANSWER_CELLS = 16 };
 
 /* The last answer, for 'ans' in expressions. */
-struct ans {
+struct last_answer {
     const struct command *command; /* the command that gave the answer; NULL if there is no answer */
     struct cell cells[ANSWER_CELLS];
     bool printed; /* the last answer was the value of an expression, which is stored in `value` */
@@ -61,7 +61,7 @@ struct query {
     const struct state *state;
     const struct scene *scene; /* the scene of `state` */
     const struct arguments *given;
-    const struct ans *ans;
+    const struct last_answer *ans;
     const struct means *means;
     struct walk *walk;
     struct state *next; /* the state that the command may change; NULL if changes are not kept */

@@ -11,7 +11,7 @@ enum { SOURCE_DEPTH = 16 };
 
 struct session {
     struct state state;
-    struct ans ans;
+    struct last_answer ans;
     struct walk walk;
     struct means means;
     struct undo *undo; /* the history of states; NULL until a command has changed the state */

@@ -75,9 +75,9 @@ static bool row_frame(const struct domq_moment *m, void *context)
 /* Returns the speed of the film. A long fall is shown faster, which keeps the file small. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
-    const struct draw_what *what = f->film.what;
-    if (what->has[DRAW_SPEED] || !(seconds > LONGEST))
-        return what->value[DRAW_SPEED];
+    const struct draw_options *options = f->film.options;
+    if (options->has[DRAW_SPEED] || !(seconds > LONGEST))
+        return options->value[DRAW_SPEED];
     return round_digits((domq_real)(seconds / LONGEST), 2, true);
 }
 
@@ -118,7 +118,7 @@ static bool animate_row(const struct film *film, double tower)
     struct row_film f = {.film = *film, .towers = tower > 0};
     char verdict[SENTENCE];
     struct stage *stage = &f.row.stage;
-    f.film.delay = (int)quad(round)(100 / film->what->value[DRAW_RATE]);
+    f.film.delay = (int)quad(round)(100 / film->options->value[DRAW_RATE]);
     if (!falling_row_make(film->query, film->problem, script_marks, &f.row))
         return false;
     if (film->answer) {
@@ -151,11 +151,11 @@ const struct column animate_columns[] = {
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct draw_what *what = draw_what(query);
+    const struct draw_options *options = draw_options_of(query);
     struct film film = {
-        .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .what = what};
-    bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->has[DRAW_CYCLES];
-    if ((what->has[DRAW_SPEED] || what->has[DRAW_RATE]) && !row && !what->tower)
+        .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .options = options};
+    bool row = query->scene->effect[DOM_EFFECT_row].on && !options->train && !options->has[DRAW_CYCLES];
+    if ((options->has[DRAW_SPEED] || options->has[DRAW_RATE]) && !row && !options->tower)
         return problem_error(
             problem,
             "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
@@ -164,11 +164,11 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
                                       "file after '>'; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
-    if (row || what->train || what->tower)
+    if (row || options->train || options->tower)
         /* The note that the answer is about the train would be wrong or superfluous. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
-    if (what->tower) {
+    if (options->tower) {
         struct state state;
         struct query changed;
         double height;

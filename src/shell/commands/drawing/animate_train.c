@@ -69,14 +69,14 @@ static int cycles_within(double r, double grown_most, int most)
 
 static bool cycles_count(struct train_film *f)
 {
-    const struct draw_what *what = f->film.what;
-    domq_real cycles = what->value[DRAW_CYCLES];
+    const struct draw_options *options = f->film.options;
+    domq_real cycles = options->value[DRAW_CYCLES];
     int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
     bool good = cycles >= 1 && cycles <= most && cycles == quad(floor)(cycles);
     f->cycles = good ? (int)cycles : cycles_within(f->r, 4, 5);
-    if (good || !what->has[DRAW_CYCLES])
+    if (good || !options->has[DRAW_CYCLES])
         return true;
-    f->film.problem->place = what->column;
+    f->film.problem->place = options->column;
     return problem_no_answer(f->film.problem,
                              "N = %s is out of range; at this r, N is an integer in 1 .. %d, because one "
                              "picture has no room for more cycles",

@@ -10,7 +10,7 @@ struct film {
     const struct query *query;
     struct problem *problem;
     struct answer *answer; /* receives the frames as data; NULL if they are drawn instead */
-    const struct draw_what *what;
+    const struct draw_options *options;
     struct movie movie;
     size_t frames;
     int delay; /* time between two frames, in hundredths of a second */

@@ -84,18 +84,18 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
 }
 
 /* Finds the time of the requested moment. Fails if the row has no such moment. */
-static bool moment_time(struct problem *problem, const struct draw_what *what, const struct falling_row *row,
-                        domq_real *time)
+static bool moment_time(struct problem *problem, const struct draw_options *options,
+                        const struct falling_row *row, domq_real *time)
 {
-    problem->place = what->column;
-    if (what->has[DRAW_DOMINO])
-        return domino_time(problem, what->value[DRAW_DOMINO], row, time);
-    *time = what->end ? (domq_real)HUGE_VAL : what->value[DRAW_TIME];
+    problem->place = options->column;
+    if (options->has[DRAW_DOMINO])
+        return domino_time(problem, options->value[DRAW_DOMINO], row, time);
+    *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
     /* The user may have copied the end of the motion from an answer, which can be rounded up. */
-    return what->end || !((double)*time > row->end * 1.005) ||
+    return options->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that moment",
                              measured((domq_real)row->end, "s", 4).text);
 }
@@ -127,16 +127,16 @@ static bool moment_show(const struct domq_moment *moment, void *context)
 
 /* Draws the row. If `tower` > 0, adds a tower of this height. */
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
-                     const struct draw_what *what, double tower)
+                     const struct draw_options *options, double tower)
 {
     struct falling_row row;
     domq_real time = 0;
     a->note = NULL; /* the note would say that the answer is about the train, but the picture shows the row */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
-    bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
+    bool good = draw_at(options) ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
-    if (good && draw_at(what))
+    if (good && draw_at(options))
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
     if (good && tower > 0 && answer_for_people(a) && !tower_add(&row, tower))
@@ -188,29 +188,29 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
 }
 
 static bool draw_train(const struct query *query, struct answer *a, struct problem *problem,
-                       const struct draw_what *what)
+                       const struct draw_options *options)
 {
     struct stage stage;
     /* Without a tilt, the train is drawn at the current position of the walk, with the walk's tolerance. */
-    const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
+    const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
-    domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
-    if (what->train)
+    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
+    if (options->train)
         a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
     /* Output for programs always includes the forces, unless the margin is too small to compute them. */
-    if (status == DOM_OK && (what->forces || !people))
+    if (status == DOM_OK && (options->forces || !people))
         forces = stage_forces(&stage, train, compute, theta);
-    if (status == DOM_OK && what->forces)
+    if (status == DOM_OK && options->forces)
         status = forces;
     if (status != DOM_OK) {
         good = problem_status(problem, query->scene, status);
     } else if (people) {
-        stage.forces = what->forces;
+        stage.forces = options->forces;
         train_caption(query, &stage, theta, picture_marks(a));
         good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
     } else {
@@ -222,24 +222,24 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 
 static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct draw_what *what = draw_what(query);
+    const struct draw_options *options = draw_options_of(query);
     bool row = query->scene->effect[DOM_EFFECT_row].on,
-         train = what->train || what->forces || what->has[DRAW_TILT];
-    if (draw_at(what) && !row) {
+         train = options->train || options->forces || options->has[DRAW_TILT];
+    if (draw_at(options) && !row) {
         problem->place = query->given->column[0];
         return problem_error(problem, "'draw at' shows a row at a given moment; first enter 'effect row N', "
                                       "for example 'effect row 10'");
     }
     if (!picture_ready(a, problem))
         return false;
-    if (what->tower) {
+    if (options->tower) {
         struct state state;
         struct query changed;
         double height;
         return tower_query(query, &state, &changed, &height, problem) &&
-               draw_row(&changed, a, problem, what, height);
+               draw_row(&changed, a, problem, options, height);
     }
-    return row && !train ? draw_row(query, a, problem, what, 0) : draw_train(query, a, problem, what);
+    return row && !train ? draw_row(query, a, problem, options, 0) : draw_train(query, a, problem, options);
 }
 
 const struct command draw_commands[] = {

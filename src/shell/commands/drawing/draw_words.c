@@ -7,7 +7,7 @@
 /* ---- Parsing ---- */
 
 struct draw_parsed {
-    struct draw_what what;
+    struct draw_options options;
     struct item item[DRAW_VALUES];
 };
 
@@ -63,19 +63,20 @@ static bool value_parse(struct reader *r, struct draw_parsed *p, enum draw_value
 static bool moment_parse(struct reader *r, struct draw_parsed *p)
 {
     reader_place(r, r->at);
-    p->what.column = r->problem->place;
+    p->options.column = r->problem->place;
     if (reader_ends(r))
         return problem_error(r->problem, "the moment is missing; %s", draw_usage);
     bool domino = reader_takes(r, "domino");
-    p->what.end = !domino && reader_takes(r, "end");
+    p->options.end = !domino && reader_takes(r, "end");
     r->last = !domino;
     reader_place(r, r->at);
     if (domino && reader_ends(r))
         return problem_error(r->problem,
                              "the number of the domino is missing; write, for example, 'draw at domino 8'");
-    if (!domino && !p->what.end && is_stray(r))
+    if (!domino && !p->options.end && is_stray(r))
         return wrong_word(r, false, draw_usage);
-    return (p->what.end || value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME)) && end_parse(r, draw_usage);
+    return (p->options.end || value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME)) &&
+           end_parse(r, draw_usage);
 }
 
 bool draw_parse(struct reader *r, struct question *q)
@@ -83,16 +84,16 @@ bool draw_parse(struct reader *r, struct question *q)
     struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     if (!p || reader_takes(r, "at"))
         return p && moment_parse(r, p);
-    p->what.tower = reader_takes(r, "tower");
-    if (p->what.tower)
+    p->options.tower = reader_takes(r, "tower");
+    if (p->options.tower)
         return end_parse(r, draw_usage);
-    p->what.train = reader_takes(r, "train");
+    p->options.train = reader_takes(r, "train");
     while (!reader_ends(r)) {
-        bool full = p->what.forces || p->item[DRAW_TILT].argument;
+        bool full = p->options.forces || p->item[DRAW_TILT].argument;
         reader_place(r, r->at);
         r->last = false;
-        if (!p->what.forces && reader_takes(r, "forces"))
-            p->what.forces = true;
+        if (!p->options.forces && reader_takes(r, "forces"))
+            p->options.forces = true;
         else if (full || is_stray(r))
             return wrong_word(r, full, draw_usage);
         else if (!value_parse(r, p, DRAW_TILT))
@@ -106,21 +107,21 @@ bool film_parse(struct reader *r, struct question *q)
     struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     bool good = p != NULL;
     while (good && !reader_ends(r)) {
-        bool counted = p->item[DRAW_CYCLES].argument || p->what.tower;
+        bool counted = p->item[DRAW_CYCLES].argument || p->options.tower;
         reader_place(r, r->at);
         r->last = false;
         if (reader_takes(r, "speed"))
             good = value_parse(r, p, DRAW_SPEED);
         else if (reader_takes(r, "rate"))
             good = value_parse(r, p, DRAW_RATE);
-        else if (!p->what.train && !p->what.tower && reader_takes(r, "train"))
-            p->what.train = true;
-        else if (!p->what.train && !counted && reader_takes(r, "tower"))
-            p->what.tower = true;
+        else if (!p->options.train && !p->options.tower && reader_takes(r, "train"))
+            p->options.train = true;
+        else if (!p->options.train && !counted && reader_takes(r, "tower"))
+            p->options.tower = true;
         else if (counted || is_stray(r))
             return wrong_word(r, counted, film_usage);
         else {
-            p->what.column = r->problem->place;
+            p->options.column = r->problem->place;
             good = value_parse(r, p, DRAW_CYCLES);
         }
     }
@@ -151,9 +152,9 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
                                         : "the rate must be a number, such as 25 or 25/s");
 }
 
-static const struct draw_what usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] = 25}};
+static const struct draw_options usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] = 25}};
 
-const struct draw_what *draw_what(const struct query *query)
+const struct draw_options *draw_options_of(const struct query *query)
 {
     return query->given->bound ? query->given->bound : &usual;
 }
@@ -162,16 +163,17 @@ bool draw_bind(const struct question *q, const struct query *query, struct argum
                struct problem *problem)
 {
     const struct draw_parsed *p = q->parsed;
-    struct draw_what *what = arguments_take(given, sizeof *what, query, problem);
-    if (!what)
+    struct draw_options *options = arguments_take(given, sizeof *options, query, problem);
+    if (!options)
         return false;
-    *what = p->what;
-    memcpy(what->value, usual.value, sizeof what->value);
+    *options = p->options;
+    memcpy(options->value, usual.value, sizeof options->value);
     for (int k = 0; k < DRAW_VALUES; k++) {
         struct quantity quantity;
-        what->has[k] = p->item[k].argument;
-        if (what->has[k] && (!item_bind(&p->item[k], q->text, query, &quantity, &what->value[k], problem) ||
-                             !value_check((enum draw_value)k, quantity, problem)))
+        options->has[k] = p->item[k].argument;
+        if (options->has[k] &&
+            (!item_bind(&p->item[k], q->text, query, &quantity, &options->value[k], problem) ||
+             !value_check((enum draw_value)k, quantity, problem)))
             return false;
     }
     return true;

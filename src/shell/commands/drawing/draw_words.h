@@ -15,7 +15,8 @@ enum draw_value {
     DRAW_VALUES
 };
 
-struct draw_what {
+/* The arguments, with values instead of expressions. */
+struct draw_options {
     bool train;            /* draw the endless train, even if there is a row */
     bool tower;            /* draw the row that the last 'count' found, beside a tower */
     bool forces, end;      /* the user typed 'forces', or 'at end' */
@@ -25,12 +26,12 @@ struct draw_what {
 };
 
 /* Returns the arguments of 'draw' or 'animate', with defaults for missing arguments. */
-const struct draw_what *draw_what(const struct query *query);
+const struct draw_options *draw_options_of(const struct query *query);
 
 /* Returns true if the arguments request a moment of the row, as in 'draw at 2.5 s'. */
-static inline bool draw_at(const struct draw_what *what)
+static inline bool draw_at(const struct draw_options *options)
 {
-    return what->end || what->has[DRAW_TIME] || what->has[DRAW_DOMINO];
+    return options->end || options->has[DRAW_TIME] || options->has[DRAW_DOMINO];
 }
 
 bool draw_parse(struct reader *reader, struct question *question);

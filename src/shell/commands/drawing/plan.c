@@ -222,7 +222,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     else {
         if (p.guide.title)
             answer_say(a, "%s", p.guide.title);
-        good = stage_text(&p.row.stage, look_of(a->out), TEXT_WIDTH, TEXT_HEIGHT, a->out) ||
+        good = stage_text(&p.row.stage, display_of(a->out), TEXT_WIDTH, TEXT_HEIGHT, a->out) ||
                problem_status(problem, query->scene, DOM_NO_MEMORY);
         for (int i = 0; i < p.guide.tables; i++)
             guide_text(&p.guide.table[i], a);

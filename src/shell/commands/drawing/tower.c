@@ -27,7 +27,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
 {
     /* Indices of the first columns in the answer of 'count'. */
     enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
-    const struct ans *ans = query->ans;
+    const struct last_answer *ans = query->ans;
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");

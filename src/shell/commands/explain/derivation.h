@@ -54,9 +54,9 @@ struct derived {
      */
     const char *library;
     const char *unit;
-    const char *number; /* the number and the label of the equation in the paper, or "" */
-    const char *words;  /* what the quantity is and, if the derivation ends here, why it ends */
-    bool is_given;      /* the number is given rather than derived */
+    const char *reference; /* the number and the label of the equation in the paper, or "" */
+    const char *words;     /* what the quantity is and, if the derivation ends here, why it ends */
+    bool is_given;         /* the number is given rather than derived */
 };
 extern const struct derived derived_list[];
 
@@ -78,9 +78,9 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 /* One number in a derivation. */
 struct step {
     const struct derived *derived;
-    const char *name;                  /* derived->names.text[FORMULA_PLAIN] */
-    const char *number, *unit, *words; /* as in `derived`, but adapted to the train */
-    const struct tree *tree;           /* the parsed equation, or NULL */
+    const char *name;                     /* derived->names.text[FORMULA_PLAIN] */
+    const char *reference, *unit, *words; /* as in `derived`, but adapted to the train */
+    const struct tree *tree;              /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
     domq_real value; /* the number that the library computes; NaN if there is none */

@@ -35,7 +35,7 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
-    const struct ans none = {.command = NULL};
+    const struct last_answer none = {.command = NULL};
     if (*expression == '#') {
         *value = fall_value(d->fall, expression + 1);
         return true;
@@ -198,7 +198,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     struct step *s = &d->step[d->count++];
     *s = (struct step){.derived = q, .name = q->names.text[0], .unit = q->unit, .value = DOMQ_NAN};
     s->depth = depth;
-    s->number = q->ends & d->has ? "" : q->number;
+    s->reference = q->ends & d->has ? "" : q->reference;
     s->words = words_of(d, q);
     if (d->fall && strcmp(s->unit, "mgh/2") == 0)
         s->unit = d->energy_unit;

@@ -4,9 +4,9 @@
 #include <stddef.h>
 
 /* Q makes a list entry from all its members. GIVEN makes an entry for a number that is given, not derived. */
-#define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, number_, words_)              \
+#define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, reference_, words_)           \
     {                                                                                                        \
-        {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, number_, words_, false      \
+        {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, reference_, words_, false   \
     }
 #define GIVEN(plain, letters, tex, library_, unit_, words_)                                                  \
     {                                                                                                        \

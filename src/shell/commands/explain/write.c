@@ -159,16 +159,16 @@ static void step_write(const struct writer *w, const struct step *s)
 {
     FILE *out = w->formula.out;
     words_write(w, s);
-    if (w->dialect && *s->number)
-        fprintf(out, " (%s)", s->number);
+    if (w->dialect && *s->reference)
+        fprintf(out, " (%s)", s->reference);
     put(w, HEADING);
     put(w, OPEN);
     step_name(s, &w->formula);
     put(w, EQUALS);
     if (s->tree) {
         step_symbols(s, &w->formula);
-        if (!w->dialect && *s->number)
-            fprintf(out, "    (%s)", s->number);
+        if (!w->dialect && *s->reference)
+            fprintf(out, "    (%s)", s->reference);
         put(w, JOIN);
         step_numbers(w->derivation, s, &w->formula, w->digits);
         put(w, JOIN);

@@ -76,7 +76,7 @@ static void watch_draw(struct watch *w, FILE *out)
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
     if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
-        chart_text(&chart, look_of(out), width - 1, height - 3, out);
+        chart_text(&chart, display_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter keeps it  q leaves"
                       : "arrows move, Enter keeps, q leaves",
           out);
