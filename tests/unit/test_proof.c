@@ -56,7 +56,7 @@ static int arithmetic_wrong(void)
     int wrong = 0;
     for (int k = 0; k < 2000; k++) {
         double a = 1 + random_unit(&seed), b = 1 + random_unit(&seed);
-        struct span product = span_times(span_of(a), span_of(b)), ratio = span_over(span_of(a), span_of(b)),
+        struct span product = span_scale(span_of(a), span_of(b)), ratio = span_over(span_of(a), span_of(b)),
                     root = span_sqrt(span_of(a)), sum = span_add(span_of(a), span_of(b * 0x1p-9));
         wrong += fma(a, b, -product.lo) < 0 || fma(a, b, -product.hi) > 0;
         wrong += fma(ratio.lo, b, -a) > 0 || fma(ratio.hi, b, -a) < 0;

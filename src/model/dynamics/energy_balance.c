@@ -10,11 +10,11 @@ static real fuel_paper_error(const struct geometry *geometry)
     real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
     if (geometry->detaches) {
         real rises = x * geometry->f.y + y * geometry->f.x, half = y * geometry->f.x / (1 + geometry->f.y);
-        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + x);
+        return rises * geometry_error_f(geometry) + 12 * ROUNDOFF * geometry->f.x * (half + x);
     }
     real made_of = s * fabs((y - x) * (y + x)) + 2 * geometry->d * x * x;
-    return 4 * UNIT * s * made_of / (geometry->L * (y * s + x * geometry->L * geometry->inf.x)) +
-           10 * UNIT * fabs(geometry->law->paper_fuel(geometry));
+    return 4 * ROUNDOFF * s * made_of / (geometry->L * (y * s + x * geometry->L * geometry->inf.x)) +
+           10 * ROUNDOFF * fabs(geometry->law->paper_fuel(geometry));
 }
 
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c)
@@ -34,7 +34,7 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
     *fuel = fuel_of(geometry, &at_c);
     if (error) {
         *error = (struct fuel){e.dH, fuel_paper_error(geometry),
-                               geometry->inertia * e.J + 4 * UNIT * fuel->inertia_ratio};
+                               geometry->inertia * e.J + 4 * ROUNDOFF * fuel->inertia_ratio};
     }
     return DOM_OK;
 }
@@ -73,17 +73,17 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
         /*
          * This covers the rounding errors of the powers in the denominator, and of the operations after them.
          */
-        real powers = 12 * UNIT;
+        real powers = 12 * ROUNDOFF;
         real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
                           size * (e.inertia_ratio / f.inertia_ratio + powers);
-        real of_J0 = e.inertia_ratio + UNIT * J0;
+        real of_J0 = e.inertia_ratio + ROUNDOFF * J0;
         *error = (struct launch){
             .fuel = P_error,
             .J0 = of_J0,
             .inertia_ratio = e.inertia_ratio,
             .velocity_ratio =
-                (e.inertia_ratio + of_J0 * f.inertia_ratio / J0) / J0 + UNIT * f.inertia_ratio / J0,
-            .omegasq = (of_kinetic + size * (of_J0 / J0 + UNIT)) / J0,
+                (e.inertia_ratio + of_J0 * f.inertia_ratio / J0) / J0 + ROUNDOFF * f.inertia_ratio / J0,
+            .omegasq = (of_kinetic + size * (of_J0 / J0 + ROUNDOFF)) / J0,
             .kinetic = of_kinetic,
             .kinetic_at_hit = of_kinetic + e.exact,
         };
@@ -135,7 +135,7 @@ static enum dom_status energy_speed(const struct geometry *geometry, const struc
         return status;
     *omegasq = (start->kinetic - at.dH) / at.J;
     if (error)
-        *error = (start->kinetic_error + e.dH + fabs(*omegasq) * (e.J + 3 * UNIT * at.J)) / at.J;
+        *error = (start->kinetic_error + e.dH + fabs(*omegasq) * (e.J + 3 * ROUNDOFF * at.J)) / at.J;
     return DOM_OK;
 }
 

@@ -38,7 +38,7 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     }
     if (f->status != DOM_OK)
         return false;
-    const real units = 32 * UNIT / equation.A, of_A = equation.A_size / equation.A;
+    const real units = 32 * ROUNDOFF / equation.A, of_A = equation.A_size / equation.A;
     *rate = (struct num_rate){.p = -2 * equation.B / equation.A,
                               .c = 2 * equation.C / equation.A,
                               .p_noise = units * (equation.B_size + fabs(equation.B) * of_A),

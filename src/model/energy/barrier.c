@@ -392,7 +392,7 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
     struct tilt head;
     struct sums at;
     int sign = 0;
-    real size = 0, least = 8 * UNIT * theta;
+    real size = 0, least = 8 * ROUNDOFF * theta;
     enum dom_status status = sure_slope(geometry, theta, &sign, steepest);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, theta, &head);

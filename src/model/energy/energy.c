@@ -16,14 +16,14 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
         .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
         .detaches = geometry.detaches,
     };
-    if (train->errors) /* the inverse trigonometric functions add relative errors of up to 2 UNIT */
+    if (train->errors) /* the inverse trigonometric functions add relative errors of up to 2 ROUNDOFF */
         angles->error = (struct dom_angles_error){
-            .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
-            .theta_u = geometry_error_u(&geometry) + 2 * UNIT * angles->theta_u,
-            .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
-            .theta_f = geometry_error_f(&geometry) + 2 * UNIT * angles->theta_f,
+            .theta_c = geometry_error_head(geometry.c) + 2 * ROUNDOFF * angles->theta_c,
+            .theta_u = geometry_error_u(&geometry) + 2 * ROUNDOFF * angles->theta_u,
+            .theta_inf = tilt_error(geometry.inf, 6) + 2 * ROUNDOFF * angles->theta_inf,
+            .theta_f = geometry_error_f(&geometry) + 2 * ROUNDOFF * angles->theta_f,
             .theta_leave = geometry.detaches
-                               ? geometry_error_leave(&geometry) + 2 * UNIT * angles->theta_leave
+                               ? geometry_error_leave(&geometry) + 2 * ROUNDOFF * angles->theta_leave
                                : DOM_NAN,
         };
     return DOM_OK;
@@ -60,7 +60,7 @@ KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, 
         .dH = at.dH, .J = at.J, .J0 = geometry.upright_inertia * (1 + fuel.inertia_ratio)};
     if (train->errors)
         energy->error = (struct dom_energy_error){
-            .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
+            .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + ROUNDOFF * (1 + fuel.inertia_ratio)};
     return DOM_OK;
 }
 

@@ -4,27 +4,27 @@
 /* Finds the error bounds on Y, the arm and the slope of the contact of a domino with its follower. */
 static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
-    b->Y = b->arm = b->step = 0;
+    b->Y = b->arm = b->contact_slope = 0;
     if (!k->leads)
         return;
     if (k->tilt.x == 0) {
-        b->Y = b->arm = 6 * UNIT * k->contact.Y;
+        b->Y = b->arm = 6 * ROUNDOFF * k->contact.Y;
         return;
     }
     real X = fabs(k->contact.X), Y = k->contact.Y, arm = k->contact.arm,
          rLx = geometry->r * geometry->L * k->tilt.x;
-    real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
-    b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
+    real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * ROUNDOFF * rLx;
+    b->Y = X * rLx / Y * b->angle + 4 * ROUNDOFF * Y;
     /* geometry_contact computes this slope as 1 - r L x / Y, so an error of Y hardly matters. */
     if (2 * rLx <= Y) {
-        b->arm = b->Y + of_rLx + UNIT * arm;
-        b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
+        b->arm = b->Y + of_rLx + ROUNDOFF * arm;
+        b->contact_slope = (of_rLx + rLx * b->Y / Y) / Y + ROUNDOFF;
         return;
     }
-    real part =
-        geometry->leave_by * (k->tilt.x * b->angle + 6 * UNIT * k->tilt.v) + 4 * UNIT * geometry->leave_at;
-    b->arm = (part + arm * (b->Y + of_rLx)) / (Y + rLx) + 2 * UNIT * arm;
-    b->step = (b->arm + k->step * b->Y) / Y + UNIT * k->step;
+    real part = geometry->leave_by * (k->tilt.x * b->angle + 6 * ROUNDOFF * k->tilt.v) +
+                4 * ROUNDOFF * geometry->leave_at;
+    b->arm = (part + arm * (b->Y + of_rLx)) / (Y + rLx) + 2 * ROUNDOFF * arm;
+    b->contact_slope = (b->arm + k->contact_slope * b->Y) / Y + ROUNDOFF * k->contact_slope;
 }
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle)
@@ -39,27 +39,28 @@ KERNEL void bound_next(const struct geometry *geometry, const struct link *leade
 {
     /* The rounding error of X is at most 4 units times the sum of its positive terms. */
     real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
-    real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
-    b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;
-    b->slope = leader->step * b->slope + leader->slope * b->step + UNIT * follower->slope;
-    b->weight += 3 * UNIT;
-    b->inertia += 4 * UNIT;
+    real contact = 4 * ROUNDOFF * leader->contact.Y * (made_of + fabs(leader->contact.X));
+    b->angle = leader->contact_slope * b->angle + contact + 5 * ROUNDOFF * follower->tilt.x;
+    b->slope =
+        leader->contact_slope * b->slope + leader->slope * b->contact_slope + ROUNDOFF * follower->slope;
+    b->weight += 3 * ROUNDOFF;
+    b->inertia += 4 * ROUNDOFF;
     bound_geometry(geometry, follower, b);
 }
 
 KERNEL real bound_J(const struct link *k, const struct bound *b)
 {
     real slope = k->slope;
-    return k->inertia * (slope * (2 * b->slope + slope * (b->inertia + 3 * UNIT)) + b->slope * b->slope);
+    return k->inertia * (slope * (2 * b->slope + slope * (b->inertia + 3 * ROUNDOFF)) + b->slope * b->slope);
 }
 
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, const struct bound *b)
 {
     real lift = geometry_height_slope(geometry, k->tilt);
-    real lift_error =
-        geometry_height(geometry, k->tilt) * b->angle + 3 * UNIT * geometry_height_terms(geometry, k->tilt);
-    return k->weight *
-           (fabs(lift) * (b->slope + k->slope * (b->weight + 2 * UNIT)) + (k->slope + b->slope) * lift_error);
+    real lift_error = geometry_height(geometry, k->tilt) * b->angle +
+                      3 * ROUNDOFF * geometry_height_terms(geometry, k->tilt);
+    return k->weight * (fabs(lift) * (b->slope + k->slope * (b->weight + 2 * ROUNDOFF)) +
+                        (k->slope + b->slope) * lift_error);
 }
 
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
@@ -67,19 +68,19 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
 {
     real lift = geometry_height_slope(geometry, a) + geometry_height_slope(geometry, b);
     real terms = geometry_height_terms(geometry, a) + geometry_height_terms(geometry, b);
-    real lift_error =
-        geometry_height(geometry, a) * angle_a + geometry_height(geometry, b) * angle_b + 4 * UNIT * terms;
+    real lift_error = geometry_height(geometry, a) * angle_a + geometry_height(geometry, b) * angle_b +
+                      4 * ROUNDOFF * terms;
     return fabs(lift) * t_error + (fabs(t) + t_error) * lift_error;
 }
 
-KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
-                            const struct bound *bound_b, real t, real t_error)
+KERNEL real bound_tan_half(const struct link *a, const struct link *b, const struct bound *bound_a,
+                           const struct bound *bound_b, real t, real t_error)
 {
     real Y = a->contact.Y + b->contact.Y, F = (a->contact.arm + b->contact.arm) / Y;
     if (t == 0)
         return t_error;
-    real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * UNIT * F;
-    return F * (t_error + 6 * UNIT * fabs(t)) + fabs(t) * (1 + t * t) * of_F;
+    real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * ROUNDOFF * F;
+    return F * (t_error + 6 * ROUNDOFF * fabs(t)) + fabs(t) * (1 + t * t) * of_F;
 }
 
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader, const struct bound *b,
@@ -90,5 +91,5 @@ KERNEL real bound_leaving(const struct geometry *geometry, const struct link *le
     if (t_f == 0 || arm == 0)
         return b->arm;
     real of_whole = (b->Y + rL * leader->tilt.y * b->angle) / (leader->contact.Y + rL * x);
-    return fabs(t_f) * (2 * b->arm / arm + 2 * of_whole + leader->tilt.y * b->angle / sines + 24 * UNIT);
+    return fabs(t_f) * (2 * b->arm / arm + 2 * of_whole + leader->tilt.y * b->angle / sines + 24 * ROUNDOFF);
 }

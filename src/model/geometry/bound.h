@@ -10,11 +10,11 @@
 #include "geometry/link.h"
 
 struct bound {
-    real angle;        /* error bound on theta_i */
-    real Y, arm, step; /* error bounds on the contact of domino i with its follower */
-    real slope;        /* error bound on theta_i' */
-    real weight;       /* relative error bound on r^(-q i) */
-    real inertia;      /* relative error bound on r^(-(q+1) i) */
+    real angle;                 /* error bound on theta_i */
+    real Y, arm, contact_slope; /* error bounds on the contact of domino i with its follower */
+    real slope;                 /* error bound on theta_i' */
+    real weight;                /* relative error bound on r^(-q i) */
+    real inertia;               /* relative error bound on r^(-(q+1) i) */
 };
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
@@ -34,8 +34,8 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
 
 /* Returns an error bound on tan((A - B)/2) for the followers of a and b, whose angles are A and B
  * (energy_change_between). t is the tangent for a and b themselves, and t_error is the error bound on t. */
-KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
-                            const struct bound *bound_b, real t, real t_error);
+KERNEL real bound_tan_half(const struct link *a, const struct link *b, const struct bound *bound_a,
+                           const struct bound *bound_b, real t, real t_error);
 
 /* Returns an error bound on t_f, the result of leaving_half_turn in sharp_change.c. */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,

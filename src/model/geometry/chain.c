@@ -91,8 +91,8 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
     if (k->leads) { /* (table 1) */
         a = k->contact.arm / geometry->r;
         b = geometry->law->arms(k).b / geometry->r;
-        a_error = (e->arm + UNIT * k->contact.arm) / geometry->r;
-        b_error = e->Y / geometry->r + UNIT * k->contact.Y / geometry->r;
+        a_error = (e->arm + ROUNDOFF * k->contact.arm) / geometry->r;
+        b_error = e->Y / geometry->r + ROUNDOFF * k->contact.Y / geometry->r;
     }
     return (struct dom_link){
         .i = k->i,
@@ -101,7 +101,7 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
         .arm_a = a,
         .arm_b = b,
         .weight = k->weight,
-        .error = {e->angle + 2 * UNIT * tilt_angle(k->tilt), e->slope, a_error, b_error,
+        .error = {e->angle + 2 * ROUNDOFF * tilt_angle(k->tilt), e->slope, a_error, b_error,
                   e->weight * k->weight},
     };
 }
@@ -146,7 +146,7 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     const struct link *k = &walk.link, leader = *k;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     struct dom_link link = link_public(&geometry, k, &e), follower = {.theta = tilt_angle(geometry.f)};
-    follower.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
+    follower.error.theta = geometry_error_f(&geometry) + 2 * ROUNDOFF * tilt_angle(geometry.f);
     if (k->leads) {
         geometry.law->next(&walk);
         bound_next(&geometry, &leader, k, &e);

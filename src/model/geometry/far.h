@@ -33,7 +33,7 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
  * the whole sum, including `tail`, the value of the series, since the tail may cancel the sum so far. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
-    return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
+    return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * s->size);
 }
 
 /* The value of a series at z, and its derivatives with respect to theta. */

@@ -45,7 +45,7 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
 
 KERNEL real tilt_error(struct tilt t, real units)
 {
-    return units * UNIT * t.x * t.y;
+    return units * ROUNDOFF * t.x * t.y;
 }
 
 KERNEL real geometry_error_head(struct tilt head)
@@ -58,7 +58,7 @@ KERNEL real geometry_error_u(const struct geometry *geometry)
 {
     real steepest = geometry->steepest;
     struct tilt u = tilt_make(geometry->h.x / steepest, geometry->h.y / steepest);
-    return geometry->g.along == 0 ? 0 : 3 * UNIT * geometry_height_terms(geometry, u) / steepest;
+    return geometry->g.along == 0 ? 0 : 3 * ROUNDOFF * geometry_height_terms(geometry, u) / steepest;
 }
 
 KERNEL real geometry_error_f(const struct geometry *geometry)
@@ -70,6 +70,6 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0
-               ? 6 * UNIT * geometry->leave.v / geometry->leave.x + tilt_error(geometry->leave, 2)
+               ? 6 * ROUNDOFF * geometry->leave.v / geometry->leave.x + tilt_error(geometry->leave, 2)
                : REAL_MIN;
 }

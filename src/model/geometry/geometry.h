@@ -230,9 +230,9 @@ KERNEL real tan_half_between(struct tilt from, struct tilt head)
 /* The contact of a leader with its follower: the angle between them, the arm of the force on the leader
  * (table 1), and the slope (34; A10). X and Y are accurate for all angles. */
 struct contact {
-    real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
-    real arm;  /* r a = Y - r L x; see geometry_contact */
-    real step; /* d theta_1 / d theta (14; b10); 1 for an upright leader, even at Y = 0 */
+    real X, Y;  /* sine and cosine of theta_1 - theta (30; A5) */
+    real arm;   /* r a = Y - r L x; see geometry_contact */
+    real slope; /* d theta_1 / d theta (14; b10); 1 for an upright leader, even at Y = 0 */
 };
 
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
@@ -271,7 +271,7 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
 /* Returns the slope d theta_1 / d theta at the hit. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
-    return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).step;
+    return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).slope;
 }
 
 #endif

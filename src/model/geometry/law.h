@@ -76,7 +76,7 @@ struct contact_law {
     /* Returns r s for the least growth at which domino 1 tips over before it hits the next domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), or 0 if domino 1 has not tipped over. */
-    real (*push)(const struct geometry *geometry);
+    real (*tipped_omegasq)(const struct geometry *geometry);
 
     /* Finds tan((theta_1 - theta) / 2) = p[1] z + ... + p[order] z^order, with z of far.h. */
     void (*turns)(const struct geometry *geometry, int order, real *p);

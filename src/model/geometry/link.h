@@ -10,7 +10,7 @@ struct link {
     size_t i;
     struct tilt tilt;
     struct contact contact; /* contact with the follower, if `leads` */
-    real step;              /* slope of the contact: theta_{i+1}' / theta_i' */
+    real contact_slope;     /* theta_{i+1}' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
@@ -24,7 +24,7 @@ KERNEL_LOOP void link_geometry(struct link *k)
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
-        k->step = k->contact.step;
+        k->contact_slope = k->contact.slope;
     }
 }
 
@@ -41,7 +41,7 @@ KERNEL_LOOP void link_next(struct link *k)
     const struct tilt leader = k->tilt;
     k->i++;
     k->tilt = tilt_follower(leader, k->contact);
-    k->slope *= k->step;
+    k->slope *= k->contact_slope;
     k->weight *= geometry->weight;
     k->inertia *= geometry->inertia;
     if (geometry->follower) {
@@ -59,8 +59,8 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
     real X = leader->contact.X, Y = leader->contact.Y;
     if (leader->tilt.x == 0 && Y == 0)
         return 0;
-    real turned = (Y * leader->tilt.y - (1 - leader->step) * leader->tilt.x * X) / (Y * Y);
-    return leader->step * second_derivative -
+    real turned = (Y * leader->tilt.y - (1 - leader->contact_slope) * leader->tilt.x * X) / (Y * Y);
+    return leader->contact_slope * second_derivative -
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
@@ -69,7 +69,7 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
  * Returns t of the follower divided by t of this domino: (1 - G) / (1 + t^2 G), as energy_change_between
  * explains. The arms give 1 - G with all digits.
  */
-KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
+KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));

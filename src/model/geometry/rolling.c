@@ -32,7 +32,7 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->H1, k->weight * k->slope * (geometry->steepest + fabs(geometry->rounded.roll)),
-                       fmax(geometry->weight * k->step, geometry->decay), tol);
+                       fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
 }
 
 /* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, as precisely as its sign requires. */
@@ -112,7 +112,7 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 KERNEL_LOOP real tangent_excess(real D)
 {
     const real square = D * D, small = square * square * square * square * square;
-    if (small > 65536 * UNIT)
+    if (small > 65536 * ROUNDOFF)
         return 2 * tan(D / 2) - D;
     return D * square * ((real)1 / 12) *
            (1 + square * ((real)1 / 10) * (1 + square * ((real)17 / 168) * (1 + square * ((real)31 / 306))));
@@ -163,9 +163,9 @@ static real least_product(real a, real lo, real hi)
  * Let x and y be the sine and cosine of the leader's tilt, and b, arm and curve as in rounded_levers. c_k
  * does not decrease if
  *
- *     -curve b >= arm (step i'_1/i_1 - i'/i) / 2.
+ *     -curve b >= arm (slope i'_1/i_1 - i'/i) / 2.
  *
- * Let p = 1 - step, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact equation, -curve b is
+ * Let p = 1 - slope, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact equation, -curve b is
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - x - y + theta y) - x].
  *
@@ -184,8 +184,9 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
     const struct tilt A = a->link.tilt, B = b->link.tilt, A_1 = tilt_follower(A, a->link.contact),
                       B_1 = tilt_follower(B, b->link.contact);
     const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
-               Y_most = X < 0 ? 1 : a->link.contact.Y, step = a->link.step, step_most = b->link.step,
-               arm_most = of->tall_1 + of->rho_1, more = of->rho - of->rho_1;
+               Y_most = X < 0 ? 1 : a->link.contact.Y, slope = a->link.contact_slope,
+               slope_most = b->link.contact_slope, arm_most = of->tall_1 + of->rho_1,
+               more = of->rho - of->rho_1;
     const real Q = self->L - of->rho_1 * fmax(b->turn.angle, 0), M = Q - fmax(more, 0), low = self->d / 2,
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
@@ -194,18 +195,18 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
-               rolls = step_most * fmax(geometry_inertia_slope(next, B_1), 0) / i_1 +
+               rolls = slope_most * fmax(geometry_inertia_slope(next, B_1), 0) / i_1 +
                        fmax(-geometry_inertia_slope(self, A), 0) / i;
     const real R = self->weight / self->inertia * i / i_1_most,
                R_most = self->weight / self->inertia * i_most / i_1;
     const real of_x = least_product(next->h.y * Y + fmin(next->h.x * X, next->h.x * b->link.contact.X), R,
                                     R_most) -
-                      step_most * self->h.y,
+                      slope_most * self->h.y,
                of_y = least_product(next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most), R, R_most) +
-                      least_product(self->h.x, step, step_most),
-               rest = least_product(-by->roll, R, R_most) + least_product(of->roll, step, step_most);
+                      least_product(self->h.x, slope, slope_most),
+               rest = least_product(-by->roll, R, R_most) + least_product(of->roll, slope, slope_most);
     return B.x >= 0 && A.y >= 0 && A_1.y >= 0 && B_1.x >= 0 && Y + self->mu * less > 0 && M > 0 && i > 0 &&
-           i_1 > 0 && rounded_arms(&a->link).a >= 0 && bends >= rolls * step_most * arm_most / 2 &&
+           i_1 > 0 && rounded_arms(&a->link).a >= 0 && bends >= rolls * slope_most * arm_most / 2 &&
            self->h.y > 0 && next->h.y > 0 &&
            least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
@@ -261,10 +262,10 @@ KERNEL_LOOP bool rolling_done(struct rolling_pair *p, struct apart next)
 {
     const struct link *link = &p->a.link;
     const struct geometry *self = link->geometry;
-    const real by = p->apart.by, shrinks = by == 0 ? 1 : fabs(next.by / by);
+    const real by = p->apart.by, shrink = by == 0 ? 1 : fabs(next.by / by);
     p->apart = next;
     return series_done(&p->state.dH, link->weight * fabs(by) * (self->steepest + fabs(self->rounded.roll)),
-                       fmax(self->weight * shrinks, self->decay), self->tol) &&
+                       fmax(self->weight * shrink, self->decay), self->tol) &&
            done_J(&p->state, link) && rolling_done_H1(&p->state, link, self->tol);
 }
 

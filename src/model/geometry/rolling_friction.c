@@ -16,14 +16,14 @@ static void rounding_next(struct rounding *e, const struct walk *k, real S, real
 {
     const struct link *link = &k->link;
     const struct geometry *self = link->geometry;
-    const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->curve),
+    const real slope = fabs(link->slope), contact_slope = fabs(link->contact_slope), curve = fabs(k->curve),
                whole = self->r * k->b, ratio = fabs(a / b);
     const real of_b = link->contact.X < 0 ? (2 * whole - b) / fabs(b) : 1,
                of_curve = curve + 2 * (self->L * link->tilt.y + self->rounded.rho_1 * link->tilt.x) / k->b;
     e->S = e->S * ratio + fabs(S) * ((2 * whole - a) / fabs(b) + ratio * of_b);
-    e->second_derivative = e->second_derivative * step + 2 * fabs(k->second_derivative) +
+    e->second_derivative = e->second_derivative * contact_slope + 2 * fabs(k->second_derivative) +
                            slope * (slope * of_curve + 2 * e->slope * curve);
-    e->slope = e->slope * step + 2 * slope;
+    e->slope = e->slope * contact_slope + 2 * slope;
 }
 
 KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,

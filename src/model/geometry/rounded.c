@@ -98,7 +98,7 @@ static real sine_excess(struct tilt t, real theta)
     if (fabs(theta) > (real)0.25)
         return t.x - theta * t.y;
     real square = theta * theta, term = theta * square / 3, sum = term;
-    for (int k = 2; fabs(term) > UNIT * fabs(sum); k++) {
+    for (int k = 2; fabs(term) > ROUNDOFF * fabs(sum); k++) {
         term *= -square / (real)((2 * k - 2) * (2 * k + 1));
         sum += term;
     }
@@ -155,8 +155,8 @@ KERNEL void rounded_levers(struct walk *k)
     /* The derivative of the contact equation is b turn' = -x M + rho_1 x turn. */
     const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
                arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
-    k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .step = slope};
-    k->link.step = slope;
+    k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
+    k->link.contact_slope = slope;
     k->b = b;
     k->curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
                 leader.x * more) /
@@ -214,8 +214,8 @@ KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b)
 KERNEL void rounded_factors(struct walk *k)
 {
     struct link *link = &k->link;
-    k->second_derivative = link->step * k->second_derivative + k->curve * link->slope * link->slope;
-    link->slope *= link->step;
+    k->second_derivative = link->contact_slope * k->second_derivative + k->curve * link->slope * link->slope;
+    link->slope *= link->contact_slope;
     link->weight *= link->geometry->weight;
     link->inertia *= link->geometry->inertia;
 }
@@ -245,7 +245,7 @@ static void rounded_touch(struct walk *k)
 {
     rounded_turn(k);
     rounded_levers(k);
-    k->link.step = 0;
+    k->link.contact_slope = 0;
 }
 
 KERNEL struct arms rounded_arms(const struct link *k)
@@ -320,10 +320,10 @@ static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
         if (!(*theta > lo && *theta < hi))
             *theta = (lo + hi) / 2;
         const struct walk at = rounded_at(geometry, *theta);
-        const real by = -at.link.step / at.curve;
-        *(at.link.step >= 0 ? &lo : &hi) = *theta;
+        const real by = -at.link.contact_slope / at.curve;
+        *(at.link.contact_slope >= 0 ? &lo : &hi) = *theta;
         if (!isnan(at.turn.angle))
-            follower = *theta + at.turn.angle + by * at.link.step / 2;
+            follower = *theta + at.turn.angle + by * at.link.contact_slope / 2;
         *theta += by;
         /* near the root, each step roughly squares the error */
         if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
@@ -381,7 +381,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     of->tall_1 = follower->rounded.tall / geometry->r;
     geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
     geometry->leave = (struct tilt){0, -1, 2};
-    if (!(rounded_at(geometry, PI / 2).link.step >= 0)) {
+    if (!(rounded_at(geometry, PI / 2).link.contact_slope >= 0)) {
         rounded_leave(geometry, PI / 2, &theta);
         geometry->leave = tilt_of(theta);
     }
@@ -426,7 +426,7 @@ static real rounded_tips_at(const struct geometry *geometry)
     return geometry->rounded.rho * theta + geometry->rounded.tall * sin(theta);
 }
 
-static real rounded_push(const struct geometry *geometry)
+static real rounded_tipped_omegasq(const struct geometry *geometry)
 {
     return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
            geometry_inertia(geometry, geometry->c);
@@ -470,7 +470,7 @@ static const struct contact_law rounded_edges = {
     .leader = rounded_leader,
     .paper_fuel = rounded_paper_fuel,
     .tips_at = rounded_tips_at,
-    .push = rounded_push,
+    .tipped_omegasq = rounded_tipped_omegasq,
     .turns = rounded_turns,
     .begin = rounded_begin,
     .next = rounded_next,

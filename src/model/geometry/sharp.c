@@ -70,7 +70,7 @@ static real sharp_tips_at(const struct geometry *geometry)
     return geometry->h.x / geometry->steepest;
 }
 
-static real sharp_push(const struct geometry *geometry)
+static real sharp_tipped_omegasq(const struct geometry *geometry)
 {
     real sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
@@ -109,7 +109,7 @@ static void sharp_next(struct walk *walk)
 static void sharp_touch(struct walk *walk)
 {
     walk->link.contact = geometry_contact(walk->link.geometry, walk->link.tilt);
-    walk->link.step = 0;
+    walk->link.contact_slope = 0;
 }
 
 static struct arms sharp_arms(const struct link *link)
@@ -117,7 +117,7 @@ static struct arms sharp_arms(const struct link *link)
     const bool has_friction = link->geometry->mu != 0; /* without friction the ratio is the slope (14; b10) */
     return (struct arms){.a = contact_arm_a(link),
                          .b = contact_arm_b(link),
-                         .ratio = has_friction ? torque_ratio(link) : link->step};
+                         .ratio = has_friction ? torque_ratio(link) : link->contact_slope};
 }
 
 static bool sharp_pushes(const struct walk *a, const struct walk *b)
@@ -231,7 +231,7 @@ static const struct contact_law sharp_edges = {
     .leader = sharp_leader,
     .paper_fuel = sharp_paper_fuel,
     .tips_at = sharp_tips_at,
-    .push = sharp_push,
+    .tipped_omegasq = sharp_tipped_omegasq,
     .turns = sharp_turns,
     .begin = sharp_begin,
     .next = sharp_next,

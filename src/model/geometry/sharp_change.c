@@ -33,7 +33,7 @@ static struct energy_change_bound error_head(const struct geometry *geometry, co
     return (struct energy_change_bound){
         .a = bound_head(geometry, a, angle),
         .b = bound_head(geometry, b, 0),
-        .t = (1 + t * t) * angle / 2 + 3 * UNIT * t,
+        .t = (1 + t * t) * angle / 2 + 3 * ROUNDOFF * t,
     };
 }
 
@@ -45,7 +45,7 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
     e->sums.H1 += bound_H1(geometry, a, &e->a);
     e->sums.dH +=
         a->weight * (bound_energy_change(geometry, a->tilt, b->tilt, e->a.angle, e->b.angle, t, e->t) +
-                     term * (e->a.weight + UNIT));
+                     term * (e->a.weight + ROUNDOFF));
 }
 
 /*
@@ -80,10 +80,10 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when all tails can be left out. `shrinks` is the result of pair_shrinks. */
-KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
+/* Returns true when all tails can be left out. `shrink` is the result of pair_shrink. */
+KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrink, real tol)
 {
-    real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
+    real ratio = fmax(a->geometry->weight * shrink, a->geometry->decay);
     return series_done(&state->dH, a->weight * 2 * t * a->geometry->steepest, ratio, tol) &&
            done_J(state, a) && done_H1(state, a, tol);
 }
@@ -119,10 +119,10 @@ static bool pushes_between(const struct link *a, const struct link *b)
     const struct geometry *self = a->geometry, *next = self->follower ? self->follower : self;
     const real X = a->contact.X, Y = fmin(a->contact.Y, b->contact.Y), Y_most = X < 0 ? 1 : a->contact.Y;
     const real less = fmin(X, 0), R = self->weight / self->inertia;
-    const real of_x =
-                   R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * self->h.y,
+    const real of_x = R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) -
+                      b->contact_slope * self->h.y,
                of_y = R * (next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most)) +
-                      fmin(a->step * self->h.x, b->step * self->h.x);
+                      fmin(a->contact_slope * self->h.x, b->contact_slope * self->h.x);
     return b->tilt.x >= 0 && a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 &&
            Y + self->mu * less > 0 && contact_arm_a(a) >= 0 && self->h.y > 0 && next->h.y > 0 &&
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
@@ -208,20 +208,20 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
                 e.sums.dH +=
                     b.weight *
                     (bound_energy_change(geometry, geometry->f, b.tilt, angle, e.b.angle, t_f, t_error) +
-                     fabs(energy_change(geometry, geometry->f, b.tilt, t_f)) * (e.b.weight + UNIT));
+                     fabs(energy_change(geometry, geometry->f, b.tilt, t_f)) * (e.b.weight + ROUNDOFF));
             }
             break;
         }
         if (pass & PASS_PUSHES)
             pushes = pushes && contact_pushes(&a, &b);
-        real shrinks = pair_shrinks(&a, &b, t);
+        real shrink = pair_shrink(&a, &b, t);
         ended = false;
-        if (pair_done(&state, &a, t, shrinks, geometry->tol))
+        if (pair_done(&state, &a, t, shrink, geometry->tol))
             break;
         ended = true;
         if (pass & PASS_ERROR)
-            e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t);
-        t *= shrinks;
+            e.t = bound_tan_half(&a, &b, &e.a, &e.b, t, e.t);
+        t *= shrink;
         if (pass & PASS_SECOND_DERIVATIVE)
             second_derivative = link_second_derivative(&a, second_derivative);
         struct link leader_a = a, leader_b = b;
@@ -297,12 +297,12 @@ KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt h
         pair_add(&up, &a, &b, t);
         pair_add(&down, &c, &b, t_c);
         H2 += second_derivative_H2(&a, second_derivative);
-        real shrinks = pair_shrinks(&a, &b, t), shrinks_c = pair_shrinks(&c, &b, t_c);
-        if (pair_done(&up, &a, t, shrinks, geometry->tol) &&
-            pair_done(&down, &c, t_c, shrinks_c, geometry->tol))
+        real shrink = pair_shrink(&a, &b, t), shrink_c = pair_shrink(&c, &b, t_c);
+        if (pair_done(&up, &a, t, shrink, geometry->tol) &&
+            pair_done(&down, &c, t_c, shrink_c, geometry->tol))
             break;
-        t *= shrinks;
-        t_c *= shrinks_c;
+        t *= shrink;
+        t_c *= shrink_c;
         second_derivative = link_second_derivative(&a, second_derivative);
         link_next(&a);
         b.tilt = c.tilt;

@@ -60,14 +60,14 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
     s->next = term * ratio;
     s->ratio = ratio;
-    return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
+    return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), ROUNDOFF / 2 * s->size);
 }
 
 /* Returns a bound on the rounding error and on the omitted terms. No terms were omitted if `ended`. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
-    return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + tail;
+    return 2 * ROUNDOFF * (fabs(s->sum) + ROUNDOFF * s->size) + tail;
 }
 
 KERNEL void chain_count(const struct geometry *geometry, size_t n)
@@ -115,14 +115,15 @@ KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->J, k->inertia * k->slope * k->slope,
-                       fmax(geometry->inertia * k->step * k->step, geometry->decay_J), geometry->tol);
+                       fmax(geometry->inertia * k->contact_slope * k->contact_slope, geometry->decay_J),
+                       geometry->tol);
 }
 
 KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->H1, k->weight * k->slope * geometry->steepest,
-                       fmax(geometry->weight * k->step, geometry->decay), tol);
+                       fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
 }
 
 KERNEL struct sums sums_of(const struct sum_state *a, real H2, size_t n)

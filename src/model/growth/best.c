@@ -335,7 +335,7 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
     /* the lower side of a jump does not belong to the maximum */
-    return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
+    return near > far / 2 && far > 64 * ROUNDOFF * top ? 0 : far;
 }
 
 /* Finds the error bounds on s and r_max, or NaN if dynamics_bounded is false. */
@@ -369,8 +369,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         /* The slope is 0 at the maximum. Its error, divided by its derivative, is the error of s. */
-        s_error +=
-            2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
+        s_error += 2 * ROUNDOFF * s +
+                   (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
     /* add the change of r_max within the error of s */
     if (c->status == DOM_OK && status == DOM_OK)

@@ -15,7 +15,7 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
     /* Rounding the decimal values of `first`, `height` and `r` moves the two sides apart by up to 2 + n/2
      * units in the last place. The slack is at most a millionth of the step to the next domino. */
-    real slack = fmin(UNIT * (4 + n), (real)1e-6 * ln_r);
+    real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
     return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
 }
 
@@ -37,13 +37,14 @@ KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_
     /* Above 2^REAL_BITS not every integer can be represented. */
     if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
         return DOM_BAD_HEIGHT;
-    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* errors of one division and two logarithms */
+    real error_of_exact =
+        ROUNDOFF * (2 / ln_r + 5 * fabs(exact)); /* errors of one division and two logarithms */
     real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
-    if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
+    if (fabs(exact - nearest) <= error_of_exact + ROUNDOFF * (4 + nearest) / ln_r)
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
     real last = first * pow(r, n);
     *count = (struct dom_count){.dominoes = n, .exact = exact, .last = last};
     if (compute->errors)
-        count->error = (struct dom_count_error){.exact = error_of_exact, .last = 4 * UNIT * last};
+        count->error = (struct dom_count_error){.exact = error_of_exact, .last = 4 * ROUNDOFF * last};
     return DOM_OK;
 }

@@ -11,7 +11,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
 {
     real r = limit->r_max, reach = c->geometry.span / c->s;
     bool bounded = dynamics_bounded(&c->geometry);
-    *error = bounded ? UNIT * r : REAL_NAN;
+    *error = bounded ? ROUNDOFF * r : REAL_NAN;
     if (limit->ends != DOM_END_BARRIER || !bounded)
         return DOM_OK;
     c->errors = true;
@@ -50,13 +50,13 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
 /* Finds the first r > from->r at which the margin becomes negative. The margin at from->r is >= 0. */
-static enum dom_status limit_to_negative(struct margin_context *c, const struct edge *from,
+static enum dom_status limit_to_negative(struct margin_context *c, const struct margin_sample *from,
                                          struct limit *limit)
 {
     *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
     if (dynamics_bounded(&c->geometry) && c->dominoes == CHAIN_ENDLESS)
         return scan_to_negative(c, from, &limit->r_max, &limit->ends);
-    struct edge root;
+    struct margin_sample root;
     bool found = false;
     enum dom_status status = probe_change(c, from, &root, &found);
     if (status == DOM_OK && found)
@@ -66,7 +66,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
 
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 {
-    struct edge first = {.r = 1};
+    struct margin_sample first = {.r = 1};
     struct geometry geometry = c->geometry;
     bool known = false;
     *limit = (struct limit){.ends = DOM_END_BARRIER};
@@ -126,15 +126,15 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
     /* Below the growth first.r, domino 1 hits the next domino before it tips over (5; b0). */
-    struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
+    struct margin_sample first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, sample;
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
-    edge = first;
-    edge.margin = first.margin = margin_sign(c, first.r);
+    sample = first;
+    sample.margin = first.margin = margin_sign(c, first.r);
     bool any = c->status == DOM_OK && margin_value(&first.margin) >= 0;
     if (c->status == DOM_OK && !any)
-        c->status = probe_change(c, &first, &edge, &any);
-    return c->status == DOM_OK && any ? limit_to_negative(c, &edge, found) : c->status;
+        c->status = probe_change(c, &first, &sample, &any);
+    return c->status == DOM_OK && any ? limit_to_negative(c, &sample, found) : c->status;
 }
 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)

@@ -14,7 +14,7 @@
 #include "growth/strip.h"
 
 /* A sample of the scan. */
-struct edge {
+struct margin_sample {
     real r;
     struct margin margin;
 };
@@ -28,15 +28,15 @@ KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, s
 
 /* Finds out what is known about the margin between lo and hi, and updates hi->margin. On entry,
  * hi->margin.kinetic is NaN if the margin at hi is unknown. */
-KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
-                                  enum known *known);
+KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_sample *lo,
+                                  struct margin_sample *hi, enum known *known);
 
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
 /* Finds a root of the margin between lo and hi, where the margin must have opposite signs. Follows one
  * maximum of H. */
-KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
-                                    real *r);
+KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
+                                    const struct margin_sample *hi, real *r);
 
 /* Finds the root close to `near`, an estimate that must be correct to ten digits. *found is false if this
  * fails. */
@@ -44,26 +44,27 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* Finds a root for an endless train without friction, not necessarily the first after *from. *falls receives
  * -d(margin)/dr, the rate at which the margin falls at the root. Without a root, *root is infinity. */
-KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
-                                     real *falls);
+KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sample *from, real *root,
+                                real *falls);
 
 /*
  * Finds a root for an endless train without friction, and tries to prove that it is the first after *from.
  * *root is the reach if there is no root. *found is false if there is no proof. *from may be raised to a
  * larger growth, if the margin is positive up to that growth.
  */
-KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
+KERNEL enum dom_status root_first(struct margin_context *c, struct margin_sample *from, real *root,
+                                  bool *found);
 
 /* Finds the root of the margin between lo and hi, where the margin must have opposite signs. */
-KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
-                                 real *r);
+KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
+                                 const struct margin_sample *hi, real *r);
 
 /*
  * For an endless train with sharp edges and without friction, finds the first r > from->r with a negative
  * margin. The margin at from->r is >= 0. If there is no such r, *r is the reach and *ends is DOM_END_REACH.
  * Two sign changes closer than SCAN_FINEST in ln r can be missed.
  */
-KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
+KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct margin_sample *from, real *r,
                                         enum dom_end *ends);
 
 /*
@@ -71,8 +72,8 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
  * >= 0. Otherwise *change is a sample shortly after the root. *found is false if there is no sign change up
  * to the reach. A dip between two samples can be missed.
  */
-KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
-                                    bool *found);
+KERNEL enum dom_status probe_change(struct margin_context *c, const struct margin_sample *from,
+                                    struct margin_sample *change, bool *found);
 
 struct limit {
     real r_max;

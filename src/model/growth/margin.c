@@ -90,10 +90,10 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real kinetic =
-        (geometry->upright_inertia + k) * geometry->r * geometry->law->push(geometry) * share * share;
-    real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
-         powers = 24 * UNIT;
+    real kinetic = (geometry->upright_inertia + k) * geometry->r * geometry->law->tipped_omegasq(geometry) *
+                   share * share;
+    real sine_error = ROUNDOFF * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
+         powers = 24 * ROUNDOFF;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
     two.n = c->dominoes;
@@ -141,7 +141,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
     }
-    c->error = m->error + UNIT * fabs(m->kinetic - m->barrier);
+    c->error = m->error + ROUNDOFF * fabs(m->kinetic - m->barrier);
     return c->status;
 }
 

@@ -43,37 +43,37 @@ struct probe {
      * the growth of `after`, a sample just past the root. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
-    struct edge after;
+    struct margin_sample after;
 };
 
-static enum dom_status probe_sample(struct probe *p, real r, struct edge *edge)
+static enum dom_status probe_sample(struct probe *p, real r, struct margin_sample *sample)
 {
-    *edge = (struct edge){r, margin_sign(p->c, r)};
+    *sample = (struct margin_sample){r, margin_sign(p->c, r)};
     return p->c->status;
 }
 
-static bool probe_kept(const struct probe *p, const struct edge *edge)
+static bool probe_kept(const struct probe *p, const struct margin_sample *sample)
 {
-    return (margin_value(&edge->margin) >= 0) == p->positive;
+    return (margin_value(&sample->margin) >= 0) == p->positive;
 }
 
-/* Returns a smooth function of x, positive where the margin has its initial sign. If the barrier of `edge` is
- * only an upper bound, uses `barrier` instead. */
-static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
+/* Returns a smooth function of x, positive where the margin has its initial sign. If the barrier of `sample`
+ * is only an upper bound, uses `barrier` instead. */
+static real probe_value(const struct probe *p, const struct margin_sample *sample, real barrier)
 {
-    const struct margin *m = &edge->margin;
+    const struct margin *m = &sample->margin;
     const real margin = m->kinetic - (m->barrier_is_bound ? barrier : m->barrier),
                value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
-    if (edge->r == p->root)
+    if (sample->r == p->root)
         return p->falls;
     /* division by the distance from a known root leaves only the other sign changes */
-    return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
+    return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, sample->r)) : value;
 }
 
 /* Returns true if the margin has too little curvature to change sign between lo and hi, except at p->root.
  * `third` is a sample outside the interval. */
-static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
-                        const struct edge *hi)
+static bool probe_keeps(const struct probe *p, const struct margin_sample *third,
+                        const struct margin_sample *lo, const struct margin_sample *hi)
 {
     /* a mixture of upper bounds and true barriers would look like curvature */
     const real barrier = hi->margin.barrier_is_bound ? third->margin.barrier : hi->margin.barrier,
@@ -87,8 +87,9 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
 
 /* Looks for the first sign change between `lo` and `hi`, unless it comes after p->root. At `lo` the margin
  * has its initial sign. */
-static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
-                                     const struct edge *hi, int halves)
+static enum dom_status probe_between(struct probe *p, const struct margin_sample *third,
+                                     const struct margin_sample *lo, const struct margin_sample *hi,
+                                     int halves)
 {
     enum dom_status status = DOM_OK;
     if (lo->r >= p->root)
@@ -104,7 +105,7 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     }
     if (status != DOM_OK || finest || probe_keeps(p, third, lo, hi))
         return status;
-    struct edge middle;
+    struct margin_sample middle;
     status = probe_sample(p, probe_r(p->c, (probe_x(p->c, lo->r) + probe_x(p->c, hi->r)) / 2), &middle);
     if (status == DOM_OK)
         status = probe_between(p, hi, lo, &middle, halves - 1);
@@ -116,10 +117,10 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
  * changed at *hi, first goes on from *hi. Then looks for sign changes between `lo` and *hi. `last` is the
  * sample before `lo`.
  */
-static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
-                                  struct edge *hi)
+static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
+                                  const struct margin_sample *lo, int k, struct margin_sample *hi)
 {
-    struct edge next = *last;
+    struct margin_sample next = *last;
     real r = lo->r;
     while (r <= lo->r)
         r = probe_place(p->c, k++);
@@ -128,23 +129,24 @@ static enum dom_status probe_from(struct probe *p, const struct edge *last, cons
     if (r < p->root)
         status = probe_sample(p, r, hi);
     else
-        *hi = (struct edge){p->root, {.kinetic = p->c->nearest.height, .barrier = p->c->nearest.height}};
+        *hi = (struct margin_sample){p->root,
+                                     {.kinetic = p->c->nearest.height, .barrier = p->c->nearest.height}};
     if (status == DOM_OK && probe_kept(p, hi) && r < end)
         status = probe_from(p, lo, hi, k, &next);
     return status == DOM_OK ? probe_between(p, &next, lo, hi, PROBE_HALVES) : status;
 }
 
-KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
-                                    bool *found)
+KERNEL enum dom_status probe_change(struct margin_context *c, const struct margin_sample *from,
+                                    struct margin_sample *change, bool *found)
 {
     struct probe p = {
         .c = c, .positive = margin_value(&from->margin) >= 0, .root = (real)INFINITY, .after = *from};
-    struct edge hi;
+    struct margin_sample hi;
     const real tol = c->geometry.tol;
     c->geometry.tol = fmin(tol, PROBE_TOL);
     enum dom_status status = DOM_OK;
     if (p.positive && c->geometry.dynamics->conservative && c->dominoes == CHAIN_ENDLESS)
-        status = root_foreseen(c, from, &p.root, &p.falls);
+        status = root_any(c, from, &p.root, &p.falls);
     /* convert the slope from r to x, and to the unit of probe_value */
     p.falls *=
         -2 * probe_x(c, p.root) * c->geometry.span / c->s / (c->nearest.height + barrier_most(&c->geometry));
@@ -152,6 +154,6 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
         status = probe_from(&p, from, from, 0, &hi);
     c->geometry.tol = tol;
     *found = isfinite(p.root);
-    *change = (struct edge){p.root, p.after.margin};
+    *change = (struct margin_sample){p.root, p.after.margin};
     return status;
 }

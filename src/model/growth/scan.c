@@ -9,8 +9,8 @@
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
 /* Follows one maximum of H to the root. If another maximum is higher there, searches for all maxima. */
-KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
-                                 real *r)
+KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
+                                 const struct margin_sample *hi, real *r)
 {
     real tol = c->geometry.tol;
     if (c->geometry.dynamics->conservative) {
@@ -24,9 +24,9 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
 }
 
 /* Computes the margin again from all maxima of H, with an accurate barrier. */
-static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
+static enum dom_status scan_sure(struct margin_context *c, struct margin_sample *sample)
 {
-    edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
+    sample->margin = margin_rough(c, sample->r, fmax(SCAN_FINE, c->geometry.tol));
     return c->status;
 }
 
@@ -41,8 +41,8 @@ KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, s
                             : status;
 }
 
-KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
-                                  enum known *known)
+KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_sample *lo,
+                                  struct margin_sample *hi, enum known *known)
 {
     struct strip strip;
     real ln_r = log1p((hi->r - lo->r) / lo->r), most = barrier_most(&c->geometry);
@@ -82,7 +82,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
 }
 
 /* Estimates how far beyond `from`, in ln r, the margin stays positive. */
-static real scan_ahead(const struct margin_context *c, const struct edge *from)
+static real scan_ahead(const struct margin_context *c, const struct margin_sample *from)
 {
     real most = barrier_most(&c->geometry), K = from->margin.kinetic;
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
@@ -95,13 +95,13 @@ static real scan_finest(const struct margin_context *c, int strips)
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));
 }
 
-KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
+KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct margin_sample *from, real *r,
                                         enum dom_end *ends)
 {
     const real reach = 1 / c->s;
-    struct edge lo = *from, below; /* the margin is positive up to lo, and negative at `below` */
+    struct margin_sample lo = *from, below; /* the margin is positive up to lo, and negative at `below` */
     bool found = false, bracketed = false;
-    enum dom_status status = foresee_root(c, &lo, r, &found);
+    enum dom_status status = root_first(c, &lo, r, &found);
     *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
     if (status != DOM_OK || found)
         return status;
@@ -112,7 +112,8 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
             return scan_root(c, &lo, &below, r);
         step = fmax(step, finest);
         step = bracketed ? fmin(step, left / 2) : step >= left * (real)0.8 ? left : step;
-        struct edge hi = {.r = step == left ? reach : lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
+        struct margin_sample hi = {.r = step == left ? reach : lo.r * exp(step),
+                                   .margin = {.kinetic = REAL_NAN}};
         enum known known = KNOWN_NOTHING;
         status = scan_strip(c, &lo, &hi, &known);
         if (status != DOM_OK && !(status == DOM_UNDERFLOW && step > finest))

@@ -38,7 +38,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
 struct upright {
     struct link link;
     bool ended; /* true if this domino and all after it are at theta_f */
-    real weight, inertia, slope, step, inertia_ratio, next;
+    real weight, inertia, slope, contact_slope, inertia_ratio, next;
 };
 
 static void upright_next(struct upright *u, const struct geometry *geometry)
@@ -50,14 +50,14 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     } else {
         u->ended = true;
         u->link.tilt = geometry->f;
-        u->link.step = 0;
+        u->link.contact_slope = 0;
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
     /* T is J of this chain without its head, since domino 1 leans at theta_c. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
-    u->step = u->ended || !u->link.leads ? 0 : u->link.step;
-    real ratio = geometry->inertia * u->step * u->step;
+    u->contact_slope = u->ended || !u->link.leads ? 0 : u->link.contact_slope;
+    real ratio = geometry->inertia * u->contact_slope * u->contact_slope;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
@@ -173,12 +173,12 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
 
 /* Adds bounds on the terms of all followers that the sums do not include yet. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
-                       real weight, real slope, real step, struct strip_sums *s)
+                       real weight, real slope, real contact_slope, struct strip_sums *s)
 {
     real next = strip_advance(lo, hi, at->lo),
-         u = step == 0 ? next : fmax(next + step * s->advance, next / (1 - step));
+         u = contact_slope == 0 ? next : fmax(next + contact_slope * s->advance, next / (1 - contact_slope));
     real h = fmax(lo->h.y - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
-    s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * step);
+    s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * contact_slope);
     s->far_rests = weight * far * u;
 }
 
@@ -242,7 +242,7 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
             break;
         /* Since theta_1' decreases with the tilt of the head, `below` is a lower bound on
          * (theta_u - theta) / 2, and on the tangent of this angle. */
-        const real below = geometry_contact(hi, head).step * pull;
+        const real below = geometry_contact(hi, head).slope * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
@@ -331,16 +331,17 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             if (!after) /* the walk has not gone far enough for bounds at lo */
                 sums.least = -(sums.drops = (real)INFINITY);
             s.cut = ends ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
-            strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * a.step, a.step, &sums);
+            strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * a.contact_slope, a.contact_slope, &sums);
             strip_finish(lo, hi, fuel, &a, &b, &first, &sums, &s);
             strip_count(lo, i);
             *strip = s;
             return DOM_OK;
         }
-        sums.advance = strip_advance(lo, hi, at.lo) + (a.step > 0 ? a.step * sums.advance : 0);
+        sums.advance =
+            strip_advance(lo, hi, at.lo) + (a.contact_slope > 0 ? a.contact_slope * sums.advance : 0);
         if (early) {
             sums.least_advance = strip_least_advance(lo, lo->r < hi->r, top.tilt) +
-                                 (top.leads ? top.step * sums.least_advance : 0);
+                                 (top.leads ? top.contact_slope * sums.least_advance : 0);
             early = top.leads && g_lo < 0;
             if (early)
                 link_next(&top);

@@ -76,7 +76,7 @@ KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barr
         .error = {.theta_m = error.theta_m,
                   .barrier = error.height,
                   .kinetic = kinetic_error,
-                  .margin = kinetic_error + error.height + UNIT * fabs(margin)},
+                  .margin = kinetic_error + error.height + ROUNDOFF * fabs(margin)},
     };
     return barrier_verdict(&cycle.launch, b);
 }
@@ -124,7 +124,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      /* allows for second-order terms, which matter if the tolerance is loose */
                      (1 + 4 * geometry->tol) +
-                 4 * UNIT * theta;
+                 4 * ROUNDOFF * theta;
     if (energy)
         *energy = fabs(at.H1) * (real)*error;
     return status;

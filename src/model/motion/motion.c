@@ -138,7 +138,7 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     }
     if (!m->stops && theta > 0)
         solver = num_integral(slowness_error, &m->cycle.segment, 0, theta, (real)0.125, &of_speed, NULL);
-    *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
+    *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * ROUNDOFF) * time;
     return model_status(m->cycle.segment.status, solver);
 }
 
@@ -203,16 +203,16 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     real of_time = REAL_NAN;
     if (dynamics_bounded(geometry))
         status = time_error(m, state, &of_time);
-    real of_before = geometry->weight * launch_error->kinetic_at_hit + 5 * UNIT * before;
+    real of_before = geometry->weight * launch_error->kinetic_at_hit + 5 * ROUNDOFF * before;
     state->error = (struct dom_state_error){
         .time = of_time,
         .omegasq = omegasq_error,
         .acceleration = REAL_NAN, /* no bound is known */
-        .kinetic = launch_error->kinetic + e.dH + 3 * UNIT * at.J * omegasq,
+        .kinetic = launch_error->kinetic + e.dH + 3 * ROUNDOFF * at.J * omegasq,
         .climbed = e.dH,
         .fallen = at.left == 0 ? 0 : e.dH,
         .before = of_before,
-        .lost = (of_before + before * launch_error->J0 / launch->J0) / launch->J0 + UNIT * before,
+        .lost = (of_before + before * launch_error->J0 / launch->J0) / launch->J0 + ROUNDOFF * before,
         .friction_work = conservative ? 0 : REAL_NAN,
     };
     return status;

@@ -127,7 +127,7 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
             *integral = value;
             /* `left` is only an estimate: compare with one more level */
             if (error && level < levels)
-                off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
+                off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * ROUNDOFF;
             if (error)
                 *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
@@ -189,7 +189,7 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
                      .lo = lo,
                      .hi = hi,
                      .half = (hi - lo) / 2,
-                     .cut = fmax(tol / 64, UNIT / 8)};
+                     .cut = fmax(tol / 64, ROUNDOFF / 8)};
     return span_integral(&s, exponential_level, LEVELS_MAX, tol, integral, error);
 }
 

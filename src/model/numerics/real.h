@@ -76,7 +76,7 @@ typedef domq_real real;
 #define REAL_EPSILON ((real)1 / ((uint64_t)1 << ((REAL_BITS - 1) / 2)) / ((uint64_t)1 << (REAL_BITS / 2)))
 
 /* The unit roundoff: the largest relative error of one operation. */
-#define UNIT     (REAL_EPSILON / 2)
+#define ROUNDOFF (REAL_EPSILON / 2)
 #define REAL_NAN ((real)NAN)
 /* Pi as a sum of doubles, correct to 49 digits. */
 #define PI ((real)3.141592653589793116 + (real)1.2246467991473532072e-16 - (real)2.9947698097183396659e-33)

@@ -112,14 +112,14 @@ static struct corner corner_make(const struct shape *shape, double r)
 {
     struct corner c = {.r = r};
     struct span s = shape->s, of_r = span_of(r);
-    c.rs = span_times(of_r, s);
+    c.rs = span_scale(of_r, s);
     c.rs.hi = most_1(c.rs.hi); /* r s <= 1 is assumed for all bounds in this file */
-    c.rL = span_times(of_r, shape->L);
+    c.rL = span_scale(of_r, shape->L);
     /* 1 - r s by fma, which rounds only once */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};
     /* 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2) (41; A17) */
-    struct span over = span_times(span_times(span_add(shape->d, shape->d), shape->L), span_square(of_r));
-    c.leave = span_over(span_times(c.short_of, span_add(span_of(1), c.rs)), over);
+    struct span over = span_scale(span_scale(span_add(shape->d, shape->d), shape->L), span_square(of_r));
+    c.leave = span_over(span_scale(c.short_of, span_add(span_of(1), c.rs)), over);
     c.leave.lo = smaller(least_0(c.leave.lo), shape->v_inf.lo);
     c.leave.hi = smaller(c.leave.hi, shape->v_inf.hi);
     struct turn first = corner_turn(&c, c.leave.lo), second = corner_turn(&c, c.leave.hi);
@@ -135,7 +135,7 @@ struct growth growth_make(const struct shape *shape, double r_low, double r_high
     g.high = corner_make(shape, r_high);
     g.leave = (struct span){g.high.leave.lo, g.low.leave.hi}; /* theta_leave decreases with r */
     /* theta_inf < theta_leave if 1/r^2 > L^2 - d^2 = s (s + 2 d). */
-    struct span room = span_times(shape->s, span_add(shape->s, span_add(shape->d, shape->d)));
+    struct span room = span_scale(shape->s, span_add(shape->s, span_add(shape->d, shape->d)));
     g.detaches_never = up(up(r_high * r_high) * room.hi) < 1;
     g.rq = span_power(g.r, shape->q);
     g.weight = span_over(span_of(1), g.rq);
@@ -164,10 +164,10 @@ struct contact chain_contact(const struct growth *growth, struct span v)
     c.held = v.lo >= growth->leave.hi;
     c.may_hold = v.hi >= growth->leave.lo;
     /* dF/dtheta = 1 - r L sin theta / Y (14; b10), which is between 0 and 1. */
-    c.step = (struct span){least_0(down(1 - up(up(growth->high.rL.hi * c.x.hi) / c.Y.lo))),
-                           most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
+    c.slope = (struct span){least_0(down(1 - up(up(growth->high.rL.hi * c.x.hi) / c.Y.lo))),
+                            most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)
-        c.step = span_of(0);
+        c.slope = span_of(0);
     /* dF/dr = (X/r)/Y, where X/r = L cos theta - d. It decreases with theta and increases with r. */
     c.shift =
         (struct span){down(down(c.X.lo / growth->r.lo) / c.Y.hi), up(up(c.X.hi / growth->r.hi) / c.Y.lo)};
@@ -179,9 +179,9 @@ struct domino chain_next(const struct growth *growth, const struct domino *leade
                          const struct contact *contact)
 {
     struct domino next = {.v = chain_follow(growth, leader->v)};
-    next.slope = span_times(contact->step, leader->slope);
+    next.slope = span_scale(contact->slope, leader->slope);
     next.slope.lo = least_0(next.slope.lo);
-    next.shift = span_add(span_times(contact->step, leader->shift), contact->shift);
+    next.shift = span_add(span_scale(contact->slope, leader->shift), contact->shift);
     next.shift.lo = least_0(next.shift.lo);
     return next;
 }

@@ -69,7 +69,7 @@ struct domino {
 struct contact {
     struct span X, Y;  /* sine and cosine of theta_i+1 - theta_i */
     struct span x;     /* sin theta_i */
-    struct span step;  /* dF/dtheta */
+    struct span slope; /* dF/dtheta */
     struct span shift; /* dF/dr */
     /* true if theta_i is beyond theta_leave in the whole box; the follower then stays at theta_f */
     bool held;

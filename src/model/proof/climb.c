@@ -49,13 +49,13 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
     for (int i = 0; i < u->n; i++) {
         const struct link *link = &u->link[i];
         struct span rise = span_sub(tilt_height(shape, domino.v), link->g);
-        climb.height = span_add(climb.height, span_times(link->weight, rise));
+        climb.height = span_add(climb.height, span_scale(link->weight, rise));
         if (derivatives) {
             struct span h = tilt_rise(shape, domino.v);
-            struct span less = span_times(span_times(span_of(i), span_over(shape->q, g->r)), rise);
+            struct span less = span_scale(span_scale(span_of(i), span_over(shape->q, g->r)), rise);
             struct span slide = span_sub(span_mul(h, domino.shift), link->slide);
-            climb.by_tilt = span_add(climb.by_tilt, span_times(link->weight, span_mul(h, domino.slope)));
-            climb.by_r = span_add(climb.by_r, span_times(link->weight, span_sub(slide, less)));
+            climb.by_tilt = span_add(climb.by_tilt, span_scale(link->weight, span_mul(h, domino.slope)));
+            climb.by_r = span_add(climb.by_r, span_scale(link->weight, span_sub(slide, less)));
             contact = chain_contact(g, domino.v);
             bounded = bounded && contact.Y.lo > 0 && isfinite(contact.shift.hi);
             domino = chain_next(g, &domino, &contact);

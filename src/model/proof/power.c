@@ -9,7 +9,7 @@ static struct span power_whole(struct span x, int n)
     struct span power = span_of(1);
     for (; n > 0; n /= 2, x = span_square(x))
         if (n % 2)
-            power = span_times(power, x);
+            power = span_scale(power, x);
     return power;
 }
 
@@ -26,8 +26,8 @@ static struct span twice_atanh(struct span t)
     enum { TERMS = 18 }; /* (1/9)^18 < 2^-57 */
     struct span square = span_square(t), sum = {0, 1.0 / TERMS};
     for (int k = TERMS - 1; k >= 0; k--)
-        sum = span_add(span_over(span_of(1), span_of(2 * k + 1)), span_times(square, sum));
-    return span_times(span_add(t, t), sum);
+        sum = span_add(span_over(span_of(1), span_of(2 * k + 1)), span_scale(square, sum));
+    return span_scale(span_add(t, t), sum);
 }
 
 /* Returns ln 2 = 2 atanh(1/3). */
@@ -43,7 +43,7 @@ static struct span log_of(double x)
     int n;
     double m = 2 * frexp(x, &n);                                                 /* exact */
     struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is also exact */
-    return span_add(span_times(span_of(n - 1), log_2()), twice_atanh(t));
+    return span_add(span_scale(span_of(n - 1), log_2()), twice_atanh(t));
 }
 
 struct span span_log(struct span x)
@@ -63,7 +63,7 @@ static struct span exp_of(double x)
 {
     enum { TERMS = 16 };
     double n = nearbyint(x / 0x1.62e42fefa39efp-1);
-    struct span y = span_sub(span_of(x), span_times(span_of(n), log_2())), sum = span_of(1);
+    struct span y = span_sub(span_of(x), span_scale(span_of(n), log_2())), sum = span_of(1);
     for (int k = TERMS; k >= 1; k--) /* 1 + y (1 + y/2 (1 + ...)) */
         sum = span_add(span_of(1), span_mul(span_over(y, span_of(k)), sum));
     sum = span_add(sum, (struct span){-0x1p-63, 0x1p-63});
@@ -82,6 +82,6 @@ struct span span_power(struct span x, struct span q)
                     most = power_whole(span_of(x.hi), (int)q.lo);
         return (struct span){least.lo, most.hi};
     }
-    struct span power = span_exp(span_times(q, span_log(x)));
+    struct span power = span_exp(span_scale(q, span_log(x)));
     return (struct span){larger(power.lo, 1), power.hi};
 }

@@ -212,7 +212,7 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     status = begin(&proof, train, compute, false);
     if (status != DOM_OK)
         return status;
-    struct span reach = span_times(span_around(train->r), proof.shape.s);
+    struct span reach = span_scale(span_around(train->r), proof.shape.s);
     if (reach.lo > 1) {
         result->verdict = DOM_PROVED_OUT_OF_REACH;
         result->gap = DOM_PROOF_NONE;

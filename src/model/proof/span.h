@@ -91,7 +91,7 @@ static inline struct span span_negate(struct span a)
 }
 
 /* Returns k * a, for k >= 0. */
-static inline struct span span_times(struct span k, struct span a)
+static inline struct span span_scale(struct span k, struct span a)
 {
     return (struct span){down(a.lo * (a.lo < 0 ? k.hi : k.lo)), up(a.hi * (a.hi < 0 ? k.lo : k.hi))};
 }

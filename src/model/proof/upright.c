@@ -22,13 +22,13 @@ static struct span step_bend(const struct growth *g, const struct contact *c, st
 {
     struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
                 rL = {g->low.rL.lo, g->high.rL.hi};
-    struct span off = least_zero(span_over(span_times(rL, c->x), c->Y));
+    struct span off = least_zero(span_over(span_scale(rL, c->x), c->Y));
     /* partial derivatives of 1 - r L x / Y: (r L / Y) ((r L x / Y) (X x / Y) - y) with respect to theta, and
      * -L x / Y^3 with respect to r */
-    struct span pull = span_sub(span_times(off, span_over(span_times(c->X, c->x), c->Y)), y);
+    struct span pull = span_sub(span_scale(off, span_over(span_scale(c->X, c->x), c->Y)), y);
     struct span by_theta = span_over(span_mul(rL, pull), c->Y);
-    struct span by_r = span_over(span_over(span_times(g->shape->L, c->x), span_square(c->Y)), c->Y);
-    return span_sub(span_times(shift, by_theta), by_r);
+    struct span by_r = span_over(span_over(span_scale(g->shape->L, c->x), span_square(c->Y)), c->Y);
+    return span_sub(span_scale(shift, by_theta), by_r);
 }
 
 static struct span chain_twist(const struct growth *g, const struct walk *w, const struct contact *c)
@@ -36,7 +36,7 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     if (c->held)
         return span_of(0);
     struct span bend = step_bend(g, c, w->domino.v, w->domino.shift);
-    struct span twist = span_add(span_times(c->step, w->twist), span_times(w->domino.slope, bend));
+    struct span twist = span_add(span_scale(c->slope, w->twist), span_scale(w->domino.slope, bend));
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
@@ -45,10 +45,10 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
                 per_r = span_over(span_add(g->shape->q, span_of(1)), g->r);
-    struct span change = span_sub(span_times(span_add(w->domino.slope, w->domino.slope), w->twist),
-                                  span_times(span_times(span_of(i), per_r), square));
-    w->T = span_add(w->T, span_times(w->share, square));
-    w->T_by_r = span_add(w->T_by_r, span_times(w->share, change));
+    struct span change = span_sub(span_scale(span_add(w->domino.slope, w->domino.slope), w->twist),
+                                  span_scale(span_scale(span_of(i), per_r), square));
+    w->T = span_add(w->T, span_scale(w->share, square));
+    w->T_by_r = span_add(w->T_by_r, span_scale(w->share, change));
 }
 
 /* Adds r^(-q i) (h(theta_i) - h(theta_i+1)) of domino i to P, and its derivative to dP/dr. */
@@ -56,10 +56,10 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 {
     struct span power = link[0].weight;
     struct span drop = span_sub(link[0].g, link[1].g);
-    struct span per_r = span_times(span_of(i), span_over(g->shape->q, g->r));
-    struct span change = span_sub(span_sub(link[0].slide, link[1].slide), span_times(per_r, drop));
-    w->fuel = span_add(w->fuel, span_times(power, drop));
-    w->fuel_by_r = span_add(w->fuel_by_r, span_times(power, change));
+    struct span per_r = span_scale(span_of(i), span_over(g->shape->q, g->r));
+    struct span change = span_sub(span_sub(link[0].slide, link[1].slide), span_scale(per_r, drop));
+    w->fuel = span_add(w->fuel, span_scale(power, drop));
+    w->fuel_by_r = span_add(w->fuel_by_r, span_scale(power, change));
 }
 
 /*
@@ -110,10 +110,10 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
     struct span one = span_of(1), T = w->T;
-    struct span E = span_sub(span_times(g->rq, span_add(one, span_over(one, T))), one);
-    struct span rq_by_r = span_times(g->rq, span_over(g->shape->q, g->r));
-    struct span E_by_r = span_sub(span_times(rq_by_r, span_add(one, span_over(one, T))),
-                                  span_times(span_over(g->rq, span_square(T)), w->T_by_r));
+    struct span E = span_sub(span_scale(g->rq, span_add(one, span_over(one, T))), one);
+    struct span rq_by_r = span_scale(g->rq, span_over(g->shape->q, g->r));
+    struct span E_by_r = span_sub(span_scale(rq_by_r, span_add(one, span_over(one, T))),
+                                  span_scale(span_over(g->rq, span_square(T)), w->T_by_r));
     u->fuel = w->fuel;
     u->inertia = T;
     u->kinetic = E.lo > 0 ? span_over(u->fuel, E) : (struct span){-INFINITY, INFINITY};
@@ -131,18 +131,18 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
 {
     const struct growth *g = &u->growth;
     struct span one = span_of(1), k = g->inertia, sum = span_add(one, k);
-    struct span part = span_over(span_square(k), sum), share = span_times(g->r, part);
+    struct span part = span_over(span_square(k), sum), share = span_scale(g->r, part);
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
-    struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
+    struct span order = span_over(span_scale(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
     /* domino 1 may hit the head before it has tipped over (5; b0) */
     if (!(hit.lo > g->shape->v_top.hi))
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
         u->fuel.hi = -1;
-    u->kinetic = span_times(share, u->fuel);
+    u->kinetic = span_scale(share, u->fuel);
     u->kinetic_by_r =
-        span_sub(span_mul(span_times(part, span_sub(one, order)), push), span_times(share, u->link[1].slide));
+        span_sub(span_mul(span_scale(part, span_sub(one, order)), push), span_scale(share, u->link[1].slide));
     u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
 }
 
@@ -201,8 +201,8 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         }
         finite = finite && c.Y.lo > 0 && isfinite(c.shift.hi) && span_finite(next.twist);
         w = next;
-        w.power = span_times(w.power, g->weight);
-        w.share = span_times(w.share, g->inertia);
+        w.power = span_scale(w.power, g->weight);
+        w.share = span_scale(w.share, g->inertia);
         if (i + 1 > LINKS_MOST)
             return false;
         link_make(u, &w, i + 1);

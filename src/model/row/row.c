@@ -185,7 +185,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
-    d->st.start.omegasq = tips ? geometry->law->push(geometry) : 0;
+    d->st.start.omegasq = tips ? geometry->law->tipped_omegasq(geometry) : 0;
     run->carried = d->st.start.J * d->st.start.omegasq * block.unit;
     run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;

@@ -66,8 +66,8 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
 {
     const struct contact *c = &b->contact;
     const real Y = fmin(a->contact.Y, c->Y), y_1 = c->Y * b->tilt.y - c->X * b->tilt.x,
-               turned = fmax(y_1, 0) + fmax(b->step * a->tilt.x * c->X, 0);
-    g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
+               turned = fmax(y_1, 0) + fmax(b->contact_slope * a->tilt.x * c->X, 0);
+    g->curve = b->contact_slope * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
 /* The bound on the barrier ignores the chain's last dominoes, so the energy must exceed it by this factor. */
@@ -84,16 +84,16 @@ static bool glide_passes(const struct glide *g, const struct link *head, real ki
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true if all dominoes after *a are negligible. `shrinks` is g->t of the next domino divided by
+/* Returns true if all dominoes after *a are negligible. `shrink` is g->t of the next domino divided by
  * g->t. */
-static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
+static bool glide_done(struct glide *g, const struct link *a, real shrink, real tol)
 {
     const struct geometry *self = a->geometry;
-    const real ratio = fmax(self->weight * shrinks, self->decay),
+    const real ratio = fmax(self->weight * shrink, self->decay),
                rest = a->weight * 2 * g->t * self->steepest * ratio;
     if (!(rest <= (1 - ratio) * tol * fabs(g->dH)))
         return false;
-    const real ratio_J = fmax(self->inertia * a->step * a->step, self->decay_J);
+    const real ratio_J = fmax(self->inertia * a->contact_slope * a->contact_slope, self->decay_J);
     if (!(a->inertia * a->slope * a->slope * ratio_J <= (1 - ratio_J) * tol * g->J))
         return false;
     return true;
@@ -109,7 +109,7 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
         return k;
     }
     k = s->link[j];
-    k.slope = leader->slope * leader->step;
+    k.slope = leader->slope * leader->contact_slope;
     return k;
 }
 
@@ -132,10 +132,10 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
             break;
         if (!(a.tilt.v < a.geometry->leave.v) || !contact_pushes(&a, &b))
             return false;
-        const real shrinks = pair_shrinks(&a, &b, g.t);
-        if (glide_done(&g, &a, shrinks, tol))
+        const real shrink = pair_shrink(&a, &b, g.t);
+        if (glide_done(&g, &a, shrink, tol))
             break;
-        g.t *= shrinks;
+        g.t *= shrink;
         glide_next(&g, &a, &b);
         b = link_before(s, s->first - 1, known, &b);
         link_next(&a);

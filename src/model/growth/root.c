@@ -128,8 +128,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
     return DOM_NOT_CONVERGED;
 }
 
-KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
-                                    real *r)
+KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
+                                    const struct margin_sample *hi, real *r)
 {
     real up = margin_share(&lo->margin), down = margin_share(&hi->margin);
     struct root_search s = {.lo = lo->r, .hi = hi->r};
@@ -238,8 +238,8 @@ static bool root_near_reach(struct margin_context *c, real reach, real *start, r
     return c->status == DOM_OK && at.barrier_is_bound;
 }
 
-KERNEL enum dom_status root_foreseen(struct margin_context *c, const struct edge *from, real *root,
-                                     real *falls)
+KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sample *from, real *root,
+                                real *falls)
 {
     const real reach = c->geometry.span / c->s, start = root_guess(c);
     struct root_search s = {.lo = from->r, .hi = reach, .slope = root_slope(c)};
@@ -322,13 +322,13 @@ enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
 /* Raises *lo towards `to`, as far as a few strips can show that the margin stays positive. The margin is
  * positive at the initial *lo. */
-static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
+static enum dom_status positive_to(struct margin_context *c, struct margin_sample *lo, real to)
 {
-    struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
+    struct margin_sample ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
     int depth = 1;
     for (int k = 0; k < PROOF_STRIPS && depth > 0; k++) {
         enum known known;
-        struct edge *hi = &ahead[depth - 1];
+        struct margin_sample *hi = &ahead[depth - 1];
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
@@ -346,13 +346,14 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         }
         if (depth == PROOF_DEPTH || margin_value(&hi->margin) < 0)
             return DOM_OK;
-        ahead[depth++] =
-            (struct edge){.r = lo->r * pow(hi->r / lo->r, (real)0.62), .margin = {.kinetic = REAL_NAN}};
+        ahead[depth++] = (struct margin_sample){.r = lo->r * pow(hi->r / lo->r, (real)0.62),
+                                                .margin = {.kinetic = REAL_NAN}};
     }
     return DOM_OK;
 }
 
-KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found)
+KERNEL enum dom_status root_first(struct margin_context *c, struct margin_sample *from, real *root,
+                                  bool *found)
 {
     const real reach = 1 / c->s;
     real start = root_guess(c);
