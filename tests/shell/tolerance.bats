@@ -55,7 +55,7 @@ verdicts() { # COMMANDS...
     grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the tightest limits of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
     grep -qE '^All fall if the friction between the dominoes is at most 0\.17' <<<"$said"
-    grep -qxF 'Set domino 2 up plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
+    grep -qxF 'Set domino 2 plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
@@ -64,13 +64,13 @@ verdicts() { # COMMANDS...
     # The first domino may lean until its centre is above its front edge: the top is off by h sin(theta_u).
     within 'top forwards' "$(json 'effect row 5; tolerance' | head -n 1 | values lean_high)" 0.00692673 'd*d < 1e-10'
     for precision in float double quad; do # the search never tries a domino that falls over by itself
-        grep -q '^Set domino 2 up plumb: ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; tolerance")"
-        grep -q '^Set domino 1 up square ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; effect slope 0.1; tolerance")"
+        grep -q '^Set domino 2 plumb: ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; tolerance")"
+        grep -q '^Set domino 1 square ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; effect slope 0.1; tolerance")"
     done
     # If leans are not computed, they are not mentioned.
     run ! grep -q plumb <<<"$("$DOMINO" -e 'effect row 3; effect edges 0.01; tolerance')"
     same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"
-    grep -q '^Set domino 1 up square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance')"
+    grep -q '^Set domino 1 square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance')"
     said=$("$DOMINO" -e 'effect row 3; place 2 4 m; tolerance')
     grep -q 'does not fall now; to save it, change one measure to any value in its window' <<<"$said"
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)

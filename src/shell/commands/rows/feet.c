@@ -42,19 +42,21 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
     if (most->head == 0)
         return;
     if (isfinite(most->needs))
-        answer_say(a, "%s feet need a friction of up to %s (the foot of domino %zu, %s).",
+        answer_say(a, "%s feet need a friction coefficient of up to %s (the foot of domino %zu, %s).",
                    hit ? "At the moment of a hit," : "While dominoes fall,",
                    measured(most->needs, "", 4).text, most->domino, slip_words(most, hit).text);
     else
         answer_say(a, "The foot of domino %zu is lifted off the floor %s, and no friction can prevent this.",
                    most->domino, slip_words(most, hit).text);
     if (first->head == 0)
-        answer_say(a, "On a floor with a friction of %.4g, no foot slips %s.", (double)floor,
+        answer_say(a, "On a floor with a friction coefficient of %.4g, no foot slips %s.", (double)floor,
                    hit ? "at a hit" : "while dominoes fall");
     else if (isfinite(first->needs))
-        answer_say(
-            a, "On a floor with a friction of %.4g, the foot of domino %zu slips first: %s, it needs %s.",
-            (double)floor, first->domino, slip_words(first, hit).text, measured(first->needs, "", 4).text);
+        answer_say(a,
+                   "On a floor with a friction coefficient of %.4g, the foot of domino %zu slips first: %s, "
+                   "it needs %s.",
+                   (double)floor, first->domino, slip_words(first, hit).text,
+                   measured(first->needs, "", 4).text);
 }
 
 /* Prints how slipping feet affect the answer. If `in_motion` is false, feet slip only in a collision. */
@@ -66,8 +68,9 @@ static void slip_matters_say(struct answer *a, bool in_motion)
             ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a row can stop "
               "sooner than this answer says."
             : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In a "
-              "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by at most 3 %% "
-              "if the dominoes have a friction of 0.2, and by a tenth if they have none.");
+              "rigid-body engine, a floor with a friction coefficient of 0.4 changes the largest growth by "
+              "at most 3 %% if the coefficient between the dominoes is 0.2, and by a tenth if they have no "
+              "friction.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)
@@ -115,9 +118,11 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
         answer_say(a, "'effect floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
                       "any foot slips.");
     else
-        answer_say(a, "On a floor with a friction of %.4g, %s while dominoes fall, and %s in a collision.",
-                   (double)floor->value[0], slips ? "feet slip" : "no foot slips",
-                   slips_hit ? "feet slip" : "no foot slips");
+        answer_say(
+            a,
+            "On a floor with a friction coefficient of %.4g, %s while dominoes fall, and %s in a collision.",
+            (double)floor->value[0], slips ? "feet slip" : "no foot slips",
+            slips_hit ? "feet slip" : "no foot slips");
     if (floor->on && (slips || slips_hit))
         slip_matters_say(a, slips);
     return true;

@@ -209,7 +209,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
                    off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
-        answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.", k,
+        answer_say(a, "Set domino %zu %s: its top may be off by %s backwards or %s forwards%s.", k,
                    w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
                    length(l.high, DIGITS).text, all);
     else
@@ -287,7 +287,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
     const size_t place = w->critical[DOM_WINDOW_PLACE];
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
-                  "is for one change, with the rest of the row as it is.");
+                  "assumes that nothing else in the row changes.");
     if (w->scene->row.engine)
         answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine reaches no verdict.");
