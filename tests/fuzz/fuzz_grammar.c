@@ -221,8 +221,8 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
     static const char *const words[] = {"barrier", "\"a b\"", "\"", "\"\x1b[3m\"", "\xc2\x9b",
                                         "\xff",    "x\ty",    "#",  "on"};
     switch (a->kind) {
-    case ARGUMENT_OF:
-        put_parameter_value(m, parameter_find(a->of));
+    case ARGUMENT_VALUE_OF:
+        put_parameter_value(m, parameter_find(a->parameter));
         break;
     case ARGUMENT_VALUE:
         put_parameter_value(m, *named);

@@ -302,7 +302,7 @@ const struct command cost_commands[] = {
      .synonyms = "accuracy precision benchmark speed fast",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_CHOICE,
-                   .of = "command with a tolerance",
+                   .noun = "command with a tolerance",
                    .choices = cost_names}},
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "

@@ -274,7 +274,7 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
 const struct command effect_commands[] = {
     {.name = "effect",
      .synonyms = "switch turn",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},

@@ -60,7 +60,7 @@ static void help_effect_values(const struct session *session, const struct param
 {
     char text[512];
     const struct domq_effect_argument *a;
-    for (int i = 0; (a = parameter_value(p, i)) != NULL; i++) {
+    for (int i = 0; (a = parameter_argument(p, i)) != NULL; i++) {
         snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, parameter_range(&session->state, p, i),
                  *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
                  a->optional ? "; may be left out" : "");
@@ -354,8 +354,11 @@ static bool run_version(const struct query *query, struct answer *a, struct prob
 const struct command help_commands[] = {
     {.name = "help",
      .synonyms = "manual man list explain commands",
-     .argument =
-         {{.name = "NAME", .kind = ARGUMENT_TOPIC, .of = "topic", .choices = topic_names, .optional = true}},
+     .argument = {{.name = "NAME",
+                   .kind = ARGUMENT_TOPIC,
+                   .noun = "topic",
+                   .choices = topic_names,
+                   .optional = true}},
      .summary = "the commands, or one command or parameter",
      .example = "help tol",
      .see = "apropos show",

@@ -270,7 +270,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     return true;
 }
 
-#define SEPARATION .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true
+#define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
 
 const struct command limit_commands[] = {
     {.name = "rmax",
@@ -315,8 +315,8 @@ const struct command limit_commands[] = {
     {.name = "curve",
      .synonyms = "graph figure table",
      .train = true,
-     .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
-                  {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
+     .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                  {.name = "TO", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
                   {.name = "N", .kind = ARGUMENT_COUNT}},
      .summary = "the largest growth at N gaps, as in the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
@@ -326,7 +326,7 @@ const struct command limit_commands[] = {
     {.name = "count",
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
-                  {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
+                  {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},
      .summary = "how many dominoes it takes to topple one of height H (growth R or r)",
      .help =
          "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h tall, "

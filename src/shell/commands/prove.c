@@ -201,7 +201,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
 
 static bool run_prove(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static const struct argument separation = {.name = "S", .kind = ARGUMENT_OF, .of = "s"},
+    static const struct argument separation = {.name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
                                  height = {.name = "H", .kind = ARGUMENT_HEIGHT};
     enum what what = (enum what)query->given->number[0];
     bool has_value = query->given->count > 1, of_limit = what == PROVE_RMAX || what == PROVE_PAIR;
@@ -224,8 +224,8 @@ const struct command prove_commands[] = {
      .synonyms = "proof rigorous certain guaranteed interval enclosure",
      .train = true,
      .argument =
-         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "answer with a proof", .choices = prove_names},
-          {.name = "VALUE", .kind = ARGUMENT_ANY, .of = "value", .optional = true}},
+         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "answer with a proof", .choices = prove_names},
+          {.name = "VALUE", .kind = ARGUMENT_ANY, .noun = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
      .help = "'prove rmax S' and 'prove pair S' find two decimal numbers, 'tol' apart, with the largest "
              "growth between them. The train keeps falling with every growth up to the first number, and "

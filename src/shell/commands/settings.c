@@ -196,7 +196,8 @@ static bool run_quit(struct session *session, const struct arguments *given, str
     return true;
 }
 
-#define A_PARAMETER .name = "NAME", .kind = ARGUMENT_PARAMETER, .of = "parameter", .choices = parameter_names
+#define A_PARAMETER                                                                                          \
+    .name = "NAME", .kind = ARGUMENT_PARAMETER, .noun = "parameter", .choices = parameter_names
 
 const struct command session_commands[] = {
     {.name = "set",

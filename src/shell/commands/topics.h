@@ -20,15 +20,14 @@ bool topic_at(int k, struct topic *topic);
 /* Fills in the topic for a variable or function that was defined with 'let'. */
 void topic_of_variable(const struct variable *variable, struct topic *topic);
 
-/* How well a topic matches a word: */
+/* Where a topic has a word: */
 enum topic_match {
-    MATCH_TOPIC, /* the word is in the name, the summary, the synonyms, or the words for a parameter's values
-                  */
-    MATCH_DETAILS, /* the word is only in the help text, the equations or the columns */
+    MATCH_TOPIC,   /* in the name, the summary, the synonyms, or the words for a parameter's values */
+    MATCH_DETAILS, /* only in the help text, the equations or the columns */
     MATCH_NONE
 };
 
-/* Returns how well a topic matches a word, ignoring case. */
+/* Returns where a topic has a word, ignoring case. */
 enum topic_match topic_match(const struct topic *topic, const char *word);
 
 /* Adds a row for a topic to an answer in csv or json. */

@@ -152,7 +152,7 @@ static bool is_tilt(const struct argument *a)
 
 struct quantity argument_unit(const struct argument *a)
 {
-    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    const struct parameter *p = a->kind == ARGUMENT_VALUE_OF ? parameter_find(a->parameter) : NULL;
     return p ? expression_unit(p->value[a->which].unit)
              : (struct quantity){.value = 1, .length = a->kind == ARGUMENT_HEIGHT, .angle = is_tilt(a)};
 }
@@ -191,7 +191,7 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
                      struct problem *problem)
 {
     char range[96];
-    const struct parameter *p = parameter_find(a->of);
+    const struct parameter *p = parameter_find(a->parameter);
     const struct domq_effect_argument *of = &p->value[a->which];
     if (strcmp(a->name, of->name) == 0 || (value >= of->lowest && value <= of->highest))
         return parameter_check(query->state, p, a->which, value, problem);
@@ -206,7 +206,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
     /* s and d are fractions of the height. A length is divided by the height of domino 1. */
-    bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
+    bool is_share =
+        a->kind == ARGUMENT_VALUE_OF && strcmp(parameter_find(a->parameter)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
     /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */
@@ -239,7 +240,7 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     case ARGUMENT_COUNT:
         return (q.value >= 1 && q.value <= COUNT_MAX && q.value == quad(floor)(q.value)) ||
                out_of_range(problem, a, q.value, "not a count", "an integer in 1 .. 10000000");
-    case ARGUMENT_OF:
+    case ARGUMENT_VALUE_OF:
         return of_check(query, a, q.value, problem);
     default:
         return true;

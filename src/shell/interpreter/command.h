@@ -13,13 +13,13 @@
 enum argument_kind {
     ARGUMENT_NONE,
     /* Arguments that are expressions: */
-    ARGUMENT_TILT,   /* an angle in [0, theta_c] */
-    ARGUMENT_OF,     /* a value of the parameter whose name is in the member `of` */
-    ARGUMENT_HEIGHT, /* a length > 0 */
-    ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
-    ARGUMENT_ANY,    /* a value in any unit */
-    ARGUMENT_NUMBER, /* a plain number */
-    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or one of the choices; choice k is stored as -1 - k */
+    ARGUMENT_TILT,     /* an angle in [0, theta_c] */
+    ARGUMENT_VALUE_OF, /* a value of the parameter whose name is in the member `parameter` */
+    ARGUMENT_HEIGHT,   /* a length > 0 */
+    ARGUMENT_COUNT,    /* an integer in 1 .. COUNT_MAX */
+    ARGUMENT_ANY,      /* a value in any unit */
+    ARGUMENT_NUMBER,   /* a plain number */
+    ARGUMENT_PLACE,    /* an angle in [0, theta_c], or one of the choices; choice k is stored as -1 - k */
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
@@ -46,9 +46,10 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    /* For ARGUMENT_OF: the name of the parameter. Otherwise the noun for a value in messages. */
-    const char *of;
-    int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
+    const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
+    int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
+    /* The noun for a choice in messages. Completion offers no values for an ARGUMENT_ANY that has a noun. */
+    const char *noun;
     bool optional;
     names_list *choices;
     /* Only for the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. `parse` stores its result in question->parsed.

@@ -213,7 +213,7 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     struct argument *a = reader_memory(r, sizeof *a);
     if (!a)
         return false;
-    *a = (struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name, .which = i};
+    *a = (struct argument){.name = name, .kind = ARGUMENT_VALUE_OF, .parameter = p->name, .which = i};
     return item_parse(r, a, item);
 }
 
@@ -235,14 +235,14 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     const char *word = item->word = read_word(r, false);
     if (!word)
         return false;
-    int k = parameter_search(a->choices, a->of, word, message);
+    int k = parameter_search(a->choices, a->noun, word, message);
     item->number = k;
     if (k >= 0)
         return true;
     if (k == NAMES_CLOSE)
         return problem_error(r->problem, "%s", message);
     names_all(a->choices, all);
-    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, names_shown(word), all);
+    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->noun, names_shown(word), all);
 }
 
 bool item_parse_place(struct reader *r, const struct argument *a, struct item *item)
@@ -250,7 +250,7 @@ bool item_parse_place(struct reader *r, const struct argument *a, struct item *i
     char message[NAMES_MESSAGE];
     const char *begin = r->at;
     offer_names(r, a->choices, NULL);
-    int k = word_find(r, a->choices, NULL, a->of, false, message);
+    int k = word_find(r, a->choices, NULL, a->noun, false, message);
     if (k < 0)
         return *message ? item_parse_choice(r, a, item) : item_parse(r, a, item);
     *item = (struct item){.number = -1 - k, .at = begin};

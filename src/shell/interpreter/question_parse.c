@@ -26,8 +26,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
 /* Returns true if value i of an effect is optional and the word belongs to a later value. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
-    const struct domq_effect_argument *value = parameter_value(p, i - 1);
-    for (bool is_later = false; value && value->optional; value = parameter_value(p, i++), is_later = true)
+    const struct domq_effect_argument *value = parameter_argument(p, i - 1);
+    for (bool is_later = false; value && value->optional; value = parameter_argument(p, i++), is_later = true)
         for (const char *const *w = value->words; is_later && w && *w; w++)
             if (strcmp(*w, word) == 0)
                 return true;
@@ -38,7 +38,7 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
-    const struct domq_effect_argument *value = parameter_value(p, i - 1);
+    const struct domq_effect_argument *value = parameter_argument(p, i - 1);
     struct item *item = &q->item[i], *first = &q->item[1];
     char word[PATH_MAX];
     /* The value may follow a '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
@@ -64,7 +64,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
     }
-    r->last = !parameter_value(p, i);
+    r->last = !parameter_argument(p, i);
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
@@ -103,7 +103,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     q->variable = v;
     if (v)
         return true;
-    int k = parameter_search(a->choices, a->of, word, message);
+    int k = parameter_search(a->choices, a->noun, word, message);
     if (k < 0 && is_topic && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;
@@ -135,8 +135,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     item->at = r->at;
     r->last = i + 1 == ARGUMENTS_MAX || !a[1].kind || a[1].kind == ARGUMENT_UNIT;
     switch (a->kind) {
-    case ARGUMENT_OF:
-        return item_parse_value(r, parameter_find(a->of), 0, a->name, item);
+    case ARGUMENT_VALUE_OF:
+        return item_parse_value(r, parameter_find(a->parameter), 0, a->name, item);
     case ARGUMENT_VALUE:
         return setting_parse(r, q, i);
     case ARGUMENT_PARAMETER:

@@ -45,13 +45,14 @@ static void emit_name(const struct completion *c, const char *name, const char *
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
-    size_t length = a->of ? strlen(a->of) : 0;
+    size_t length = a->parameter ? strlen(a->parameter) : 0;
     if (a->kind == ARGUMENT_COUNT)
         return false;
     if (!quantity_is_number(wanted))
         return quantity_alike(expression_unit(unit), wanted);
     /* r_max is a value for r */
-    return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
+    return length > 0 && strncmp(name, a->parameter, length) == 0 &&
+           (name[length] == '\0' || name[length] == '_');
 }
 
 /* Emits the names that have a value: parameters, commands whose answer is a number, variables and
@@ -60,7 +61,7 @@ static void emit_values(const struct completion *c)
 {
     const struct argument *a = &c->offer.value;
     const struct variables *variables = &c->session->state.variables;
-    bool is_any = c->offer.is_inside || (a->kind == ARGUMENT_ANY && !a->of),
+    bool is_any = c->offer.is_inside || (a->kind == ARGUMENT_ANY && !a->noun),
          has_row = c->session->state.scene.effect[DOM_EFFECT_row].on;
     const char *name;
     int fewest;

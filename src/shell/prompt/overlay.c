@@ -123,7 +123,7 @@ static void usage_rest(struct session *session, const char *line, char usage[HIN
     for (int i = o.argument; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
         const struct domq_effect_argument *value =
-            a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
+            a->kind == ARGUMENT_VALUE && p ? parameter_argument(p, i - 1) : NULL;
         if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
         /* The range is more useful than the name, which is already on the line. */

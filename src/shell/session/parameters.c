@@ -59,7 +59,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
     return NAMES_CLOSE;
 }
 
-const struct domq_effect_argument *parameter_value(const struct parameter *p, int i)
+const struct domq_effect_argument *parameter_argument(const struct parameter *p, int i)
 {
     return i < (p->effect ? DOM_EFFECT_ARGUMENTS : 1) && p->value[i].name ? &p->value[i] : NULL;
 }

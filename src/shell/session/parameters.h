@@ -28,7 +28,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
 
 /* Returns the description of value number i, counted from 0, or NULL after the last value. Only effects have
  * several values. */
-const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
+const struct domq_effect_argument *parameter_argument(const struct parameter *parameter, int i);
 
 /* Returns what the parameter means, as a short phrase. */
 const char *parameter_meaning(const struct parameter *parameter);

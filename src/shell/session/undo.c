@@ -46,7 +46,7 @@ static bool state_equal(const struct state *a, const struct state *b)
     for (const struct parameter *p = session_parameters; p->name; p++) {
         if (parameter_get(a, p) != parameter_get(b, p))
             return false;
-        for (int i = 1; p->effect && a->scene.effect[p->which].on && parameter_value(p, i); i++)
+        for (int i = 1; p->effect && a->scene.effect[p->which].on && parameter_argument(p, i); i++)
             if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])
                 return false;
     }

@@ -43,7 +43,7 @@ static const char *deep_names(const void *context, int k)
 static const struct argument *value_argument(const struct explained *e)
 {
     static const struct argument tilt = {.name = "VALUE", .kind = ARGUMENT_TILT},
-                                 separation = {.name = "VALUE", .kind = ARGUMENT_OF, .of = "s"},
+                                 separation = {.name = "VALUE", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
                                  height = {.name = "VALUE", .kind = ARGUMENT_HEIGHT};
     return !e->value                        ? NULL
            : strcmp(e->value, "theta") == 0 ? &tilt
@@ -53,7 +53,7 @@ static const struct argument *value_argument(const struct explained *e)
 
 static bool explain_parse(struct reader *r, struct question *q)
 {
-    static const struct argument deep = {.name = "deep", .of = "word", .choices = deep_names};
+    static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
     const struct explained *e = &explained_list[(int)q->item[0].number];
     struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
@@ -206,7 +206,7 @@ const struct command explain_commands[] = {
     {.name = "explain",
      .synonyms = "derive derivation equation formula show steps proof lesson teacher",
      .train = true,
-     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "question", .choices = explained_names},
+     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "question", .choices = explained_names},
                   {.name = "MORE",
                    .kind = ARGUMENT_GRID,
                    .optional = true,

@@ -161,7 +161,7 @@ const struct command design_commands[] = {
     {.name = "assert",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,
-                   .of = "command with a verdict",
+                   .noun = "command with a verdict",
                    .parse = assert_parse,
                    .choices = assert_names}},
      .summary = "report an error unless COMMAND answers yes, or a comparison is true",

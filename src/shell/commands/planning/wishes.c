@@ -81,9 +81,9 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
 
 static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed *w)
 {
-    const struct argument wish = {.name = "WISHES", .of = "wish", .choices = list};
+    const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
     static const struct argument least = {.name = "minimise",
-                                          .of = "thing to minimise",
+                                          .noun = "thing to minimise",
                                           .choices = least_names},
                                  values[WISHES] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
                                                    [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT},

@@ -56,11 +56,11 @@ static const char *paper_names(const void *context, int k)
 /* The arguments that may follow the name of a plot. */
 static const struct argument answer_argument = {.name = "NAME",
                                                 .kind = ARGUMENT_CHOICE,
-                                                .of = "command with a tolerance",
+                                                .noun = "command with a tolerance",
                                                 .choices = cost_names},
                              paper_argument = {.name = "paper",
                                                .kind = ARGUMENT_CHOICE,
-                                               .of = "word after 'plot growth'",
+                                               .noun = "word after 'plot growth'",
                                                .choices = paper_names},
                              rows_argument = {.name = "ROWS", .kind = ARGUMENT_COUNT},
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
@@ -243,7 +243,7 @@ const struct command plot_commands[] = {
     {.name = "plot",
      .synonyms = "picture image graph figure chart diagram svg png pdf gnuplot",
      .argument =
-         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
+         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "picture", .choices = plot_names},
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =

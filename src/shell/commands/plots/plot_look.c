@@ -22,11 +22,11 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                              number_argument = {.name = "NUMBER", .kind = ARGUMENT_NUMBER},
                              scale_argument = {.name = "SCALE",
                                                .kind = ARGUMENT_CHOICE,
-                                               .of = "scale of an axis",
+                                               .noun = "scale of an axis",
                                                .choices = scale_names},
                              legend_argument = {.name = "LEGEND",
                                                 .kind = ARGUMENT_CHOICE,
-                                                .of = "place of the legend",
+                                                .noun = "place of the legend",
                                                 .choices = legend_names};
 
 static const struct {

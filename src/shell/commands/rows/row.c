@@ -390,9 +390,10 @@ const struct command row_commands[] = {
      ANSWER(tolerance)},
     {.name = "change",
      .synonyms = "modify edit adjust alter thickness height width mass radius lean",
-     .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
-                  {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
-                  {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
+     .argument =
+         {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
+          {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .noun = "measure", .choices = row_measure_names},
+          {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another property of dominoes",
      .help = "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
              "thickness, width, gap (before the domino), mass, radius (of the edges) or lean. A lean is an "

@@ -329,9 +329,9 @@ const struct command study_commands[] = {
     {.name = "budget",
      .synonyms = "probability chance random precision spacing tolerance",
      .argument =
-         {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
+         {{.name = "P", .kind = ARGUMENT_ANY, .noun = "share"},
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
-          {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
+          {.name = "E", .kind = ARGUMENT_CHOICE, .noun = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
      .help = "Finds sigma, the standard deviation that the errors in the gaps may have. With this sigma, the "
              "share P of ROWS random rows falls (1000 rows if ROWS is left out). If the errors are uniform, "

@@ -47,7 +47,8 @@ static const struct column *answered_columns(const struct sweeper *w)
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
-        if (q->command->argument[i].of && strcmp(q->command->argument[i].of, q->command->echo) == 0)
+        if (q->command->argument[i].parameter &&
+            strcmp(q->command->argument[i].parameter, q->command->echo) == 0)
             return true;
     return false;
 }
