@@ -124,7 +124,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
-        session->means.safe = session->means.safe || option == 's';
+        session->run_context.safe = session->run_context.safe || option == 's';
         is_interruptible = is_interruptible || option == 'i';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
@@ -136,7 +136,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->quit = true;
             return true;
         }
-        if (option == 'p' && !shard_read(optarg, &session->means.shard))
+        if (option == 'p' && !shard_read(optarg, &session->run_context.shard))
             return false;
         if (option == '?') {
             fputs(usage, stderr);

@@ -113,7 +113,7 @@ static void help_example(struct session *session, const char *example)
     fresh.standard.messages = session->output->messages;
     fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     fresh.source.name = "help";
-    fresh.means.safe = fresh.bail = true;
+    fresh.run_context.safe = fresh.bail = true;
     putc('\n', session->output->out);
     help_say(session->output->out, "Example: %s", example);
     putc('\n', session->output->out);
@@ -311,7 +311,8 @@ static bool run_complete(struct session *session, const struct arguments *given,
 {
     (void)problem;
     answer_columns(a, complete_columns);
-    complete_line(session, given->count ? given->word[0] : "", !session->means.safe, print_candidate, a);
+    complete_line(session, given->count ? given->word[0] : "", !session->run_context.safe, print_candidate,
+                  a);
     return true;
 }
 

@@ -97,7 +97,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     session_init(&reader, session->output->out);
     reader.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     reader.standard.messages = session->output->messages;
-    reader.means.safe = session->means.safe;
+    reader.run_context.safe = session->run_context.safe;
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
     progress_end(); /* the progress display must not count the time that the reader takes */
     if (waits)

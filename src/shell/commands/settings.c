@@ -24,7 +24,7 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
     if (a->wrote_text)
         answer_say(a, "%s", text);
     else
-        means_note(query->means, "%s", text);
+        run_context_note(query->run_context, "%s", text);
 }
 
 /* Prints the value that 'on' gave to an effect, because the user may not know it. */
@@ -76,25 +76,25 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
     if (!height_likely(query, problem))
         return false;
-    if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
+    if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->run_context, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
     /* In a script, the next line may set the second parameter, so there is no message. */
-    if (moved && parameter_get(next, moved) != was && !query->means->sourced)
+    if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
     int all = state_style(next).all_digits;
-    if (p == parameter_find("digits") && next->settings.style.digits > all && !query->means->sourced)
+    if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
         answer_say(a, "%s precision has %d digits at most%s", domq_arithmetic(precision)->name, all,
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
     const bool is_size = strlen(p->name) == 1 && strchr("srdh", *p->name);
-    if (next->scene.listed.domino && is_size && !query->means->sourced)
+    if (next->scene.listed.domino && is_size && !query->run_context->sourced)
         change_say(query, a,
                    "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from "
                    "s, r, d and h.",
                    p->name, effect_setting(query->scene, DOM_EFFECT_row));
     const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
-    if (kept > 0 && !next->scene.listed.domino && !query->means->sourced)
+    if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
         change_say(query, a,
                    "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
                    "'effect row "

@@ -168,10 +168,10 @@ enum { USAGE_SIZE = 96 };
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
 /* If the session is safe and the command reads or writes files, sets *problem and returns false. */
-static inline bool command_allowed(const struct means *means, const struct command *command,
+static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {
-    return !(command->files && means->safe) ||
+    return !(command->files && run_context->safe) ||
            problem_error(problem, "a safe session cannot read or write files");
 }
 

@@ -119,7 +119,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     struct output *end = *output_find(&session->output, OUTPUT_SINKS);
     int error = end->error;
-    bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
+    bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->run_context.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
         /* It is not a write error if the user closes the pager before the end of the answer. */
@@ -221,7 +221,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     if (!command_ends(r->at))
         return problem_error(problem,
                              "only one word can follow '>'; put a file name with blanks in double quotes");
-    if (session->means.safe)
+    if (session->run_context.safe)
         return problem_error(problem, "a safe session cannot read or write files");
     return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
 }
@@ -232,7 +232,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
  * an answer. With --shard, only part 1 writes the object, because all outputs are concatenated. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
-    const struct shard *shard = &session->means.shard;
+    const struct shard *shard = &session->run_context.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
     /* After 'source', session->wrote says only what the last command of the file did. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;

@@ -38,7 +38,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     struct cell cells[ANSWER_CELLS];
     struct arguments given = {.count = t->count};
     struct query query = *lookup->query;
-    if (!command_allowed(query.means, c, lookup->problem))
+    if (!command_allowed(query.run_context, c, lookup->problem))
         return false;
     for (int i = 0; i < t->count; i++)
         if (!argument_check(&query, &c->argument[i], argument[i], &given.number[i], lookup->problem))

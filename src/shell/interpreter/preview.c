@@ -24,7 +24,7 @@ static enum preview command_preview(struct reader *r)
 enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
                           struct offer *offer)
 {
-    struct means means = session->means;
+    struct run_context run_context = session->run_context;
     struct query query = session_query(session);
     struct problem problem;
     struct text text;
@@ -35,8 +35,8 @@ enum preview line_preview(struct session *session, const char *line, size_t leng
         free(size < 0 ? NULL : whole);
         return PREVIEW_WRONG;
     }
-    means.note = NULL;
-    query.means = &means;
+    run_context.note = NULL;
+    query.run_context = &run_context;
     struct reader r = {.query = &query,
                        .problem = &problem,
                        .text = &text,

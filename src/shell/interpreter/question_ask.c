@@ -22,7 +22,7 @@ bool question_bind(const struct question *q, const struct query *query, struct c
     call->given = (struct arguments){
         .count = q->count, .parameter = q->parameter, .variable = q->variable, .bound = q->parsed};
     call->query = *query;
-    if (!command_allowed(query->means, q->command, problem) ||
+    if (!command_allowed(query->run_context, q->command, problem) ||
         (q->with && !with_bind(q, query, call, problem)))
         return false;
     call->query.given = &call->given;

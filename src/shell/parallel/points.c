@@ -4,7 +4,7 @@
 bool points_answer(const struct query *query, struct problem *problem, struct answer *a, struct workers w,
                    bool *by_point)
 {
-    struct range part = means_part(query->means, w.points);
+    struct range part = shard_range(&query->run_context->shard, w.points);
     w.first = part.first;
     w.points = part.count;
     w.count = workers_count(query->state->settings.threads, part.count);

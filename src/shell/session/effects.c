@@ -64,21 +64,21 @@ static void row_drop(struct scene *scene)
 }
 
 /* Reads a row from a file. On failure, sets *problem and returns false. */
-static bool row_read(const struct scene *scene, const char *name, const struct means *means,
+static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
                      struct listed_row *row, struct problem *problem)
 {
-    struct csv_table *csv = csv_named(scene, means, name, false, &rowfile_kind, problem);
+    struct csv_table *csv = csv_named(scene, run_context, name, false, &rowfile_kind, problem);
     if (!csv)
         return false;
     bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;
     for (size_t k = 0; k < row->count; k++)
         rounded = rounded || row->domino[k].radius > 0;
     if (rounded && !scene->effect[DOM_EFFECT_edges].on)
-        means_note(means, "%s:%ld: the radii have no effect until you enter 'effect edges on'", csv->path,
-                   csv->head.at.line);
+        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'effect edges on'",
+                         csv->path, csv->head.at.line);
     if (good && *csv->unused)
-        means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
-                   csv->unused, csv->kind->names);
+        run_context_note(run_context, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path,
+                         csv->head.at.line, csv->unused, csv->kind->names);
     /* 'save' needs an absolute path, since its script may be in another directory. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     /* A pipe has no absolute path. */
@@ -89,17 +89,18 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     return csv_end(csv, problem);
 }
 
-bool scene_row_load(struct scene *scene, const char *name, const struct means *means, struct problem *problem)
+bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
+                    struct problem *problem)
 {
     struct listed_row file = {.domino = NULL};
     struct problem in_file = {.kind = PROBLEM_NONE};
     char needed[256];
     bool earlier = scene->effect[DOM_EFFECT_row].on;
-    if (means->safe)
+    if (run_context->safe)
         problem_error(&in_file,
                       "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
                       names_shown(name));
-    else if (row_read(scene, name, means, &file, &in_file)) {
+    else if (row_read(scene, name, run_context, &file, &in_file)) {
         listed_free(&scene->listed);
         scene->listed = file;
         scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};

@@ -41,7 +41,7 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. An
  * earlier row is then turned off, so that later answers are not silently about the earlier row. */
-bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
+bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
                     struct problem *problem);
 
 #endif

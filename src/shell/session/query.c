@@ -3,21 +3,21 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-void means_note(const struct means *means, const char *format, ...)
+void run_context_note(const struct run_context *run_context, const char *format, ...)
 {
     char text[PROBLEM_TEXT];
     va_list arguments;
-    if (!means->note)
+    if (!run_context->note)
         return;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    means->note(means->context, text);
+    run_context->note(run_context->note_context, text);
 }
 
-struct range means_part(const struct means *means, size_t points)
+struct range shard_range(const struct shard *shard, size_t points)
 {
-    struct shard s = means->shard;
+    const struct shard s = *shard;
     if (s.parts == 0)
         return (struct range){0, points};
     /* Part k ends at floor(points * k / parts). This form cannot overflow. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The input of a command: the state, the arguments, the last answer, and the circumstances of the run. */
+/* The input of a command: the state, the arguments, the last answer, and the context in which the command
+ * runs. */
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
@@ -14,24 +15,25 @@ struct shard {
     size_t part, parts;
 };
 
-/* The circumstances in which a command runs. They do not affect the numbers. */
-struct means {
+/* The context in which a command runs. It does not affect the numbers. */
+struct run_context {
     struct shard shard;
     bool safe;          /* commands must not read or write files */
     bool sourced;       /* the command comes from a file that 'source' runs */
     const char *script; /* the path of the running script; NULL at the prompt */
     /* Shows a note to the user immediately. May be NULL. */
     void (*note)(void *context, const char *text);
-    void *context; /* for `note` */
+    void *note_context;
 };
 
-void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void run_context_note(const struct run_context *run_context, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* Returns the index of the first point that --shard requests, and the number of points. */
 struct range {
     size_t first, count;
 };
-struct range means_part(const struct means *means, size_t points);
+struct range shard_range(const struct shard *shard, size_t points);
 
 enum { ANSWER_CELLS = 16 };
 
@@ -62,7 +64,7 @@ struct query {
     const struct scene *scene; /* the scene of `state` */
     const struct arguments *given;
     const struct last_answer *ans;
-    const struct means *means;
+    const struct run_context *run_context;
     struct walk *walk;
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };

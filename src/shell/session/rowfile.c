@@ -12,11 +12,12 @@
 
 /* Returns the path of a file beside the running script, or a copy of `name` if there is no such file. The
  * caller frees the path. */
-static char *path_beside(const struct means *means, const char *name)
+static char *path_beside(const struct run_context *run_context, const char *name)
 {
-    const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
+    const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;
     char *path = NULL;
-    if (slash && asprintf(&path, "%.*s%s", (int)(slash + 1 - means->script), means->script, name) < 0)
+    if (slash &&
+        asprintf(&path, "%.*s%s", (int)(slash + 1 - run_context->script), run_context->script, name) < 0)
         return NULL;
     if (path && access(path, F_OK) == 0)
         return path;
@@ -36,12 +37,13 @@ bool csv_end(struct csv_table *csv, struct problem *problem)
     return good;
 }
 
-struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
-                            bool standard, const struct csv_kind *kind, struct problem *problem)
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, bool standard, const struct csv_kind *kind,
+                            struct problem *problem)
 {
     const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
     standard = standard && strcmp(name, "-") == 0;
-    char *path = path_beside(means, name);
+    char *path = path_beside(run_context, name);
     FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
     struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
     if (!csv)

@@ -9,8 +9,9 @@
 /* Opens a csv file, and reads the first line of its table. Looks beside the running script first, and then in
  * the current directory. If `standard` is true, '-' is standard input. On failure, sets *problem and returns
  * NULL. */
-struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
-                            bool standard, const struct csv_kind *kind, struct problem *problem);
+struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,
+                            const char *name, bool standard, const struct csv_kind *kind,
+                            struct problem *problem);
 
 /* Closes a table. Returns true if the table was read without a problem. Otherwise copies the table's problem
  * to *problem and returns false. If `csv` is NULL, just returns false. */

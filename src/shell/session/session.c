@@ -19,7 +19,7 @@ void session_init(struct session *session, FILE *out)
 {
     *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = stderr}};
     session->output = &session->standard;
-    session->means = (struct means){.note = note, .context = session};
+    session->run_context = (struct run_context){.note = note, .note_context = session};
     state_init(&session->state);
 }
 
@@ -39,13 +39,13 @@ void session_close(struct session *session)
 
 struct query session_query(struct session *session)
 {
-    session->means.script = session->source.name;
-    session->means.sourced = session->source.depth > 0;
+    session->run_context.script = session->source.name;
+    session->run_context.sourced = session->source.depth > 0;
     return (struct query){.state = &session->state,
                           .scene = &session->state.scene,
                           .ans = &session->ans,
                           .walk = &session->walk,
-                          .means = &session->means};
+                          .run_context = &session->run_context};
 }
 
 bool session_stops(const struct session *session, long errors)

@@ -13,7 +13,7 @@ struct session {
     struct state state;
     struct last_answer ans;
     struct walk walk;
-    struct means means;
+    struct run_context run_context;
     struct undo *undo; /* the history of states; NULL until a command has changed the state */
 
     struct output *output; /* the top of the stack of outputs, which receives the answers */

@@ -25,13 +25,13 @@ domq_real probe_at(struct probe *p, domq_real value)
 {
     struct state point;
     struct query at;
-    struct means means = *p->query->means;
+    struct run_context run_context = *p->query->run_context;
     const struct assigned assigned = {p->parameter, value, NULL};
     struct quantity answer = {.value = 0};
     problem_begin(&p->problem, p->command);
     bool put = query_with(p->query, &assigned, p->parameter != NULL, &point, &at, &p->problem);
-    at.means = &means;
-    means.shard.parts = 0;
+    at.run_context = &run_context;
+    run_context.shard.parts = 0;
     point.settings.threads = 1;
     bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)
                                    : question_value(p->question, &at, &answer, &p->problem));

@@ -350,7 +350,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
     char missing[128];
     struct pool p = {.blocks = 0};
     struct csv_table *csv =
-        csv_named(query->scene, query->means, query->given->word[0], true, &pool_kind, problem);
+        csv_named(query->scene, query->run_context, query->given->word[0], true, &pool_kind, problem);
     while (csv && csv_next(csv) && block_add(&p, csv))
         ;
     bool good = p.block && !*csv->file.problem.text && blocks_check(&p, csv, missing, sizeof missing);

@@ -328,7 +328,7 @@ static bool run_change(const struct query *query, struct answer *a, struct probl
     const struct row_range *range = c->ranges ? c->range : &all;
     const int ranges = c->ranges ? c->ranges : 1;
     bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
-    if (good && answer_for_people(a) && !query->means->sourced) {
+    if (good && answer_for_people(a) && !query->run_context->sourced) {
         after = measures_list(&query->next->scene, measure, &count, problem);
         good = after;
         if (good)

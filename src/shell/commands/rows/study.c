@@ -78,8 +78,8 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
         !t.has_errors
             ? problem_error(problem, "this command needs random errors; first enter 'effect placement 1 mm', "
                                      "or another error, such as 'effect error_thickness 1 %%'")
-        : query->means->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
-                                        : placement_answer(query, a, problem, &t);
+        : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
+                                              : placement_answer(query, a, problem, &t);
     free(t.scene.domino);
     return done;
 }

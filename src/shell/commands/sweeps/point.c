@@ -184,7 +184,7 @@ static bool point_answer(struct sweeper *w, size_t k)
     w->reason[0] = '\0';
     problem_begin(&w->problem, w->command);
     bool is_assigned = query_with(w->query, w->assigned, w->grid->axes, &state, &at, &w->problem);
-    at.means = &w->means;
+    at.run_context = &w->run_context;
     state.settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
     if (w->styled) {
         struct answer_style style = state_style(&state);

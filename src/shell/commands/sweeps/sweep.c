@@ -177,7 +177,8 @@ static void tally_say(struct sweeper *w, struct answer *a)
         text_add(where, sizeof where, "%s%s = %s", i ? ", " : "", w->grid->axis[i].parameter->name,
                  cell_text(w->value[i], 6, false, number));
     answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason,
-               means_part(w->query->means, w->grid->points).count, t->with_reason == 1 ? "has" : "have",
+               shard_range(&w->query->run_context->shard, w->grid->points).count,
+               t->with_reason == 1 ? "has" : "have",
                t->without_answer == t->with_reason ? "no answer" : "a missing value", where, t->reason,
                t->with_reason == 1 ? "" : " csv and json give the reason for each of them.");
 }
@@ -192,8 +193,8 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     w->question = &s->parsed->question;
     w->query = query;
     w->command = problem->command;
-    w->means = *query->means;
-    w->means.shard.parts = 0;
+    w->run_context = *query->run_context;
+    w->run_context.shard.parts = 0;
     w->answer = *a;
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
