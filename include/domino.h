@@ -416,23 +416,23 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in order of time, for `rows` states evenly spaced over the cycle, and for the state at each
+ * Calls visit, in order of time, for `count` states evenly spaced over the cycle, and for the state at each
  * event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
  *
  * A walk takes far less time than a call of dom_cycle_state for each state. The statuses are those of
  * dom_cycle_events. DOM_STOPS is returned after all states have been visited.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
-enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
 /* The contact force and the impulse between domino i and its follower. The two stay in contact while the
  * force is > 0 (section 5 of the paper). */
 struct dom_force {
-    size_t i;         /* number of the domino, 0 = head */
-    dom_real force;   /* contact force in m g of the head; NaN if domino i has no follower */
-    dom_real of_own;  /* the force divided by the weight of domino i */
-    dom_real impulse; /* impulse of the collision, in m g tau of the head; NaN if theta > 0 */
+    size_t i;            /* number of the domino, 0 = head */
+    dom_real force;      /* contact force in m g of the head; NaN if domino i has no follower */
+    dom_real per_weight; /* the force divided by the weight of domino i */
+    dom_real impulse;    /* impulse of the collision, in m g tau of the head; NaN if theta > 0 */
 };
 
 /* Calls visit for the dominoes of a moving train at the tilt theta, from the head to the last domino that
@@ -591,7 +591,7 @@ const struct dom_effect *dom_effect(enum dom_effect_name name);
 
 /* Returns the first effect that is on in a train and changes anything besides tau, or NULL if there is
  * none. */
-const struct dom_effect *dom_dynamics(const struct dom_train *train);
+const struct dom_effect *dom_first_effect(const struct dom_train *train);
 
 /* The law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;

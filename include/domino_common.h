@@ -139,7 +139,7 @@ const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
     DOM_EVENT_LAUNCH, /* the head has been hit and begins to move */
-    DOM_EVENT_FALL,   /* a follower detaches from its leader, the domino on which it leaned (41; A17) */
+    DOM_EVENT_DETACH, /* a follower detaches from its leader, the domino on which it leaned (41; A17) */
     DOM_EVENT_TOP,    /* the head passes the top of the barrier, if there is a barrier */
     DOM_EVENT_STOP,   /* the train comes to rest before the top of the barrier, and there is no next hit */
     DOM_EVENT_HIT     /* the head hits the next domino (2; a2) */

@@ -55,7 +55,7 @@ enum dom_window_of {
     DOM_WINDOW_PLACE,
     DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass is proportional to the volume of the wood */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
-    DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
+    DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
     /* The thickness of a domino. The mass is proportional to the volume of the wood. No gap changes. */
     DOM_WINDOW_THICKNESS
 };
@@ -355,8 +355,8 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
  * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes already fall. The statuses
  * are those of dom_row_run, and DOM_BAD_PUSH if `strongest` is not a finite number > 0.
  */
-enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
-                             dom_real *push);
+enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
+                                     dom_real strongest, dom_real *push);
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
@@ -468,7 +468,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
 /* ---- Errors: the same row, set up many times ---- */
 
 /* A random error. */
-struct dom_error {
+struct dom_random_error {
     /* The standard deviation of a normal distribution, or the limit of a uniform one; >= 0. */
     dom_real size;
     bool uniform; /* true if all errors from -size to size are equally likely */
@@ -486,7 +486,7 @@ struct dom_error {
  * - A friction or a push that would be negative becomes 0.
  */
 struct dom_placement {
-    struct dom_error error[DOM_ERROR_COUNT];
+    struct dom_random_error error[DOM_ERROR_COUNT];
     /* Each error of row i depends only on the seed, the kind of the error and i. */
     unsigned long seed;
     size_t first, rows;     /* the rows first ... first + rows - 1; rows >= 1 */

@@ -125,11 +125,11 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
     return ASK(q, cycle_tilt, time, theta);
 }
 
-enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
                                enum dom_spacing by, dom_state_visit *visit, void *context)
 {
     struct question q = question_make(train, compute);
-    return ASK(q, cycle_walk, rows, by, visit, context);
+    return ASK(q, cycle_walk, count, by, visit, context);
 }
 
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,

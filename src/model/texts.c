@@ -37,7 +37,7 @@ const char *dom_end_text(enum dom_end end)
 const char *dom_event_text(enum dom_event_kind kind)
 {
     static const char *const text[] = {[DOM_EVENT_LAUNCH] = "launch",
-                                       [DOM_EVENT_FALL] = "fall",
+                                       [DOM_EVENT_DETACH] = "fall",
                                        [DOM_EVENT_TOP] = "top",
                                        [DOM_EVENT_STOP] = "stop",
                                        [DOM_EVENT_HIT] = "hit"};

@@ -1,4 +1,4 @@
-"""The structures and functions of libdomino: made of its headers by header.py."""
+"""The structures and functions of libdomino, generated from its headers by header.py."""
 
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint,
                     c_ulong, c_void_p)
@@ -96,7 +96,7 @@ class dom_end(IntEnum):
 
 class dom_event_kind(IntEnum):
     DOM_EVENT_LAUNCH = 0
-    DOM_EVENT_FALL = 1
+    DOM_EVENT_DETACH = 1
     DOM_EVENT_TOP = 2
     DOM_EVENT_STOP = 3
     DOM_EVENT_HIT = 4
@@ -153,7 +153,7 @@ class dom_window_of(IntEnum):
     DOM_WINDOW_PLACE = 1
     DOM_WINDOW_HEIGHT = 2
     DOM_WINDOW_FRICTION = 3
-    DOM_WINDOW_PLUMB = 4
+    DOM_WINDOW_LEAN = 4
     DOM_WINDOW_THICKNESS = 5
 
 
@@ -385,7 +385,7 @@ class dom_design(Structure):
     pass
 
 
-class dom_error(Structure):
+class dom_random_error(Structure):
     pass
 
 
@@ -588,7 +588,7 @@ dom_state_visit = CFUNCTYPE(c_bool, POINTER(dom_state), POINTER(dom_event), c_vo
 dom_force._fields_ = [
     ("i", c_size_t),
     ("force", c_double),
-    ("of_own", c_double),
+    ("per_weight", c_double),
     ("impulse", c_double),
 ]
 dom_force_visit = CFUNCTYPE(c_bool, POINTER(dom_force), c_void_p)
@@ -782,12 +782,12 @@ dom_design._fields_ = [
     ("limit", c_int),
     ("needs", c_double),
 ]
-dom_error._fields_ = [
+dom_random_error._fields_ = [
     ("size", c_double),
     ("uniform", c_bool),
 ]
 dom_placement._fields_ = [
-    ("error", dom_error * 11),
+    ("error", dom_random_error * 11),
     ("seed", c_ulong),
     ("first", c_size_t),
     ("rows", c_size_t),
@@ -869,7 +869,7 @@ FUNCTIONS = {
     "dom_limit_best": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_best)]),
     "dom_trains_ask": (c_int, [c_int, POINTER(dom_train), POINTER(c_double), c_size_t, POINTER(dom_compute), c_void_p, POINTER(c_int)]),
     "dom_effect": (POINTER(dom_effect), [c_int]),
-    "dom_dynamics": (POINTER(dom_effect), [POINTER(dom_train)]),
+    "dom_first_effect": (POINTER(dom_effect), [POINTER(dom_train)]),
     "dom_law": (POINTER(dom_effect), [POINTER(dom_train)]),
     "dom_box_find": (c_int, [c_double, c_double, c_double, c_double, POINTER(dom_box)]),
     "dom_scale_tau": (c_double, [POINTER(dom_scale), POINTER(dom_train)]),
@@ -884,7 +884,7 @@ FUNCTIONS = {
     "dom_row_rmax": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, dom_row_make, c_void_p, POINTER(dom_row_growth)]),
     "dom_row_mend": (c_int, [POINTER(dom_row), POINTER(dom_compute), dom_progress, c_void_p, POINTER(dom_mend), POINTER(c_size_t)]),
     "dom_row_windows": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_int, dom_progress, c_void_p, POINTER(dom_window)]),
-    "dom_row_push": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, POINTER(c_double)]),
+    "dom_row_weakest_push": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, POINTER(c_double)]),
     "dom_design_find": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_compute), POINTER(dom_design)]),
     "dom_design_fit": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), POINTER(dom_design)]),
     "dom_design_steps": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), c_size_t, POINTER(dom_design)]),

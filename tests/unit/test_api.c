@@ -243,7 +243,7 @@ static bool force_same(const struct domq_force *force, void *context)
     const struct domq_force q = *force;
     SAME(i);
     SAME(force);
-    SAME(of_own);
+    SAME(per_weight);
     SAME(impulse);
     return seen->compared < KEPT;
 }

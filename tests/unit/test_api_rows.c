@@ -148,8 +148,8 @@ TEST(growths_mends_and_pushes)
         double push;
         domq_real pushq;
         rows_make(&r, 1.3, 0.2, 0, p);
-        assert_status(dom_row_push(&r.row, &r.compute, 100, &push), DOM_OK);
-        assert_status(domq_row_push(&r.rowq, &r.computeq, 100, &pushq), DOM_OK);
+        assert_status(dom_row_weakest_push(&r.row, &r.compute, 100, &push), DOM_OK);
+        assert_status(domq_row_weakest_push(&r.rowq, &r.computeq, 100, &pushq), DOM_OK);
         assert_in_both("push", push, pushq, rounding);
         assert_true(push > 0.2);
         struct dom_mend mends[DOM_MENDS];
@@ -171,7 +171,7 @@ TEST(growths_mends_and_pushes)
         struct dom_window windows[8];
         struct domq_window windowsq[8];
         rows_make(&r, 1.3, 6, 0, p);
-        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_PLUMB; of++) {
+        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++) {
             size_t number = of == DOM_WINDOW_FRICTION ? 1 : r.row.count - (of <= DOM_WINDOW_PLACE);
             assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, windows), DOM_OK);
             assert_status(domq_row_windows(&r.rowq, &r.computeq, of, NULL, NULL, windowsq), DOM_OK);
@@ -329,19 +329,19 @@ TEST(effects)
     DOM_EFFECTS(NAMED)
 }
 
-/* Checks dom_dynamics and dom_law for a train without effects, and with one effect at a time. */
+/* Checks dom_first_effect and dom_law for a train without effects, and with one effect at a time. */
 TEST(laws)
 {
     struct dom_train t = dom_train_default();
     struct domq_train tq = domq_train_default();
-    assert_true(!dom_dynamics(&t) && !domq_dynamics(&tq));
+    assert_true(!dom_first_effect(&t) && !domq_first_effect(&tq));
     assert_ptr_equal(dom_law(&t), &dom_energy_balance);
     assert_ptr_equal(domq_law(&tq), &domq_energy_balance);
 #define LAW(effect, member, status)                                                                          \
     t.member = tq.member = dom_effects[DOM_EFFECT_##effect].argument[0].highest;                             \
-    assert_ptr_equal(dom_dynamics(&t),                                                                       \
+    assert_ptr_equal(dom_first_effect(&t),                                                                   \
                      dom_effects[DOM_EFFECT_##effect].cancels ? NULL : &dom_effects[DOM_EFFECT_##effect]);   \
-    assert_ptr_equal(domq_dynamics(&tq),                                                                     \
+    assert_ptr_equal(domq_first_effect(&tq),                                                                 \
                      domq_effects[DOM_EFFECT_##effect].cancels ? NULL : &domq_effects[DOM_EFFECT_##effect]); \
     assert_ptr_equal(dom_law(&t), dom_effects[DOM_EFFECT_##effect].dissipates                                \
                                       ? &dom_effects[DOM_EFFECT_##effect]                                    \

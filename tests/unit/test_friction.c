@@ -214,7 +214,7 @@ TEST(friction_takes_its_work)
             if (!(fabs(friction_work - (double)s.friction_work) <=
                   1e-9 * (double)(s.before + fabs((double)s.climbed))))
                 fail_train("the work of friction", &train, s.friction_work, friction_work);
-            falls += events[k].kind == DOM_EVENT_FALL;
+            falls += events[k].kind == DOM_EVENT_DETACH;
             checked++;
         }
         /* Just before the hit, the hitting train is this train at theta_c, with its energies multiplied by

@@ -208,7 +208,7 @@ TEST(common_error_is_a_mixture)
     given[2].gap = 0.45 * given[2].height;
     placement.rows = FIXED * EACH;
     row.mu = mu;
-    placement.error[DOM_ERROR_friction] = (struct dom_error){.size = size, .uniform = true};
+    placement.error[DOM_ERROR_friction] = (struct dom_random_error){.size = size, .uniform = true};
     assert_int_equal(dom_placement_study(&row, NULL, &placement, &count, NULL), DOM_OK);
     placement.error[DOM_ERROR_friction].size = 0;
     placement.rows = EACH;

@@ -161,16 +161,16 @@ TEST(over_its_edge)
     domq_real push;
     for (double own = 0; own < 1; own += 0.3) {
         run.row.push = own * edge;
-        assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
+        assert_status(ask_row_weakest_push(&run.row, 100, &push), DOM_OK);
         assert_true(push >= edge * (1 - 1e-12) && push <= 1.002 * edge);
     }
     /* A push stronger than needed is returned unchanged. */
     run.row.push = 2 * edge;
-    assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
+    assert_status(ask_row_weakest_push(&run.row, 100, &push), DOM_OK);
     assert_true(push == run.row.push);
     run.row.push = 0;
     push = 0;
-    assert_status(ask_row_push(&run.row, 0.99 * edge, &push), DOM_OK);
+    assert_status(ask_row_weakest_push(&run.row, 0.99 * edge, &push), DOM_OK);
     assert_true(isnan((double)push));
 }
 
@@ -189,7 +189,7 @@ TEST(the_weakest_push)
         if (row_end(&run) == DOM_ROW_FALLS)
             continue;
         domq_real push;
-        assert_status(ask_row_push(&run.row, 1e3, &push), DOM_OK);
+        assert_status(ask_row_weakest_push(&run.row, 1e3, &push), DOM_OK);
         none += isnan((double)push);
         if (isnan((double)push))
             continue;

@@ -68,9 +68,9 @@ TEST(events_are_in_order)
         for (int k = 1; k < n; k++) {
             stops += events[k].kind == DOM_EVENT_STOP;
             hits += events[k].kind == DOM_EVENT_HIT;
-            falls += events[k].kind == DOM_EVENT_FALL;
+            falls += events[k].kind == DOM_EVENT_DETACH;
             tops += events[k].kind == DOM_EVENT_TOP;
-            if (events[k].kind == DOM_EVENT_FALL) {
+            if (events[k].kind == DOM_EVENT_DETACH) {
                 /* The leader of the domino has reached theta_leave, and the domino has the tilt theta_f. */
                 struct domq_contact c = {.theta_1 = events[k].theta};
                 for (size_t j = 1; j < events[k].domino; j++)
@@ -154,10 +154,10 @@ static bool force_seen(const struct domq_force *force, void *context)
     struct smallest *s = context;
     if (force->i == 0)
         s->head = (double)force->force;
-    s->force = fmin(s->force, (double)force->of_own);
+    s->force = fmin(s->force, (double)force->per_weight);
     /* Each domino has r^(q-1) times less mass than its leader, so mass times height is multiplied by r^-q. */
     if (!isnan((double)force->force))
-        assert_near("of its own weight", force->of_own,
+        assert_near("of its own weight", force->per_weight,
                     force->force * pow(s->train->r, (s->train->q - 1) * (double)force->i), 1e-12);
     s->impulse = fmin(s->impulse, (double)force->impulse);
     return true;

@@ -254,7 +254,7 @@ static void searches_refused(const struct dom_row *row, const struct dom_compute
     assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
     assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
     assert_named(dom_row_windows(row, compute, DOM_WINDOW_GAP, NULL, NULL, windows), expected);
-    assert_named(dom_row_push(row, compute, 100, &push), expected);
+    assert_named(dom_row_weakest_push(row, compute, 100, &push), expected);
     assert_true(growth.r_max == -1 && count == 7 && push == -1);
 }
 
@@ -342,7 +342,7 @@ TEST(searches)
         const double bad[] = {0, -1, (double)NAN, (double)INFINITY, -(double)INFINITY};
         double highest = k == 0 ? nextafter(1, 0) : bad[k];
         assert_named(dom_row_rmax(&r.row, NULL, highest, row_copy, r.domino, &growth), DOM_BAD_R);
-        assert_named(dom_row_push(&r.row, NULL, bad[k], &push), DOM_BAD_PUSH);
+        assert_named(dom_row_weakest_push(&r.row, NULL, bad[k], &push), DOM_BAD_PUSH);
     }
     assert_true(growth.r_max == -1 && push == -1);
 }

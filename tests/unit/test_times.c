@@ -316,8 +316,8 @@ TEST(tables_and_answers)
 static bool force_seen(const struct domq_force *f, void *context)
 {
     double *least = context;
-    if (f->of_own < *least)
-        *least = (double)f->of_own;
+    if (f->per_weight < *least)
+        *least = (double)f->per_weight;
     return true;
 }
 

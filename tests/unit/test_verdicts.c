@@ -23,7 +23,7 @@ struct kind {
     enum dom_precision precision;
     size_t count, rows;
     double s, r, q, push, sigma, heights, mu, alpha, walls, rho;
-    struct domq_error error[DOM_ERROR_COUNT]; /* more errors */
+    struct domq_random_error error[DOM_ERROR_COUNT]; /* more errors */
 };
 
 /* Initializers for the size of a normal error, and for the limit of a uniform error. */

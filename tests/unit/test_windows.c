@@ -104,7 +104,7 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     } else if (of == DOM_WINDOW_HEIGHT) {
         d->mass *= value / d->height;
         d->height = value;
-    } else if (of == DOM_WINDOW_PLUMB) {
+    } else if (of == DOM_WINDOW_LEAN) {
         d->lean = value;
     } else if (of == DOM_WINDOW_THICKNESS) {
         d->mass *= value / d->thickness;
@@ -262,7 +262,7 @@ TEST(equal_dominoes)
     static struct domq_window one[MOST], other[MOST];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_THICKNESS; of++) {
-            if (of == DOM_WINDOW_FRICTION || (of == DOM_WINDOW_PLUMB && rows[i].rho != 0) || (of + i) % 2)
+            if (of == DOM_WINDOW_FRICTION || (of == DOM_WINDOW_LEAN && rows[i].rho != 0) || (of + i) % 2)
                 continue;
             make_row(&equal, 20, 0.4, 1, rows[i].mu);
             equal.row.alpha = (domq_real)rows[i].alpha;
@@ -339,7 +339,7 @@ TEST(in_float)
     make_row(&run, 7, 0.4, 1.5, 0);
     run.row.domino = run.domino;
     run.row.push = DOMQ_NAN;
-    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_PLUMB; of++) {
+    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_LEAN; of++) {
         run.row.precision = DOM_DOUBLE;
         assert_status(ask_row_windows(&run.row, (enum dom_window_of)of, NULL, NULL, exact), DOM_OK);
         run.row.precision = DOM_FLOAT;

@@ -12,7 +12,7 @@ const struct dom_effect dom_energy_balance = {
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
-/* The words for the distribution of errors, indexed by the member `uniform` of struct dom_error. */
+/* The words for the distribution of errors, indexed by the member `uniform` of struct dom_random_error. */
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
 const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
@@ -271,7 +271,7 @@ enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
 
 #define VALUE(effect, member, status) train->member,
 
-const struct dom_effect *dom_dynamics(const struct dom_train *train)
+const struct dom_effect *dom_first_effect(const struct dom_train *train)
 {
     const dom_real value[] = {DOM_DYNAMICS(VALUE)};
     int k = dynamics_first(value);

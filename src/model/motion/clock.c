@@ -189,7 +189,7 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_walk(const struct request *train, size_t rows, enum dom_spacing by,
+KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
                                   dom_state_visit *visit, void *context)
 {
     struct table t = {.errors = train->errors, .visit = visit, .context = context};
@@ -201,8 +201,8 @@ KERNEL enum dom_status cycle_walk(const struct request *train, size_t rows, enum
         status = motion_events(&t.m, events, &count);
     if (status == DOM_OK)
         status = clock_begin(&t.m, &t.clock, &whole);
-    for (size_t k = 0; k < rows && status == DOM_OK && !t.ended; k++) {
-        real part = rows > 1 ? (real)k / (real)(rows - 1) : 1, theta = part * t.m.end;
+    for (size_t k = 0; k < states && status == DOM_OK && !t.ended; k++) {
+        real part = states > 1 ? (real)k / (real)(states - 1) : 1, theta = part * t.m.end;
         if (by == DOM_BY_TIME && part > 0 && part < 1)
             status = motion_tilt(&t.m, &t.clock, part * whole, &theta);
         for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)

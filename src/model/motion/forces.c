@@ -175,7 +175,7 @@ static bool force_visit(const struct hinge_load *hinge_load, void *context)
     struct dom_force force = {
         .i = hinge_load->link->i,
         .force = hinge_load->force,
-        .of_own = hinge_load->force * hinge_load->size / hinge_load->link->weight,
+        .per_weight = hinge_load->force * hinge_load->size / hinge_load->link->weight,
         .impulse = hinge_load->impulse,
     };
     return c->visit(&force, c->context);

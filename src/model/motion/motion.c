@@ -88,7 +88,7 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct instant *eve
         if (first)
             events[at] = events[at - 1];
         events[first ? at - 1 : at] =
-            (struct instant){.kind = DOM_EVENT_FALL, .theta = fall, .domino = domino};
+            (struct instant){.kind = DOM_EVENT_DETACH, .theta = fall, .domino = domino};
     }
     events[n++] = (struct instant){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
     *count = n;

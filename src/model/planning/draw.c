@@ -57,7 +57,7 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 
 /* Returns the next random error, which combines two generators. The seeds of GSL have only 32 bits: with one
  * generator, some of a million rows would be identical. */
-static dom_real error_next(const struct draw *draw, const struct dom_error *error)
+static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
 {
     gsl_rng *const *random = draw->random;
     if (error->uniform) {
@@ -69,7 +69,7 @@ static dom_real error_next(const struct draw *draw, const struct dom_error *erro
 }
 
 /* Returns a random factor by which a size is multiplied. */
-static dom_real factor_next(const struct draw *draw, const struct dom_error *error)
+static dom_real factor_next(const struct draw *draw, const struct dom_random_error *error)
 {
     return fmax(1 + error_next(draw, error), LEAST_SHARE);
 }
@@ -83,7 +83,7 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
 /* Applies a random error to a size or to the mass. Limits the thickness and the radius so that walls and
  * rounded edges still fit. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
-                      const struct dom_error *error, struct dom_domino *d)
+                      const struct dom_random_error *error, struct dom_domino *d)
 {
     const dom_real factor = factor_next(draw, error);
     const struct dom_domino before = *d;
@@ -111,7 +111,7 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
 
 /* Moves each domino after the first by its own random error. A domino that would overlap the previous domino
  * touches it instead. */
-static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
+static void places_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */
     for (size_t k = 1; k < count; k++) {
@@ -121,7 +121,7 @@ static void places_draw(const struct draw *draw, const struct dom_error *error, 
     }
 }
 
-static void gaps_draw(const struct draw *draw, const struct dom_error *error, size_t count)
+static void gaps_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         const dom_real by = error_next(draw, error);
@@ -131,7 +131,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
 }
 
 /* Applies a random error to the lean of each domino, limited so that the domino still stands. */
-static void leans_draw(const struct draw *draw, const struct dom_error *error)
+static void leans_draw(const struct draw *draw, const struct dom_random_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {
         struct dom_domino *d = &draw->domino[k];
@@ -154,7 +154,7 @@ dom_real row_steepest(const struct dom_row *row)
 }
 
 /* Applies a random error to a value that all dominoes share, such as the slope. */
-static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
+static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
 {
     struct dom_row *row = &draw->row;
     const dom_real by = error_next(draw, error);
@@ -169,7 +169,7 @@ static void common_draw(struct draw *draw, enum dom_error_of kind, const struct 
         row->push = fmax(row->push + by, 0);
 }
 
-static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
+static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
 {
     if (kind == DOM_ERROR_gap)
         gaps_draw(draw, error, draw->row.count);
@@ -198,7 +198,7 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
     draw->row.domino = draw->domino;
     draw->row.floor = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
-        const struct dom_error *error = &p->error[order[k]];
+        const struct dom_random_error *error = &p->error[order[k]];
         if (!(error->size > 0) || off >> order[k] & 1)
             continue;
         kind_begin(draw, p, i, (int)order[k]);

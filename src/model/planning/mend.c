@@ -109,8 +109,8 @@ static dom_real push_over_edge(const struct dom_row *row)
     return sqrt(3 * row->g * d * d / ((reach + h) * reach * reach));
 }
 
-enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
-                             dom_real *push)
+enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
+                                     dom_real strongest, dom_real *push)
 {
     struct trial t = trial_of(row, compute);
     if (!(strongest > 0 && (double)strongest < HUGE_VAL))

@@ -185,7 +185,7 @@ dom_real trial_now(const struct trial *t)
         return t->domino[t->k].height;
     case DOM_WINDOW_FRICTION:
         return t->row.mu;
-    case DOM_WINDOW_PLUMB:
+    case DOM_WINDOW_LEAN:
         return t->domino[t->k].lean;
     case DOM_WINDOW_THICKNESS:
         return t->domino[t->k].thickness;
@@ -228,7 +228,7 @@ void trial_change(struct trial *t, dom_real value)
     case DOM_WINDOW_FRICTION:
         t->row.mu = value;
         break;
-    case DOM_WINDOW_PLUMB:
+    case DOM_WINDOW_LEAN:
         d->lean = value;
         break;
     case DOM_WINDOW_THICKNESS:

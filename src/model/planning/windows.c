@@ -69,7 +69,7 @@ static struct range range_of(const struct trial *t)
         return thicknesses_of(t, d);
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
-    case DOM_WINDOW_PLUMB: {
+    case DOM_WINDOW_LEAN: {
         dom_real lean[2], inside;
         dom_lean_limits(d, t->row.alpha, t->row.rho, lean);
         inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;

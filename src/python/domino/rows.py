@@ -115,7 +115,7 @@ COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
 WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
            "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
-           "lean": api.dom_window_of.DOM_WINDOW_PLUMB,
+           "lean": api.dom_window_of.DOM_WINDOW_LEAN,
            "thickness": api.dom_window_of.DOM_WINDOW_THICKNESS}  # fmt: skip
 
 
@@ -291,7 +291,7 @@ class Row:
     def weakest_push(self, strongest: float = 100.0) -> float:
         """The weakest push in rad/s with which all dominoes fall, or the push of the row if all fall already."""
         push = ctypes.c_double()
-        self._call(lib.dom_row_push, strongest, ctypes.byref(push))
+        self._call(lib.dom_row_weakest_push, strongest, ctypes.byref(push))
         if math.isnan(push.value) and not self.verdict().falls:
             raise DominoError(f"no push up to {strongest:.6g} rad/s is enough", "STOPS")
         return push.value
@@ -302,7 +302,7 @@ class Row:
             size, limits = error if isinstance(error, tuple) else (error, "normal")
             if limits not in ("normal", "uniform"):
                 raise ValueError(f"the error of {name} is 'normal' or 'uniform', not {limits!r}")
-            placement.error[error_kind(name)] = api.dom_error(size, limits == "uniform")
+            placement.error[error_kind(name)] = api.dom_random_error(size, limits == "uniform")
         return placement
 
     def placement(self, sigma: float = 0.0, *, rows: int = 1000, seed: int = 1,

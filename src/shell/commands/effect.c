@@ -145,7 +145,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 {
     struct dom_work work = {0};
     size_t dominoes;
-    struct domq_error error[DOM_ERROR_COUNT];
+    struct domq_random_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
     answer_leave_out(
@@ -236,7 +236,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                               : "roots of H', and H at each root (26; c8)",
                  n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
-    struct domq_error error[DOM_ERROR_COUNT];
+    struct domq_random_error error[DOM_ERROR_COUNT];
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
     if (is_row && scene_errors(scene, error))
         part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,

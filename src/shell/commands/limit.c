@@ -38,7 +38,7 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
     /* The paper's formula does not cover friction, slopes or rounded edges. */
     *paper = (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why};
     train.fuel = DOM_FUEL_PAPER;
-    return domq_dynamics(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
+    return domq_first_effect(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
 }
 
 static const struct column rmax_columns[] = {
@@ -70,9 +70,9 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {
-    if (domq_dynamics(train))
+    if (domq_first_effect(train))
         answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
-                   domq_dynamics(train)->name);
+                   domq_first_effect(train)->name);
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
         answer_say(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
                       "depend on the fuel.");

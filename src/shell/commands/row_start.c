@@ -61,7 +61,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
         /* If omega^2 h/2 > g, the weight cannot keep the centre on its circle, and the domino lifts off. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
-            status = domq_row_push(&made.row, &made.compute, lifting, &start->push);
+            status = domq_row_weakest_push(&made.row, &made.compute, lifting, &start->push);
     }
     free(made.domino);
     return row_status(query, problem, status);

@@ -270,7 +270,7 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
               struct answer *answer)
 {
     static void (*const say[])(const struct place *) = {
-        [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_FALL] = say_fall, [DOM_EVENT_TOP] = say_top,
+        [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_DETACH] = say_fall, [DOM_EVENT_TOP] = say_top,
         [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
     };
     const struct domq_event *e = &walk->events[walk->event];

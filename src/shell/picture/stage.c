@@ -249,7 +249,7 @@ static bool force_seen(const struct domq_force *f, void *context)
     struct drawn *k = &stage->domino[f->i + 1];
     if (k->touched) {
         k->force = (double)f->force;
-        k->of_own = (double)f->of_own;
+        k->of_own = (double)f->per_weight;
     }
     return true;
 }

@@ -58,7 +58,7 @@ static const char method_help[] =
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
-    const struct domq_effect *effect = domq_dynamics(&state->scene.train);
+    const struct domq_effect *effect = domq_first_effect(&state->scene.train);
     return fuel != DOM_FUEL_PAPER || !effect ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
                              effect->name, effect->name);

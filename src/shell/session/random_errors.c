@@ -31,7 +31,7 @@ int error_effect(int kind)
     return effects[kind];
 }
 
-bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_COUNT])
+bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_ERROR_COUNT])
 {
     bool any = false;
     for (int k = 0; k < DOM_ERROR_COUNT; k++) {
@@ -39,7 +39,8 @@ bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_C
         const struct effect_state *state = &scene->effect[effect];
         const bool placed = effect == DOM_EFFECT_placement;
         const domq_real size = state->value[k == DOM_ERROR_height], limits = state->value[placed ? 2 : 1];
-        error[k] = (struct domq_error){.size = state->on ? size : 0, .uniform = state->on && limits != 0};
+        error[k] =
+            (struct domq_random_error){.size = state->on ? size : 0, .uniform = state->on && limits != 0};
         any = any || state->on;
     }
     return any;
@@ -65,7 +66,7 @@ void errors_off(struct scene *scene)
         effect_put(scene, error_effect(k), EFFECT_OFF, NULL);
 }
 
-const char *errors_text(const struct domq_error *error, char text[ERRORS_TEXT])
+const char *errors_text(const struct domq_random_error *error, char text[ERRORS_TEXT])
 {
     text[0] = '\0';
     for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++)

@@ -17,7 +17,7 @@ int error_effect(int kind);
 
 /* Fills `error` with the random errors of a scene; the size 0 means none. Returns true if any effect is
  * on. */
-bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_COUNT]);
+bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_ERROR_COUNT]);
 
 /* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
@@ -27,6 +27,6 @@ void errors_off(struct scene *scene);
 
 /* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */
 enum { ERRORS_TEXT = 1024 };
-const char *errors_text(const struct domq_error *error, char text[ERRORS_TEXT]);
+const char *errors_text(const struct domq_random_error *error, char text[ERRORS_TEXT]);
 
 #endif

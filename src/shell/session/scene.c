@@ -150,10 +150,10 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "the largest r for this s is %s%.17g",
                                  quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
                                  t->rho == 0 ? "1/s = " : "", (double)domq_train_reach(t));
-    if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
+    if (status == DOM_NO_METHOD && domq_first_effect(t) && t->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
-            domq_dynamics(t)->name, domq_dynamics(t)->name);
+            domq_first_effect(t)->name, domq_first_effect(t)->name);
     if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
         return problem_no_answer(problem,
                                  "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",

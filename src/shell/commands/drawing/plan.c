@@ -126,7 +126,7 @@ static void push_words(const struct scene_row *scene, char *text, size_t size)
 }
 
 /* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
-static void errors_words(const struct domq_error *error, char *text, size_t size)
+static void errors_words(const struct domq_random_error *error, char *text, size_t size)
 {
     int at = 0;
     text[0] = '\0';

@@ -14,7 +14,7 @@ struct plan {
     double *back; /* positions of the dominoes' back edges on the tape measure, in m */
     bool is_thin; /* the dominoes are hollow, and the thickness of their walls is not known */
     struct domq_study study;
-    struct domq_error error[DOM_ERROR_COUNT];
+    struct domq_random_error error[DOM_ERROR_COUNT];
     struct guide guide;
 };
 

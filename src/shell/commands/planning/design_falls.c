@@ -63,7 +63,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
 {
     struct designed_row plan;
     struct scene scene;
-    struct domq_error error[DOM_ERROR_COUNT];
+    struct domq_random_error error[DOM_ERROR_COUNT];
     if (!designed_make(query, problem, wish, limits, d, &plan))
         return false;
     bool good = design_scene(query->scene, d, &plan, &scene, problem);
@@ -105,7 +105,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
                   struct domq_study *study, char reason[REASON], struct problem *problem)
 {
     struct tried tried[MORE];
-    struct domq_error error[DOM_ERROR_COUNT];
+    struct domq_random_error error[DOM_ERROR_COUNT];
     size_t count = 0, beyond = 0;
     if (!errors_check(query->scene, problem))
         return false;

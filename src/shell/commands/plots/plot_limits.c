@@ -35,7 +35,7 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
     train.fuel = of->fuel;
     *r = DOMQ_NAN;
     /* The paper's formula for the fuel does not cover friction, slopes, walls or rounded edges. */
-    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER)
+    if (domq_first_effect(&train) && train.fuel == DOM_FUEL_PAPER)
         return DOM_OK;
     enum dom_status status =
         of->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);

@@ -24,8 +24,8 @@ static bool push_lacks(const struct domq_verdict *v)
 static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v)
 {
     domq_real push;
-    enum dom_status status =
-        domq_row_push(&scene->row, &scene->compute, domq_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+    enum dom_status status = domq_row_weakest_push(&scene->row, &scene->compute,
+                                                   domq_effect(DOM_EFFECT_push)->argument[0].highest, &push);
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS

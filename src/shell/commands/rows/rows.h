@@ -55,7 +55,7 @@ struct study {
 /* Runs a study of the scene's row with `rows` random rows. `error` receives the sizes of the errors. If the
  * scene has no errors, study->rows is 0. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
-               struct domq_error error[DOM_ERROR_COUNT]);
+               struct domq_random_error error[DOM_ERROR_COUNT]);
 
 /* Runs a study. If there are several kinds of errors, runs the rows again with each kind left out in turn.
  * The caller frees study->stops, even after a failure. */

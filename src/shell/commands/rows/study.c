@@ -35,7 +35,7 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
 }
 
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
-               struct domq_error error[DOM_ERROR_COUNT])
+               struct domq_random_error error[DOM_ERROR_COUNT])
 {
     struct trials t;
     enum dom_status status = DOM_OK;

@@ -99,7 +99,7 @@ static void search_kind(size_t kind, void *context)
     const bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE,
                leans = !scene->row.engine && scene->row.rho == 0;
     s->status[kind] = DOM_OK;
-    if (leans || kind != DOM_WINDOW_PLUMB)
+    if (leans || kind != DOM_WINDOW_LEAN)
         s->status[kind] = domq_row_windows(&scene->row, &scene->compute, (enum dom_window_of)kind,
                                            search_progress, s, s->windows->kind[kind] + from_second);
 }
@@ -133,9 +133,9 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
     if (status == DOM_OK)
         status = search_run(query, w);
     for (size_t k = 0; k < w->count; k++)
-        lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
+        lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], scene->domino[k].height);
     if (status == DOM_OK)
-        w->critical[DOM_WINDOW_PLUMB] = least_room(w, DOM_WINDOW_PLUMB);
+        w->critical[DOM_WINDOW_LEAN] = least_room(w, DOM_WINDOW_LEAN);
     if (status == DOM_OK && w->falls) {
         w->critical[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
         w->critical[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
@@ -199,10 +199,10 @@ static struct words off_plumb(domq_real value, int digits)
 
 static void lean_say(struct answer *a, const struct windows *w)
 {
-    const size_t k = w->critical[DOM_WINDOW_PLUMB];
+    const size_t k = w->critical[DOM_WINDOW_LEAN];
     if (k == 0)
         return;
-    const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
+    const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
         answer_say(a, "All would fall if the top of domino %zu were off by %s to %s; it is now off by %s.", k,
@@ -315,7 +315,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 
 /* The kinds of windows, in the order of the columns. Each kind has three columns. */
 static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
-                                                  DOM_WINDOW_THICKNESS, DOM_WINDOW_PLUMB};
+                                                  DOM_WINDOW_THICKNESS, DOM_WINDOW_LEAN};
 enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
