@@ -234,7 +234,7 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* If a pipe has lost its reader or a file gets too large, write(2) must fail, and not end the program. */
+    /* If a pipe has no reader or a file gets too large, write(2) must fail rather than end the program. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

@@ -61,7 +61,7 @@ struct answer {
     const char *command;                /* the name of the command, for programs that read the answer */
     const char *note;                   /* a remark for programs that read the answer, or NULL */
     const struct column *columns;       /* the columns of each row; the key of the last element is NULL */
-    struct column copy[ANSWER_COLUMNS]; /* memory for `columns` that the command has changed */
+    struct column copy[ANSWER_COLUMNS]; /* `columns` points here if the command has changed them */
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;

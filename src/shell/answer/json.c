@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: each row is an object on one line. An error, or a command without rows, also gives an
+/* The json format: each row is an object on one line. An error, or a command without rows, also gives an
  * object. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"

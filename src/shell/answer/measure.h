@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Units for people. Cells, csv and json contain base units: m, kg, and fractions of 1. A table converts only
- * these:
+ * Units that are easy to read. Cells, csv and json contain base units: m, kg, and fractions of 1. Tables and
+ * sentences convert values to other units:
  *
  *   "m"      mm below 1 cm, cm below 1 m, otherwise m
  *   "kg"     g below 1 kg, otherwise kg
  *   "share"  %
  *
- * A column has one unit in all rows of a table (see answer_announce). A sentence converts a value by
- * measured(value, "m", 4).text.
+ * A column of a table has one unit in all rows (see answer_announce). In a sentence, measured(value, "m",
+ * 4).text is a value with its unit.
  */
 #ifndef SHELL_MEASURE_H
 #define SHELL_MEASURE_H
 
 #include "answer/cell.h"
 
-/* A unit for people. A number in the base unit is multiplied by 10^power. */
+/* A unit for display. A number in the base unit is multiplied by 10^power. */
 struct measure {
     const char *unit;
     int power;
@@ -27,7 +27,7 @@ struct measure measure_of(const char *unit, domq_real largest);
 /* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Formats a value for people, as in "4.8 cm" or "11 %". The result has `digits` significant digits, or all
+/* Formats a value with its unit, as in "4.8 cm" or "11 %". The result has `digits` significant digits, or all
  * digits before the decimal point, as in 1234 %. */
 struct measured {
     char text[CELL_TEXT];

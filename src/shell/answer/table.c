@@ -14,7 +14,7 @@ enum {
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
-    WORDS_SHORT = 12,   /* a last column of words that is at most this wide needs only its own width */
+    WORDS_SHORT = 12,   /* a last column that is at most this wide does not need WORDS_LEAST */
     WORDS_INDENT = 8,   /* the indentation of words below their row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
@@ -23,7 +23,7 @@ enum {
 
 /* ---- Text ---- */
 
-/* Returns the unit as it is shown. Angles have the unit of the style. */
+/* Returns the unit to show for a column. For angles, the user chooses the unit. */
 static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
                                char text[CELL_TEXT])
 {
@@ -65,7 +65,7 @@ static const char *table_text(const struct answer *a, struct measure measure, st
 /* Returns the text with Greek letters and mathematical signs if the terminal can show them. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
-    enum { LETTERS = 7, LETTER = 4 /* the size of a Greek letter in UTF-8 with a NUL byte */ };
+    enum { LETTERS = 7, LETTER = 4 /* the size of a letter in UTF-8, including the NUL byte */ };
     static const char *const letters[LETTERS][2] = {
         {"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"}, {">=", "≥"}, {"<=", "≤"}, {"+/-", "±"}};
     if (!a->layout.letters || strlen(text) >= TEXT_LINE)

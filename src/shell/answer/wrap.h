@@ -11,7 +11,8 @@
 size_t line_break(const char *text, int columns);
 
 /* Writes text in lines from the column `left` to the column before `right`, without a '\n' at the end. If
- * `right` is 0, lines are not broken. A piece is never broken, so that it can be copied. */
+ * `right` is 0, lines are not broken. Even a long piece, such as a path, is never broken, so that it can be
+ * copied. */
 void write_wrapped(FILE *out, const char *text, int left, int right);
 
 #endif

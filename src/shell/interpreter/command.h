@@ -14,7 +14,7 @@ enum argument_kind {
     ARGUMENT_NONE,
     /* Arguments that are expressions: */
     ARGUMENT_TILT,     /* an angle in [0, theta_c] */
-    ARGUMENT_VALUE_OF, /* a value of the parameter whose name is in the member `parameter` */
+    ARGUMENT_VALUE_OF, /* a value of the parameter that argument.parameter names */
     ARGUMENT_HEIGHT,   /* a length > 0 */
     ARGUMENT_COUNT,    /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,      /* a value in any unit */
@@ -23,7 +23,7 @@ enum argument_kind {
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter or, without an ARGUMENT_VALUE next, a variable */
+    ARGUMENT_PARAMETER, /* the name of a parameter; variables are accepted if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* a single word, or several words in double quotes */
@@ -48,7 +48,8 @@ struct argument {
     enum argument_kind kind;
     const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
     int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
-    /* The noun for a choice in messages. Completion offers no values for an ARGUMENT_ANY that has a noun. */
+    /* The noun that messages use for a choice. Completion offers no values for an ARGUMENT_ANY that has a
+     * noun. */
     const char *noun;
     bool optional;
     names_list *choices;
@@ -167,7 +168,7 @@ enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
-/* If the session is safe and the command reads or writes files, sets *problem and returns false. */
+/* Returns false and sets *problem if the session is safe and the command reads or writes files. */
 static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {

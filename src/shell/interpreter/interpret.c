@@ -186,7 +186,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
-/* After a wrong command such as 'draw row.png', adds to the message that '>' is missing. */
+/* If a wrong command ends with a file name, as in 'draw row.png', adds a hint to type '>' before the name. */
 static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
 {
     const char *end = text_end(begin, ";>");

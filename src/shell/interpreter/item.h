@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses and binds values among a command's arguments. To bind a value means to evaluate it in a state and
+/* Parses and binds the values in a command's arguments. To bind a value means to evaluate it in a state and
  * check it. A sweep binds a value at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H

@@ -113,7 +113,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
-/* Parses the name of an effect. A '=' may follow the name directly. */
+/* Parses the name of an effect. An '=' may follow the name directly. */
 static bool effect_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     const char *outer = r->stops;
@@ -197,7 +197,7 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true at the end of the command, a '>' or one of r->stops. Otherwise reports a problem. */
+/* Returns true if the command ends here, or if '>' or one of r->stops follows. Otherwise sets r->problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
@@ -261,9 +261,9 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside other commands ---- */
 
-/* Finds the command that a word COMMAND or COMMAND.KEY names. Returns NULL if there is no such command, or if
- * the command computes nothing. Stores the column KEY or, without a KEY, the principal column. *key is -1 if
- * there is no such column. */
+/* Returns the command that is named in a word such as "rmax" or "rmax.r". Returns NULL if there is no such
+ * command, or if the command computes nothing. Sets *key to the column after the dot. Without a dot, this is
+ * the principal column. If there is no such column, *key is -1. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

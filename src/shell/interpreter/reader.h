@@ -28,7 +28,7 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* One element for each byte of the line: true in the name of a command. May be NULL. */
+    /* One element for each byte of the line: true if the byte belongs to a command's name. May be NULL. */
     bool *is_command;
 };
 
@@ -81,8 +81,8 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the next word is `word`, skips this word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* reader_memory returns zeroed memory of the arena, and reader_copy a copy of a string. If memory runs out,
- * both set the reader's problem and return NULL. */
+/* reader_memory allocates zeroed memory in the arena, and reader_copy copies a text into the arena. If memory
+ * runs out, both set the reader's problem and return NULL. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 

@@ -29,8 +29,8 @@ enum symbol {
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* The struct command of the last answer, and its column `index`. If `refers` is NULL, the last value of
-     * 'print'. */
+    /* Column `index` of the last answer; `refers` is the struct command that gave the answer. If `refers` is
+     * NULL, the symbol is the last value of 'print'. */
     SYMBOL_ANS,
     SYMBOL_WITH, /* a list of struct assignment, in force while the child node is evaluated */
 };

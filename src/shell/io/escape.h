@@ -26,7 +26,7 @@ const char *escape_text(const char *text, char *shown, size_t size);
 /* Escapes a text of any length. Returns an allocated copy, or NULL if memory runs out. */
 char *escape_copy(const char *text);
 
-/* Writes a JSON string with its quotes. Escapes are \u...., which programs decode to the same character. A
+/* Writes a text as a JSON string in double quotes. A JSON parser restores the original text, except that a
  * byte that is not UTF-8 becomes U+FFFD. */
 void escape_json(FILE *out, const char *text);
 

@@ -41,8 +41,8 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream that receives the text: a device, a FIFO or standard output itself, or the temporary
- * file. */
+/* Opens the stream that receives the text. A device, a FIFO or standard output receives the text directly.
+ * Otherwise the stream is a temporary file. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Files and streams whose waits can be interrupted, such as the wait for the other end of a FIFO. When the
- * flag `interrupt` is raised (see dom_raised), a wait ends with ECANCELED, even after SA_RESTART. If
- * `interrupt` is NULL, signals have their usual effect. All functions set errno on failure.
+ * flag `interrupt` is raised (see dom_raised), a wait ends with ECANCELED, even if the signal handler was
+ * installed with SA_RESTART. If `interrupt` is NULL, signals have their usual effect. All functions set errno
+ * on failure.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -51,9 +52,9 @@ FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt);
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the stream for standard output. On a terminal, each line appears immediately. Elsewhere text is
- * buffered, because a system call for each answer is slow. A timer writes flushed text within 10 ms, even
- * during a computation.
+ * Returns the stream for standard output. On a terminal, each line appears immediately. In a pipe or file,
+ * text is delayed even after fflush, because a system call for each answer would be slow. A timer writes the
+ * text within 10 ms, even during a computation.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
@@ -63,7 +64,7 @@ void io_stdout_flush(void);
 /* Returns the folder for temporary files: $TMPDIR, or /tmp. */
 const char *io_temporary_folder(void);
 
-/* Opens a file without a name, which vanishes when it is closed or the program ends. If `folder` is NULL,
+/* Creates an unnamed file, which vanishes when it is closed or the program ends. If `folder` is NULL,
  * uses io_temporary_folder(). Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 

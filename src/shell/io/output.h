@@ -86,12 +86,12 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
  * reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
-/* Passes commands to the log, if there is one. Unless `at_once` is true, the commands wait for an answer or
- * an error, because failed commands become comments. */
+/* Writes commands into the log, if there is one. Unless `at_once` is true, the log holds the commands back
+ * until the next answer or error, because failed commands become comments. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes an error or a note into the log, as a comment. If `failed` is true, the waiting commands also become
- * comments, so that the log can be run. */
+/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log holds
+ * back also become comments, so that the log can be run. */
 void log_message(struct output **top, const char *text, bool failed);
 
 #endif

@@ -32,7 +32,7 @@ struct pager {
     FILE *to; /* memory while the state is HELD; later the terminal, or the pipe to the pager program */
     char *text, *messages;
     size_t text_size, messages_size;
-    double begun; /* when the first text arrived, as a time of terminal_clock; 0 before that */
+    double begun; /* the terminal_clock time when the first text arrived; 0 before that */
     int width, height;
     int rows;       /* the number of terminal rows that the current page has filled so far */
     double screens; /* a text of at least this many screens is paged */
@@ -67,7 +67,7 @@ static const char *line_next(const char *line, const char *end)
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If $PAGER does not exist, 'less' or else 'cat' shows the text. */
+    /* If $PAGER does not exist, falls back to 'less' and, without 'less', to 'cat'. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};

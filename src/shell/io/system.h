@@ -23,7 +23,7 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
  * file has at least `to` bytes. Returns 0 or an error number. */
 int system_reserve(int file, off_t from, off_t to);
 
-/* Opens a new file without a name in a folder. Returns -1 if this is not supported. */
+/* Creates and opens an unnamed file in a folder. Returns -1 if this is not supported. */
 int system_unnamed(const char *folder);
 
 /* Makes this process end when its parent ends, if the system allows it. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that the session is writing. Two levels must not write the same file. */
+/* The files that the session is writing. Two outputs, such as a log and a redirected answer, must not write
+ * the same file. */
 #ifndef SHELL_TARGET_H
 #define SHELL_TARGET_H
 

@@ -19,8 +19,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If `from` stands for standard output, `to` takes its place. The streams of 'log', 'tee' and the pager pass
- * text on to standard output, so the functions above treat them like standard output. */
+/* If the functions above treat the stream `from` like standard output, makes them treat the stream `to` so
+ * instead. This is for 'log', 'tee' and the pager, which pass text on to standard output. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */

@@ -60,8 +60,8 @@ struct csv_file {
         bool is_used;
         /* true if at least one number can only be read with '.' (or ',') as the decimal mark */
         bool is_clear;
-        /* The place of the first number in which the mark could separate thousands. at.line is 0 if there is
-         * no such number. */
+        /* The place of the first number in which the mark could be a thousands separator. at.line is 0 if
+         * there is no such number. */
         struct csv_place at;
         char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
     } point, comma;

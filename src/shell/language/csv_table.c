@@ -278,7 +278,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 
 bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    /* A bound such as 1e-9 has no exact double, so doubles are compared. */
+    /* A bound such as 1e-9 is rounded to double, so the value is compared as a double too. */
     double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"

@@ -43,8 +43,8 @@ void text_add(char *text, size_t size, const char *format, ...) __attribute__((f
 /* Returns the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);
 
-/* Returns the character after the quote that closes the quote at c, or NULL. '""' between quotes stands for
- * one quote. */
+/* Returns the character after the closing quote of the quoted text that begins at c. Returns NULL if no quote
+ * closes the text. '""' inside the text stands for one quote. */
 const char *text_quote(const char *c);
 
 /* Returns the first character at or after c that is in `ends` or begins a comment. Characters in quotes do

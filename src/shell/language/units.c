@@ -137,7 +137,7 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    /* after the first factor, g is the acceleration of gravity, and not gram */
+    /* g and t are units only as the first factor; later, g is the acceleration of gravity */
     if (!first && length == 1 && (*c == 'g' || *c == 't'))
         return NULL;
     for (const struct unit *u = units; u->name; u++)

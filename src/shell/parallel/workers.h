@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The thread pool, which computes points of curves and sweeps, and runs tasks of the library. A worker takes
- * one block of consecutive points after another. A block takes about a millisecond, so that workers seldom
- * wait for the only lock. Blocks are written in order, so the output does not depend on the number of
+ * one block of consecutive points after another. A block takes about a millisecond, so workers seldom wait
+ * for the single lock. Blocks are written in order, so the output does not depend on the number of
  * workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
@@ -14,8 +14,8 @@ struct workers {
     /* Computes a point, and writes its rows to `out`. May change only `context`, the worker's own copy.
      * Returns false to stop the computation after this point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* The context that each worker copies. If `point` returns false, the copy that it was called with is
-     * copied back. */
+    /* Each worker has a copy of this context. If `point` returns false, the copy that it received is copied
+     * back into `context`. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */

@@ -39,7 +39,7 @@ struct display {
 };
 struct display display_of(FILE *stream);
 
-enum { GLYPH = 5 /* the size of a character in UTF-8 with the terminating NUL byte */ };
+enum { GLYPH = 5 /* the size of a character in UTF-8, including the NUL byte */ };
 
 struct canvas_cell {
     char glyph[GLYPH]; /* the character, or "" */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
- * chart_show (show.h) draws it in the output of the answer. */
+ * chart_show (show.h) draws the chart where the answer goes. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
@@ -16,7 +16,7 @@ enum chart_kind {
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN if the point has none */
+    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN if there is no range */
 };
 
 struct chart_curve {
@@ -139,7 +139,7 @@ struct ticks {
     char text[TICKS][TICK_TEXT];
 };
 
-/* Chooses the ticks of an axis, about `most` or fewer. */
+/* Chooses up to about `most` ticks for an axis. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /* Returns where to write the name of an event, so that names do not overlap. `letter` is the width of a

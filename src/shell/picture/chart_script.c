@@ -73,7 +73,7 @@ struct chart_look chart_size(const struct chart *c)
     return look;
 }
 
-/* Returns how many characters fit side by side into the picture. */
+/* Returns how many characters fit across the picture. */
 static int columns_of(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
@@ -136,7 +136,7 @@ static void legend_script(const struct chart *c, FILE *out)
         const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
         most = lines > most ? lines : most;
     }
-    /* By default, gnuplot leaves room for one line of a title, but a title may have `most`. */
+    /* By default, gnuplot leaves room for titles of one line, but the longest title has `most` lines. */
     if (c->look.legend == CHART_LEGEND_OFF)
         fprintf(out, "unset key\n");
     else if (c->look.legend == CHART_LEGEND_RIGHT)

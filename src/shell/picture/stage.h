@@ -52,7 +52,7 @@ struct stage {
     struct drawn *domino; /* the dominoes, each of which is drawn over all later ones */
     size_t count;
     double left, right, top; /* the limits of the visible part */
-    /* the unit of lengths: "h", or NULL for m, shown as mm, cm or m */
+    /* the unit of lengths: "h" for a train; NULL for m, which the ruler shows as mm, cm or m */
     const char *unit;
     const char *ruler; /* what the ruler measures */
     /* the sizes to write where there is room, or NULL */
@@ -143,7 +143,8 @@ extern const struct marks script_marks;
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
 
-/* Shows another part of the stage. The position `at` is near its middle, and heights up to `tall` fit in. */
+/* Moves the sheet to another part of the stage. The position `at` is shown near the middle of the sheet,
+ * with room for heights up to `tall`. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
 
 /* Writes the gnuplot terminal setting for a file with this extension. */

@@ -236,7 +236,7 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* Writes the size of the gap before a domino into the gap, if there is room. */
+/* Labels the gap before a domino with its size, if there is room in the gap. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];

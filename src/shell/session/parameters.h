@@ -86,8 +86,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Returns parameter k, counted from 0, or NULL after the last one. In this order, 'set' and 'effect'
- * commands can restore the state. */
+/* Lists the parameters in the order in which 'set' and 'effect' commands must restore them. Returns
+ * parameter k, counted from 0, or NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

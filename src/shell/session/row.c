@@ -12,7 +12,7 @@ bool scene_has_masses(const struct scene *scene)
 }
 
 /* Scales masses that are known only up to a common factor. The first domino gets the mass that 'mass' or
- * 'density' gives. Without 'mass' and 'density', its mass makes m g h/2 = 1. */
+ * 'density' gives. If neither is known, its mass is chosen so that m g h/2 = 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);

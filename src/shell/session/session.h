@@ -35,7 +35,7 @@ struct session {
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
-    /* the flag that the handler of SIGINT sets if SIGINT ends only the running command, or NULL */
+    /* with --interruptible: the flag that SIGINT sets, to end only the running command; otherwise NULL */
     volatile sig_atomic_t *interrupt_flag;
     bool bail; /* the first error ends the session (option --bail) */
     bool quit;
