@@ -82,8 +82,8 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* Prints the largest growth at which a row starts from rest, if a moving train can grow more. Also prints the
- * push that the session's growth needs, if this growth lies between the two limits. */
+/* Prints the largest growth at which a row starts from rest, if this limit is below the limit for a moving
+ * train. If the session's growth lies between the two limits, also prints the push that the row needs. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds whether a row starts to fall from rest. A train that is already moving can have a larger growth than
- * a row that starts from rest. */
+/* Finds out whether a row that is at rest starts to fall. A train that is already moving can have a larger
+ * growth than a row that starts from rest. */
 #ifndef SHELL_ROW_START_H
 #define SHELL_ROW_START_H
 
 #include "commands/rows/falling.h"
 
-/* The result of a row whose first domino falls by itself, or gets the push of the scene. */
+/* The result of running a row. The first domino falls by itself, or gets the push of the scene. */
 struct start {
     size_t count; /* number of dominoes in the row that was run */
     bool falls;   /* true if all dominoes of the row fall */

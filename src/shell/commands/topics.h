@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The topics of help: commands, parameters, effects, and the names that 'let' has defined. */
+/* The help topics: commands, parameters, effects, and the names that 'let' has defined. */
 #ifndef SHELL_TOPICS_H
 #define SHELL_TOPICS_H
 
 #include "interpreter/command.h"
 
-/* A topic of help. Texts that a topic does not have are NULL. */
+/* A help topic. Texts that a topic does not have are NULL. */
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */

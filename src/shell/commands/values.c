@@ -129,7 +129,8 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* A names_list (see names.h) of words with a meaning in expressions, which cannot be names. */
+/* A names_list (see names.h) of the words that have a meaning in expressions. They cannot be names of
+ * variables or functions. */
 static const char *language_words(const void *context, int k)
 {
     static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};

@@ -17,7 +17,7 @@ struct film {
 };
 
 /* Makes the film. `stage` gives the size of the frames, as in movie_begin. `watch` passes each frame to
- * movie_frame, or adds it to film->answer. If it fails, it sets film->problem. */
+ * movie_frame, or adds it to film->answer. On failure, `watch` sets film->problem. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
 bool animate_train(const struct film *film);

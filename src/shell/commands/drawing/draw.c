@@ -94,7 +94,7 @@ static bool moment_time(struct problem *problem, const struct draw_options *opti
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* The user may have copied the end of the motion from an answer, which can be rounded up. */
+    /* An end time that the user copied from an answer may have been rounded up. */
     return options->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that moment",
                              measured((domq_real)row->end, "s", 4).text);

@@ -48,9 +48,9 @@ struct derived {
     /*
      * How to find the number:
      * - '$' and the name of a parameter or effect,
-     * - '#' and a name for fall_value, or
+     * - '#' and a name that fall_value accepts, or
      * - an expression for the library, where '@' is the value that the user typed.
-     * NULL for a quantity that differs from term to term of a sum.
+     * NULL for a quantity that is different in each term of a sum.
      */
     const char *library;
     const char *unit;
@@ -82,7 +82,7 @@ struct step {
     const char *reference, *unit, *words; /* as in `derived`, but adapted to the train */
     const struct tree *tree;              /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
-    int count;       /* of `needs` */
+    int count;       /* number of elements in `needs` */
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
@@ -97,7 +97,7 @@ struct derivation {
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    /* the hit of the explained domino of a row; NULL for the train */
+    /* in a row: the hit on the domino that is explained; NULL for the train */
     const struct domq_fall *fall;
     const char *energy_unit; /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
@@ -111,8 +111,8 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes a step for each quantity that the answer to a question needs. `fall` is the hit of a domino in a row,
- * or NULL. The caller must call derivation_end, even after a failure. */
+/* Makes a step for each quantity that the answer to a question needs. `fall` is the hit on a domino in a
+ * row, or NULL. The caller must call derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);

@@ -21,7 +21,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
             text_add(filled, size, "%c", *text);
 }
 
-/* Returns the quantity of a hit that has this name, such as "margin". */
+/* Returns a quantity of a hit by its name, such as "margin". */
 static domq_real fall_value(const struct domq_fall *fall, const char *name)
 {
     return strcmp(name, "margin") == 0    ? fall->margin

@@ -142,7 +142,7 @@ const struct derived derived_list[] = {
       "the number of dominoes that it takes to topple one of height H"),
     Q("H_n", "H_n", "H_n", 0, 0, SUM_NONE, "h*r^n", "count(@).last_height", "m", "",
       "height of the domino that n dominoes topple"),
-    /* Quantities of a row. '#' begins a name for fall_value. */
+    /* Quantities of a row. */
     Q("margin_k", "margin_k", "\\mathrm{margin}_k", 0, 0, SUM_NONE, "K_k - B_k", "#margin", "mgh/2", "26; c8",
       "energy that is left at the highest point: the row goes on from domino k if this is at least 0"),
     Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",

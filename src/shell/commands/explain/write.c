@@ -186,7 +186,7 @@ static void list_write(const struct writer *w, const struct step *const *list, i
     for (int k = 0; k < count; k++) {
         put(w, ITEM);
         step_name(list[k], &w->formula);
-        if (isfinite(list[k]->value)) { /* a quantity that differs between terms has no single value */
+        if (isfinite(list[k]->value)) { /* a quantity that is different in each term has no single value */
             fputs(" = ", out);
             value_write(w, list[k]);
         }

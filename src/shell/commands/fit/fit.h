@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command 'fit', which finds the parameter values that explain measurements best. The measurements come
- * from a csv file (see language/csv_table.h) of one of three kinds:
+ * The command 'fit', which finds the parameter values that best explain the measurements. The measurements
+ * come from a csv file (see language/csv_table.h) of one of three kinds:
  *
  *     gap (mm), speed (m/s)          the speed of the front in a row of equal dominoes
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it

@@ -204,7 +204,7 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
-    /* If no errors are known, or the residuals are larger, the size of the errors is estimated from the
+    /* If the errors are not known, or are smaller than the residuals, their size is estimated from the
      * residuals. */
     const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
     for (size_t a = 0; a < f->free_count && done; a++) {

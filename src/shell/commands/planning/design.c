@@ -9,7 +9,8 @@
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest ratio of kinetic energy to barrier that equal dominoes have with friction mu. */
+/* Returns the largest ratio of kinetic energy to barrier, over all separations, for equal dominoes with
+ * friction mu. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;

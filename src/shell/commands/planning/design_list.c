@@ -56,7 +56,7 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     return problem_status(problem, query->scene, status);
 }
 
-/* Returns the volume of a domino's wood. If its walls are not known, returns its surface area. */
+/* Returns the volume of wood in a domino or, if the thickness of its walls is not known, its surface area. */
 static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
     return p->walls_unknown ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)

@@ -4,7 +4,7 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* Multiplies a measure of domino k, counted from 0, by `value`, or sets it to `value`. */
+/* Multiplies a measurement of domino k, counted from 0, by `value`, or sets it to `value`. */
 static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {
@@ -38,7 +38,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t c
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    /* These changes keep the density of each domino, so masses may still differ. */
+    /* These changes keep the density of each domino, so the mass ratios may still have to change. */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {

@@ -86,7 +86,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t c
 struct improved {
     struct domq_study study[2]; /* the studies before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
-    domq_real length;           /* the length of the row in m, including its fallen last domino */
+    domq_real length;           /* the length of the row in m after its last domino has fallen */
     bool interrupted;           /* true if ^C ended the search: the row is the best one so far */
 };
 

@@ -144,7 +144,7 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
 {
     if (isnan(a.f) && isnan(b.f))
         return;
-    if (s->solve->verdict) { /* a point without a verdict counts as a false verdict */
+    if (s->solve->verdict) { /* a point without a verdict counts as a point where the verdict is false */
         if (holds(a.f) != holds(b.f))
             root_add(s, edge_between(s, holds(a.f) ? a.x : b.x, holds(a.f) ? b.x : a.x, holds),
                      holds(a.f) ? "true up to here" : "true from here on");

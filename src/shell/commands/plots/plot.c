@@ -66,8 +66,8 @@ static const struct argument answer_argument = {.name = "NAME",
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
                              fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
-/* The plots, in the order in which completion lists them. The warning is off, because entries leave out
- * members. */
+/* The plots, in the order in which completion lists them. The warning about missing initializers is off,
+ * because the entries leave out members. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {

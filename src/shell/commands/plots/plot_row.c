@@ -117,7 +117,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    /* A domino's number, counted from 1, is the index of the next domino. */
+    /* Numbers begin at 1 and indices at 0, so the number of a domino is the index of the next domino. */
     size_t next = run->fall[i].domino;
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;

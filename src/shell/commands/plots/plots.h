@@ -40,7 +40,8 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    /* Key of the column with the unit and, for the x axis, the values. NULL for a y axis without a unit. */
+    /* Key of the column that gives the unit of the axis. The x axis also gets its values from this column.
+     * NULL for a y axis without a unit. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
     bool percent;      /* show the numbers as percentages */

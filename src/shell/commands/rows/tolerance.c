@@ -54,7 +54,7 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     size_t first = 0;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
-        /* A distance in height or thickness is divided by the current value. */
+        /* A difference in height or thickness is divided by the current value. */
         domq_real free =
             quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
@@ -65,7 +65,7 @@ static size_t least_room(const struct windows *w, enum dom_window_of kind)
     return first;
 }
 
-/* Converts a window of leans from angles to distances of the top from plumb. */
+/* Converts a window of leans from angles to distances by which the top is off plumb. */
 static void lean_to_top(struct domq_window *lean, domq_real height)
 {
     lean->now = height * quad(sin)(lean->now);
@@ -159,7 +159,7 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-/* The numbers of digits of a limit and of the current value, which is measured with a tape. */
+/* How many digits to print for a limit, and for the current value, which was measured with a tape. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
 static struct measured length(domq_real value, int digits)
@@ -218,7 +218,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Prints how many height windows may be wider in reality. */
+/* Prints how many height windows may be too narrow, because of limits of the search or of the model. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;

@@ -34,10 +34,11 @@ struct sweep_columns {
 struct sweeper {
     const struct grid *grid;
     const struct point_question *question;
-    const struct query *query;      /* the state of the session, which each point copies and changes */
-    const char *command;            /* the name of the command that does the sweep, for messages */
-    struct run_context run_context; /* without a shard, because a point is not divided */
-    bool styled;                    /* true if the grid changes the precision or the tolerance */
+    const struct query *query; /* the state of the session, which each point copies and changes */
+    const char *command;       /* the name of the command that does the sweep, for messages */
+    /* query->run_context without --shard, because the answer at a point is not divided */
+    struct run_context run_context;
+    bool styled; /* true if the grid changes the precision or the tolerance */
     /* This worker's part of the answer of the sweep, and the template for the answer at each point. */
     struct answer answer;
     struct sweep_columns columns;
