@@ -143,8 +143,8 @@ struct dom_scale dom_scale_default(void);
 #define DOM_COMPUTE_PARAMETERS(X)                                                                            \
     X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
-/* How to compute. Start from dom_compute_default() and change the members that differ. Functions take NULL
- * for the defaults. */
+/* How to compute. Start from dom_compute_default() and change members as needed. Pass NULL to a function to
+ * use the defaults. */
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the results */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
@@ -250,8 +250,8 @@ struct dom_link {
     struct dom_link_error error;
 };
 
-/* Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
- * visit returns false to end the walk early; the status is then DOM_OK, too. */
+/* Calls visit for the head, which leans at theta, and then for each follower that is not negligible at the
+ * tolerance. visit returns false to end the walk early; the status is still DOM_OK. */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real theta, dom_visit *visit, void *context);
@@ -410,8 +410,8 @@ struct dom_state {
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
-/* Finds the tilt at a time since the launch, in tau. The status is DOM_BAD_TIME for a time after the next hit
- * or after the stop. */
+/* Finds the tilt at a given time since the launch, in tau. The status is DOM_BAD_TIME for a time after the
+ * next hit or after the stop. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real time, dom_real *theta);
 
@@ -429,10 +429,11 @@ enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_c
 /* The contact force and the impulse between domino i and its follower. The two stay in contact while the
  * force is > 0 (section 5 of the paper). */
 struct dom_force {
-    size_t i;            /* number of the domino, 0 = head */
-    dom_real force;      /* contact force in m g of the head; NaN if domino i has no follower */
+    size_t i; /* number of the domino, 0 = head */
+    /* contact force divided by the weight m g of the head; NaN if domino i has no follower */
+    dom_real force;
     dom_real per_weight; /* the force divided by the weight of domino i */
-    dom_real impulse;    /* impulse of the collision, in m g tau of the head; NaN if theta > 0 */
+    dom_real impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
 };
 
 /* Calls visit for the dominoes of a moving train at the tilt theta, from the head to the last domino that
@@ -447,7 +448,7 @@ struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
     dom_real theta; /* the tilt of the head at which the smallest force occurs */
     size_t domino;  /* the domino that is pushed, 0 = head */
-    dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
+    dom_real impulse; /* the smallest impulse of the collision, divided by the head's m g tau */
 };
 
 /* Finds the smallest contact force during the cycle or, if the train stops, until the stop. The error is at

@@ -7,7 +7,7 @@
  * domino-model(7) explains the proof.
  *
  * A proof holds for all trains whose s, d and q round to the given doubles. So it holds for decimals and for
- * fractions such as 7/48. A whole q is exact.
+ * fractions such as 7/48. If q is a whole number, it is taken as exact.
  *
  * There is no proof for trains with friction, a slope or rounded edges. Nothing is proved unless the rounding
  * mode is round-to-nearest.

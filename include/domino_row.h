@@ -145,7 +145,7 @@ struct dom_row {
     dom_real push;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is in m, equal for all dominoes. */
     dom_real mu, alpha, walls, rho;
-    /* An engine adds this number to its friction coefficient of the floor. The model ignores the number. */
+    /* An engine adds this number to the floor's friction coefficient. The model ignores the number. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library. May be NULL. */
@@ -255,7 +255,7 @@ typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, v
 /* The largest growth of a row. */
 struct dom_row_growth {
     dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
-    /* All dominoes fall from r_min to r_max. r_min is 1 if the row falls at r = 1. */
+    /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
     /* How the row ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
      * r_max. */
@@ -279,7 +279,7 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes; at least 2 */
     dom_real gap;  /* the current gap, in m */
-    /* The gap nearest to `gap` with which the row falls, in m, rounded to seven digits. */
+    /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits. */
     dom_real to;
     /* The other end of the interval, in m. All dominoes fall with any gap between `to` and `until`. */
     dom_real until;
@@ -291,11 +291,12 @@ struct dom_mend {
  * domino at which the row ends. Unless this gap is too wide to reach across, it also tries the 30 gaps before
  * this gap. Calls progress, which may be NULL, for each gap.
  *
- * Each gap is tried from 0 to the height of the domino before the gap. If a gap is wider than this height,
- * and all dominoes fall with a gap of this height, `to` is this height. In each direction, the search takes
- * up to 40 steps of increasing length, and then bisects. The first step is 1/64,000 of the range. With an
- * engine, there are up to 10 steps, and the first is 1/1,000 of the range. The search can miss an interval of
- * gaps that is narrower than a step. The statuses are those of dom_row_run.
+ * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
+ * If the current gap is even wider, and all dominoes fall at the widest gap within reach, `to` is the widest
+ * gap within reach. In each direction, the search takes up to 40 steps of increasing length, and then
+ * bisects. The first step is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first
+ * is 1/1,000 of the range. The search can miss an interval of gaps that is narrower than a step. The statuses
+ * are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -322,8 +323,8 @@ struct dom_window {
  * - friction: one window.
  *
  * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
- * window is the nearest interval on either side of the current value. If such a row ends at domino k, the
- * dominoes after domino k + 1 have no window.
+ * window is the nearest interval on either side of the current value. If a row that does not fall ends at
+ * domino k, the dominoes after domino k + 1 have no window.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
@@ -331,8 +332,7 @@ struct dom_window {
  * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope,
  * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
  *   and rounded edges fit,
- * - frictions from 0 to 2 or to 4 times the current friction, whichever is larger, but at most
- *   DOM_MU_HIGHEST,
+ * - frictions from 0 to the larger of 2 and 4 times the current friction, but at most DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
  * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that

@@ -25,7 +25,7 @@ struct engine_row {
     double g;
     /* angular velocity given to the first box; NaN if this box is tipped over its edge and let go */
     double push;
-    double slope;  /* angle by which the floor descends in the direction of the row */
+    double slope;  /* angle at which the floor slopes down in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
     /* Friction coefficient of the floor. If infinite, feet with sharp edges turn on hinges, and rounded feet
@@ -96,7 +96,7 @@ enum engine_status {
     ENGINE_NO_LIBRARY, /* Chipmunk is not installed */
     ENGINE_NO_MEMORY,
     ENGINE_INTERRUPTED,
-    ENGINE_NO_END /* no end after a very large number of steps */
+    ENGINE_NO_END /* the run has not ended after a very large number of steps */
 };
 
 /* The largest number of boxes in a row. The time of a run grows with the square of this number. */
@@ -121,7 +121,7 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 /*
  * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
  * each step, and returns false to end the run. If both are NULL, the run ends as soon as it is certain that
- * all boxes fall, at about fall->seconds.
+ * all boxes fall. fall->seconds is then roughly the time at which the run ended.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
@@ -131,10 +131,10 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
 struct engine_settled {
     struct engine_fall fall;
     struct engine_grain grain; /* the resolution of the last run */
-    /* The largest change in any time when the step length was last halved, as a fraction of the duration. NaN
-     * if the verdict changed, or if times were not requested. */
+    /* The largest change in a time due to the last halving of the step length, as a fraction of the duration.
+     * NaN if the verdict changed, or if times were not requested. */
     double change;
-    bool same; /* true if the verdict did not change when the step length was last halved */
+    bool same; /* true if the last halving of the step length did not change the verdict */
 };
 
 /* engine_settle stops when no time changes by more than ENGINE_AGREES times the duration, or after a run with

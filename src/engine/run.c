@@ -7,7 +7,7 @@
 /*
  * The engine uses the symplectic Euler method, which is of first order, and iterates to find impulses.
  * Penetrating boxes are not pushed apart, since this would move them off their hinges. A box that has drifted
- * from its hinge keeps the velocity with which it is pulled back. So it is pulled back slowly.
+ * from its hinge is pulled back slowly, since the box keeps the velocity of the pull.
  *
  * Before a hit, the steps become short, to detect it on time and with little penetration. They stay short for
  * a while. Each step starts from the impulses of the previous one, scaled by the ratio of the lengths. So a

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Slope: the floor descends by the angle alpha in the direction of the train. A negative alpha means uphill.
- * Tilts are measured from the normal to the floor. Only the direction of gravity differs from a level floor.
- * The potential energy of a domino is
+ * Slope: the floor slopes down at the angle alpha in the direction of the train. A negative alpha means
+ * uphill. Tilts are measured from the normal to the floor. So the only difference from a level floor is the
+ * direction of gravity. The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
  *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha.

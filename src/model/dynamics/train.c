@@ -83,8 +83,8 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
                       struct dom_domino *domino, size_t count)
 {
     /*
-     * In quad precision, computing a power takes as long as running a domino. So each domino is computed
-     * from the one before. The rounding errors are too small to affect a row.
+     * In quad precision, computing a power takes as long as computing the motion of a domino. So each domino
+     * is computed from the one before. The rounding errors are too small to affect a row.
      */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;

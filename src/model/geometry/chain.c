@@ -37,7 +37,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* Even while the head is upright, domino b->i has no follower. Domino b->i itself detaches when its
+    /* Domino b->i has no follower, not even while the head is upright. Domino b->i itself detaches when its
      * leader reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)

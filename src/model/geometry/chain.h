@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down, and adds up
- * sums such as (19; c1). It ends after geometry->n dominoes, or when the tail no longer matters at the
+ * sums such as (19; c1). The pass ends after geometry->n dominoes, or when the tail is negligible at the
  * tolerance. A geometric series bounds the tail.
  */
 #ifndef DOM_CHAIN_H

@@ -53,8 +53,8 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order of the fastest series, if the series is made once and serves for `passes` passes down the
- * train. Returns 0 if no series saves time. */
+/* Returns the order at which making the series once, and using it for `passes` passes down the train, takes
+ * the least time. Returns 0 if no series saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),

@@ -188,8 +188,8 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
  * angle equal to theta_c within rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Each of these functions returns an upper bound on the error of an angle. For tilt_error, each coordinate of
- * the tilt has `units` rounding errors. The others are for the head, theta_u, theta_f and theta_leave. */
+/* These functions return upper bounds on the errors of five angles: a tilt whose coordinates have `units`
+ * rounding errors each, the tilt of the head, theta_u, theta_f and theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);

@@ -20,7 +20,8 @@ struct link {
 KERNEL_LOOP void link_geometry(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
-    /* An upright domino has just been hit, so its follower leans on it, even if theta_leave is 0. */
+    /* A domino that is still upright has only just been hit. So its follower leans on it, even if theta_leave
+     * is 0. */
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
@@ -67,7 +68,7 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
 /*
  * A domino has the tilt theta_a in one chain and theta_b in another. Let t = tan((theta_a - theta_b) / 2).
  * Returns t of the follower divided by t of this domino: (1 - G) / (1 + t^2 G), as energy_change_between
- * explains. The arms give 1 - G with all digits.
+ * explains. The arms give 1 - G to full precision.
  */
 KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {

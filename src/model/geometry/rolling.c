@@ -213,8 +213,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns true if rolling_pushes_between succeeds from b to a. If it fails, tries both halves, with at most
- * `halvings` successive halvings. */
+/* Tries rolling_pushes_between from b to a. If this test fails, tries both halves, with at most `halvings`
+ * successive halvings. Returns true on success. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))

@@ -17,9 +17,9 @@ struct clock {
 };
 
 /*
- * Returns the width of the peak of the slowness before a stop, in the variable u of slowness_before. At the
- * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The width of the peak is
- * the delta at which both terms are equal.
+ * Just before a stop, the slowness has a peak. Returns the width of this peak, in the variable u of
+ * slowness_before. At the distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2.
+ * The width of the peak is the delta at which both terms are equal.
  */
 static real stop_width(const struct motion *m)
 {

@@ -31,7 +31,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
              omegasq = self->slope * self->slope * kinematics->omegasq;
         rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
         push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
-        /* the dominoes behind the end of the list all move alike, so their torques form a geometric series */
+        /* the dominoes past the end of the list all move alike, so their torques form a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * self->contact_slope * torque_share);
@@ -253,8 +253,8 @@ static real least_at(real theta, void *context)
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000
-/* The relative tolerance of the tilt at which the force is smallest. Over [0, hi], it is at most 1/1000 of
- * the distance between two samples. */
+/* The relative tolerance of the tilt at which the force is smallest. If an interval begins at 0, the error of
+ * the tilt is at most 1/1000 of the distance between two samples. */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/numerics.h"
 
-/* 2000 bisections are enough if lo and hi are of similar size, or if one is 0 and the root at least
- * 1e-300. */
+/* 2000 bisections are enough if lo and hi are of similar size, or if one of them is 0 and the root is at
+ * least 1e-300. */
 #define ITERATIONS_MAX 2000
 
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)

@@ -96,7 +96,7 @@ enum { LINEAR_PANELS = 128 };
 
 struct num_rate {
     real p, c;
-    /* absolute rounding errors; 0 means a few units of rounding */
+    /* absolute rounding errors; 0 means a few units in the last place */
     real p_noise, c_noise;
 };
 
