@@ -39,7 +39,7 @@ static real rmax_at(real s, void *context)
 /* Returns r_max at s, and stores s if it is the best so far. */
 static real search_at(struct search *b, real s)
 {
-    /* A coarse scan never finds too small an r_max, so it can rule out s. */
+    /* A coarse scan never underestimates r_max, so it can rule out this s. */
     b->c->coarse = (real)1e-3;
     real r_max = rmax_at(s, b->c);
     b->c->coarse = 0;
@@ -225,7 +225,7 @@ static real top_slope(real s, void *context)
     real r = rmax_at(s, c), span = c->geometry.span, h = slope_step(span, s, r) * b->finer;
     if (c->status != DOM_OK)
         return REAL_NAN;
-    /* where the reach limits r_max, r_max = 1/s decreases with s */
+    /* if r_max is limited by the reach, it decreases with s */
     return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
 }
 
@@ -372,7 +372,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         s_error += 2 * ROUNDOFF * s +
                    (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
-    /* add the change of r_max within the error of s */
+    /* the error of s adds to the error of r_max */
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
     *error = (struct dom_best_error){.s = s_error, .r_max = r_error};

@@ -34,7 +34,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     }
     if (status != DOM_OK)
         /* Newton's method is not available with friction. The tilt then needs a finer tolerance, since its
-         * error enters the barrier in second order, not in third. */
+         * error affects the barrier to second order, not to third. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);

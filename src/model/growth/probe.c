@@ -113,9 +113,9 @@ static enum dom_status probe_between(struct probe *p, const struct margin_sample
 }
 
 /*
- * Takes the next sample after `lo`, and stores it in *hi. Its number is at least k. If the sign has not
- * changed at *hi, first goes on from *hi. Then looks for sign changes between `lo` and *hi. `last` is the
- * sample before `lo`.
+ * Takes the next sample after `lo` whose number is at least k, and stores it in *hi. If the sign has not
+ * changed at *hi, first searches the samples after *hi, by recursion. Only then looks for sign changes
+ * between `lo` and *hi. `last` is the sample before `lo`.
  */
 static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
                                   const struct margin_sample *lo, int k, struct margin_sample *hi)

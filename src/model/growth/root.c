@@ -111,8 +111,11 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* The next error is about the product of the last two, divided by a length. For the first two steps,
-         * the length is taken to be a 16th of r, or of the distance from r to the reach if that is less. */
+        /*
+         * The next error is approximately the product of the last two errors, divided by a length. In the
+         * first two steps, this length is a 16th of r or of the distance from r to the reach, whichever is
+         * less.
+         */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);

@@ -363,7 +363,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
  * A follower beyond theta_u lowers the barrier by its drop, the integral of w^i theta_i' g(theta_i) over
  * theta. This is at least the drop at hi divided by `grows`:
  * - theta_i' and w^i are at least as large as at hi.
- * - g(theta_i) is smaller than at hi, by at most the factor `grows`.
+ * - g(theta_i) may be smaller than at hi, but by no more than a factor of `grows`.
  *
  * This factor is largest for an upright head, because h/g and d theta_i / dr decrease with theta. The head
  * itself rises by at most `most`.

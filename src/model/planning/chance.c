@@ -50,7 +50,7 @@ enum { BATCH = 16 };
 struct run {
     double *margin;
     bool tips;          /* true if the first domino is tipped over its edge, and therefore has no margin */
-    const double *base; /* the margins without the change that is tried, or NULL if there is no change */
+    const double *base; /* the margins before the change, or NULL if nothing was changed */
     size_t from;        /* number of the first domino that is affected by the change */
     double most;        /* the largest change in a margin so far */
 };

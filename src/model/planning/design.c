@@ -43,7 +43,8 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
-/* Returns the largest safe growth of the train to a relative tolerance of 1e-7, or 0 if there is none. */
+/* Returns the largest safe growth of the train, with a relative error of at most 1e-7. Returns 0 if r = 1 is
+ * not safe. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -121,7 +122,8 @@ enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the next number of steps (dominoes minus 1) to try. An engine is slow, so its increments grow. */
+/* Returns the next number of steps (dominoes minus 1) to try. With an engine, which is slow, the increments
+ * grow. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);

@@ -64,7 +64,7 @@ struct search {
     double *by_gap, *by_size;
     double *margin;       /* the margins of all random rows */
     double *sorted;       /* the values of one margin in all random rows, in ascending order */
-    gsl_vector *lowest_x; /* the variables with the lowest value of the function on the current level */
+    gsl_vector *lowest_x; /* the point at which the function was lowest on the current level */
     double lowest;
     size_t left;             /* evaluations that remain on the current level */
     double fails;            /* the smoothed fraction of failures for the best row so far */

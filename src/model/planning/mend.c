@@ -7,7 +7,7 @@
 /* number of gaps to try behind the gap at which the row ends; gaps farther back hardly matter */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches from the current gap towards `end` for the first gap with which all dominoes fall. */
+/* Searches from the current gap towards `end` for the first gap at which all dominoes fall. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
@@ -15,9 +15,9 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * For a gap that is too wide to reach across: finds the range of gaps with which the row falls. The range
- * begins at the widest gap within reach. Returns false for any other gap, or if the row does not fall even
- * with the widest gap within reach.
+ * If the gap is too wide to reach across, finds the range of gaps at which the row falls, beginning at the
+ * widest gap within reach. Returns false if the gap is within reach, or if the row does not fall at the
+ * widest gap within reach.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {

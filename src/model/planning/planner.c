@@ -219,7 +219,7 @@ struct planner planner_make(const struct dom_train *train, const struct dom_wish
     p.train.s = separation(GRID / 2);
     p.train.r = 1;
     if (wish->boxes_above > 0)
-        p.train.walls = 0; /* the walls of a train change only times, which are not needed */
+        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
     struct question q = question_make(&p.train, &p.compute);
     struct dom_angles angles;
     p.status = ASK(q, angles_find, &angles);

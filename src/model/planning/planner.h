@@ -28,7 +28,8 @@ struct planner {
     size_t room;
     enum dom_status status;
     dom_real failed_s; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole;        /* false if a run may end at the first domino with too little safety */
+    /* true to run all dominoes; false to end a run at the first domino with too little safety */
+    bool whole;
     /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */

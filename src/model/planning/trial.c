@@ -66,9 +66,9 @@ static bool is_train(const struct dom_row *row)
 /*
  * Runs the first START dominoes of a train. Returns true if the result decides whether the whole row falls.
  *
- * From domino to domino, the spare share of the kinetic energy changes less and less. The remaining dominoes
- * are assumed to repeat the latest change. The row is taken to fall if more than half of the spare share
- * would then be left at the end of the row.
+ * The margin, as a fraction of the kinetic energy, changes less and less from domino to domino. The row is
+ * taken to fall if more than half of this fraction would be left at the end of the row, even if every further
+ * change were as large as the latest.
  */
 static bool start_decides(struct trial *t)
 {
@@ -216,7 +216,7 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* rounding must not widen the widest gap that the previous domino can reach across */
+        /* rounding must not put the gap out of reach of the previous domino */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)

@@ -76,7 +76,7 @@ static struct turn corner_turn(const struct corner *c, double v)
 }
 
 /*
- * turned_below and turned_above return bounds on v of the follower, a sum of terms >= 0:
+ * turned_below and turned_above return bounds on the follower's v, a sum of terms >= 0:
  *
  *     1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta.
  */
@@ -92,15 +92,15 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Returns a lower bound on v of the follower, from the lower corner of a box. It is v of theta_1(t) for some
- * t <= theta, so it cannot exceed v of F (chain.h). */
+/* Returns a lower bound on the follower's v, from the lower corner of a box. The bound is the v of theta_1(t)
+ * for some t <= theta, so it cannot exceed the v of F (chain.h). */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
     return turned_below(corner_turn(c, t), t);
 }
 
-/* Returns an upper bound on v of the follower, from the upper corner of a box. */
+/* Returns an upper bound on the follower's v, from the upper corner of a box. */
 static double follow_above(const struct corner *c, double v)
 {
     if (v >= c->leave.lo)
@@ -168,7 +168,7 @@ struct contact chain_contact(const struct growth *growth, struct span v)
                             most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)
         c.slope = span_of(0);
-    /* dF/dr = (X/r)/Y, where X/r = L cos theta - d. It decreases with theta and increases with r. */
+    /* dF/dr = (X/r)/Y, where X/r = L cos theta - d. dF/dr decreases with theta and increases with r. */
     c.shift =
         (struct span){down(down(c.X.lo / growth->r.lo) / c.Y.hi), up(up(c.X.hi / growth->r.hi) / c.Y.lo)};
     c.shift.lo = least_0(c.shift.lo);

@@ -79,7 +79,7 @@ struct contact {
 struct shape shape_make(double s, double d, double q);
 struct growth growth_make(const struct shape *shape, double r_low, double r_high);
 
-/* Returns sin theta for all tilts theta with 1 - cos theta in v. */
+/* Returns an interval that contains sin theta for every tilt theta with 1 - cos theta in v. */
 struct span tilt_sine(struct span v);
 
 /* For all tilts theta with 1 - cos theta in v: tilt_height returns g = d sin theta - (1 - cos theta) =

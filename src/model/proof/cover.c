@@ -43,8 +43,8 @@ struct level {
     bool refute;       /* if true, the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
 };
 
-/* Returns the most by which K - D can be smaller within the strip than at its upper end. This is max(M, 0)
- * times the width, as in bound 3 of cover_tilts. */
+/* Returns the largest amount by which K - D can fall below its value at the upper end of the strip. This is
+ * max(M, 0) times the width, as in bound 3 of cover_tilts. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);

@@ -5,8 +5,8 @@
  * wide after a success, and half as wide after a failure.
  *
  * If the train seems to stop at the upper end of a strip, the search estimates the root of the margin. It
- * then tries to prove that the train keeps falling up to a decimal number just below the root, and stops at a
- * decimal number just above. A wrong estimate can only make these proofs fail.
+ * then tries to prove that the train keeps falling up to a decimal number just below the root, and that the
+ * train stops at a decimal number just above the root. A wrong estimate can only make these proofs fail.
  */
 #include "proof/limit.h"
 
@@ -50,8 +50,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit at which the train certainly stops. This number lies between the two
- * neighbours of the nearest double, so the proof covers the interval between these neighbours. */
+/* Finds a decimal number above n / unit at which the train certainly stops. The nearest double may be smaller
+ * or larger than this number. So the proof covers the interval between the two neighbours of this double. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -85,9 +85,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 
 /*
  * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling up
- * to a growth slightly below the root, and stops at a growth slightly above. Returns false if a proof fails,
- * with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a smaller growth at which the
- * train stops.
+ * to a growth slightly below the root, and that the train stops at a growth slightly above the root. Returns
+ * false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a
+ * smaller growth at which the train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

@@ -143,7 +143,8 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Encloses the barrier between D at one tilt and a level that D provably never exceeds. */
+/* Returns bounds on the barrier. The lower bound is D at one tilt. The upper bound is a level that D provably
+ * never exceeds. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {
@@ -278,8 +279,8 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         *most = INFINITY;
         return DOM_OK;
     }
-    /* If all products are exact, the arguments are taken literally. Otherwise the bounds hold for all numbers
-     * that round to them. */
+    /* If all products are exact, the result holds for exactly these arguments. Otherwise the bounds hold for
+     * all numbers that round to these arguments. */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
     struct span last = exact;

@@ -17,7 +17,7 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
      * and (c_n/Y_n) / (1 - p). */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
-        /* Without detaching, shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */
+        /* If no domino detaches, shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */
         double most =
             up(up(domino->shift.hi * rest.series) + up(up(per_step * w) * up(rest.series * rest.series)));
         rest.slides = up(up(shape->steepest * power) * most);

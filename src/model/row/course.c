@@ -31,8 +31,8 @@
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The state of the unchanged row when a head is hit, and how far this state may deviate without a change of
- * the verdict. */
+/* The state of the unchanged row when a head is hit, and how far this state may deviate without changing the
+ * verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
@@ -53,8 +53,8 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* To look for negative contact forces, a head is run with FAST times its omegasq, and with its spare omegasq
- * divided by FAST. */
+/* To look for negative contact forces, each head is run twice more: with FAST times its omegasq, and with the
+ * excess of omegasq over `need` divided by FAST. */
 #define FAST 1000
 
 /*
@@ -108,7 +108,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds the deviations of omegasq with which head k itself still falls, whatever happens to later heads. */
+/* Finds how far omegasq may deviate before head k itself no longer falls, whatever happens to later heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))

@@ -206,7 +206,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* p = ln tan(phi / 4) at the hit, and the time before the hit for which p is sought */
+    /* p = ln tan(phi / 4) at the hit; p is to be found at the time `left` before the hit */
     real end, left;
 };
 
@@ -244,13 +244,13 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* For a domino with rounded edges: returns the angle phi beyond theta_u at the time `left`, in tau, before
- * the domino hits the next one. */
+/* A domino with rounded edges will hit the next one after the time `left`, in tau. Returns its angle phi
+ * beyond theta_u. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /* The moment of inertia is at least a quarter of its value for sharp edges. So per tau, p grows by at
-     * most sqrt(2 R), where R is the reach. The p that is sought is at least `first`. */
+     * most sqrt(2 R), where R is the reach. So the solution p is at least `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
