@@ -18,7 +18,7 @@ enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEADER = OUTPUT_HEADER }
 struct column {
     const char *key;     /* the name of the column */
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
-    const char *meaning; /* an explanation for people, one line long */
+    const char *meaning; /* a one-line explanation */
     /* the width of the column in a table of rows, for words and short numbers; 0 for other numbers */
     int width;
 };
@@ -34,7 +34,7 @@ struct layout {
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_announce */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
-    /* In a table for people: */
+    /* Only for the table format: */
     int digits;
     int column[ANSWER_COLUMNS]; /* the widths of the columns */
     int words;                  /* where the last column begins, or -1 if its words go below each row */
@@ -48,8 +48,8 @@ struct csv_layout {
     bool units;        /* column names include the units, so that the file can be read back */
     bool has_reasons;  /* the rows have a column for reasons */
     char *last_header; /* the last header line that was written to this file, or NULL */
-    /* Texts to append, each with a NUL byte. The first is appended to the header line, and the others are
-     * appended to the rows. May be NULL. */
+    /* Texts to append, each terminated by a NUL byte. The first is appended to the header line, and the
+     * others are appended to the rows. May be NULL. */
     const char *extra;
 };
 
@@ -75,7 +75,7 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                   /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
-    /* a sentence for people was written although there was no row */
+    /* a sentence was written, but no row */
     bool wrote_text;
     int error;                       /* errno of the first write that failed, or 0 */
     char late_reason[ANSWER_REASON]; /* a reason that could not be written with its row, or "" */
@@ -114,7 +114,7 @@ struct format {
 
 /* ---- Columns, before the first row ---- */
 
-/* Returns true for a column of angles, which are shown in the unit of the style. */
+/* Returns true for a column of angles, which are shown in the unit that the user has chosen. */
 static inline bool column_is_angle(const struct column *column)
 {
     return strncmp(column->unit, "rad", 3) == 0;
@@ -181,7 +181,8 @@ void answer_set_verdict(struct answer *answer, bool yes);
 /* Returns the number of digits, at least 1, that the tolerance guarantees. */
 int style_tol_digits(const struct answer_style *style);
 
-/* style_angle returns an angle in the unit of the style, and style_angle_unit the name of this unit. */
+/* style_angle converts an angle to the unit that the user has chosen. style_angle_unit returns the name of
+ * this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
 

@@ -29,7 +29,7 @@ struct cell {
     domq_real number;
     domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
-    int digits; /* the number of digits in a table, or 0 for the number of digits of the style */
+    int digits; /* the number of digits in a table, or 0 for answer_style.digits */
     /* the number was computed to the tolerance, so a table shows only the digits that the tolerance
      * guarantees */
     bool computed;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format for people: tables that fit the terminal and use only characters that it can show. */
+/* The table format: tables that fit the terminal, and use only characters that the terminal can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"
@@ -46,8 +46,8 @@ static int table_digits(const struct answer *a)
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell in the unit of the measure. If the error bound is known and shown, it limits the
- * digits. Otherwise, the style and the tolerance limit them. */
+/* Returns the text of a cell, with its number converted by `measure`. The digits are limited by the error
+ * bound if it is known and shown, and otherwise by the style and the tolerance. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {

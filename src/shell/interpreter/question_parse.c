@@ -34,14 +34,14 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
     return false;
 }
 
-/* Parses argument i, a value of question->parameter. For some parameters it may be a file. */
+/* Parses argument i, a value of question->parameter. For some parameters, the value may be a file. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
     const struct domq_effect_argument *value = parameter_argument(p, i - 1);
     struct item *item = &q->item[i], *first = &q->item[1];
     char word[PATH_MAX];
-    /* The value may follow a '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
+    /* The value may follow '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
     if (i == 1) {
         bool has_to = strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]);
         r->at = skip_blanks(r->at + (*r->at == '=' ? 1 : has_to ? 2 : 0));

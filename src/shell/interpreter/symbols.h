@@ -6,7 +6,7 @@
 
 #include "interpreter/command.h"
 
-/* One value among the arguments of a command: an expression, or a word that stands for a value. */
+/* One value in the arguments of a command: an expression, or a word that stands for a value. */
 struct item {
     const struct argument *argument; /* the argument to which the value belongs */
     const struct tree *value;        /* the expression, or NULL if `number` is the value */

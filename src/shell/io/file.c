@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Files after '>' and '>>' are written completely or not at all.
- * - The text first goes to a temporary file without a name. However the program ends, this file vanishes.
+ * - The text first goes to an unnamed temporary file, which vanishes when the program ends.
  * - '>' copies the text to a replacement, a new file in the folder of the target, and renames it to the
  *   target.
  * - '>>' locks the target and appends the text.

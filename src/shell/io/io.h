@@ -34,8 +34,8 @@ bool io_write(int file, const char *bytes, size_t count, const volatile sig_atom
 sigset_t io_block(void);
 void io_unblock(const sigset_t *before);
 
-/* Opens a placeholder for each of the descriptors 0, 1 and 2 that is closed. Otherwise the next file would
- * become a standard stream. */
+/* Opens a placeholder for each of the descriptors 0, 1 and 2 that is closed. Otherwise the next file that
+ * is opened would become a standard stream. */
 void io_begin(void);
 
 /* ---- Streams ---- */

@@ -64,7 +64,7 @@ struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */
 
-/* Pushes a file onto the stack, which may be empty. Returns NULL, or why it cannot be written. */
+/* Pushes a file onto the stack, which may be empty. Returns NULL, or why the file cannot be written. */
 const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 

@@ -27,8 +27,8 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that was flushed but not written yet, and errno of the first failed write. Both are protected by
- * `held_lock`. Threads wait for this lock, but the timer's handler never does. */
+/* Text that stdio has flushed but that has not been written yet, and errno of the first failed write. Both
+ * are protected by `held_lock`. Threads wait for this lock, but the timer's handler never does. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that differ between operating systems. They use what the build has found (see `features`), or
- * else only POSIX. 'make portable' tests the versions for POSIX. */
+/* Functions that differ between operating systems. They use the features that the build has found (see
+ * `features`), and otherwise only POSIX. 'make portable' tests the versions for POSIX. */
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H
 

@@ -55,7 +55,7 @@ struct stage {
     /* the unit of lengths: "h" for a train; NULL for m, which the ruler shows as mm, cm or m */
     const char *unit;
     const char *ruler; /* what the ruler measures */
-    /* the sizes to write where there is room, or NULL */
+    /* the dominoes whose sizes are written where there is room; may be NULL */
     const struct domq_domino *row;
     bool forces;           /* the picture shows the forces that are known */
     char caption[CAPTION]; /* caption of one or more lines */

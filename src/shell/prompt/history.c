@@ -20,7 +20,7 @@ enum {
     HISTORY_FILE = 2 * HISTORY_LINES
 };
 
-/* How many seconds to wait for the lock. After this time, a line is appended without it. */
+/* How many seconds to wait for the lock. After this time, a line is appended without the lock. */
 #define LOCK_SECONDS 1.0
 
 /* The path of the history file, or "" if no history is kept. */
