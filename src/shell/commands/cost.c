@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'cost', which measures computing time. It uses a single thread: others would compete for caches
- * and memory, and lower the clock rate. */
+/* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
+ * caches and memory, and lower the clock rate. */
 #include "commands/cost.h"
 #include "commands/tables.h"
 #include "domino_proof.h"

@@ -75,7 +75,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Returns how many dominoes it takes to topple one of this height at growth r, as in "16 dominoes". */
+/* Returns how many dominoes it takes to topple a domino of this height at growth r, as in "16 dominoes". */
 static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
@@ -183,8 +183,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Returns why the row does not topple the domino. Returns NULL if the row does, or if start_say has already
- * printed the reason. */
+/* Returns why the row does not topple the domino. Returns NULL if the row topples it, or if start_say has
+ * already printed the reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

@@ -200,7 +200,7 @@ bool fit_read(const struct query *query, const char *name, double rate, struct f
         data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->kind == &angles ? FIT_ANGLES : FIT_HITS;
     while (csv && csv_next(csv) && row_add(data, csv, rate))
         ;
-    /* The file may list one domino's angles after another domino's. */
+    /* The file may list the angles of one domino after the angles of another. */
     for (size_t k = 0; k < data->runs && data->kind == FIT_ANGLES; k++)
         qsort(&data->point[data->run[k].first], data->run[k].count, sizeof *data->point, earlier);
     return csv_end(csv, problem);

@@ -49,7 +49,7 @@ struct scan {
     domq_real jump; /* an x at which the answer jumps past the given value */
     struct scan_point {
         domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
-    } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
+    } most, least, point[SCAN_POINTS]; /* the highest and the lowest point, and the points of the grid */
     size_t answers;                    /* the number of points with an answer */
     char no_answer[PROBLEM_TEXT / 2];  /* the reason for the first missing answer */
 };

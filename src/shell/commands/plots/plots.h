@@ -12,7 +12,7 @@
 #include "picture/show.h"
 
 /* Writes the rows of a plot. plot_write adds them to `chart`, which is NULL if the output is csv or json. The
- * function itself adds to the chart what is not in the rows, such as a note. On failure, sets *problem and
+ * function itself adds only what the rows do not contain, such as a note. On failure, sets *problem and
  * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
