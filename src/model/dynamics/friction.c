@@ -32,7 +32,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
         return DOM_LOCKS;
     enum dom_status status = hitting->law->equation(hitting, at, &at_hit);
     if (status == DOM_OK)
-        *inertia_ratio = next->inertia * rest.slope * at_hit.A * arms.ratio / next->upright_inertia;
+        *inertia_ratio = next->inertia * rest.contact_slope * at_hit.A * arms.ratio / next->upright_inertia;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 
