@@ -500,7 +500,7 @@ struct dom_limit {
  *
  * Without friction and with sharp edges, the search uses bounds on the margin that cover every growth up to
  * r_max. It can still miss a dip of the margin that is narrower than 1e-6 in ln r, or than 1e-4 just before
- * r_max. After 1,500 intervals it can miss wider dips, too. With friction or rounded edges, growths are only
+ * r_max. After 1,500 intervals it can also miss wider dips. With friction or rounded edges, growths are only
  * sampled.
  *
  * This function and the next two return DOM_TOO_LONG if the computation would take more than a second or two
@@ -548,7 +548,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
  * - `tilts` is an array of `count` tilts. It may be NULL if the question needs no tilt.
  *
  * Returns DOM_OK, or DOM_NO_METHOD if the question is not in the enumeration. After an interrupt returns
- * DOM_INTERRUPTED; all remaining trains get this status, too.
+ * DOM_INTERRUPTED; all remaining trains also get this status.
  */
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
                                const dom_real *tilts, size_t count, const struct dom_compute *compute,

@@ -39,7 +39,8 @@ struct run {
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
-/* Returns the time until the front face of the head reaches the next box's upper back edge, or INFINITY. */
+/* Returns the time until the front face of the head reaches the next box's upper back edge. Returns INFINITY
+ * if it never does. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;

@@ -32,8 +32,8 @@ static bool is_certain(const struct engine_row *row, const struct engine_fall *f
 {
     if (fall->all)
         return fall->slowest > 0.5;
-    /* On hinges, the run ends soon after a box turns back. The box behind it could still push it over, so the
-     * verdict is not certain. */
+    /* On hinges, the run ends soon after a box turns back. The box behind could still push this box over, so
+     * the verdict is not certain. */
     return isfinite(row->feet) && !fall->lies && fall->climbed < 0.2;
 }
 

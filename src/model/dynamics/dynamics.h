@@ -88,7 +88,7 @@ struct dynamics {
      * With friction, the result is not dH/dtheta, but has the sign of the derivative of the required
      * energy. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
-    /* Finds the smallest kinetic energy at the tilt `from` with which the head reaches the tilt 2 atan p. */
+    /* Finds the smallest kinetic energy at the tilt `from` that takes the head to the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
     /* Optional. Returns an estimate of the error of required energies. The error may be large compared with a

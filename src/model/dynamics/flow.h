@@ -4,8 +4,8 @@
  *
  *     w = G (w(0) - u).
  *
- * u(theta) is the smallest w(0) with which the head reaches theta. The barrier is the maximum of J(0) u.
- * Without friction, u = [H(theta) - H(0)] / J(0).
+ * u(theta) is the smallest w(0) that takes the head to theta. The barrier is the maximum of J(0) u. Without
+ * friction, u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H

@@ -188,7 +188,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "and all errors within them are equally likely. Dominoes that would overlap are moved "
                     "until they touch. 'placement' counts how often all dominoes fall, gives the exact 95 "
                     "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
-                    "SIGMA with which a given share of the rows falls. With the same 'seed', row number i "
+                    "SIGMA at which a given share of the rows falls. With the same 'seed', row number i "
                     "is always the same, with any number of 'threads'. Other errors have separate "
                     "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
                     "each domino, and error_friction, error_slope, error_floor and error_push for the "

@@ -82,8 +82,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound on the derivative for which strip_advance returns an upper bound. The bound is the
- * derivative at lo when the leader has its largest tilt. */
+/* strip_advance returns an upper bound on a derivative. This function returns a lower bound on the same
+ * derivative. The bound is the derivative at lo when the leader has its largest tilt. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -305,7 +305,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose, or NaN. */
+        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose. NaN if no bound is
+         * known. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;

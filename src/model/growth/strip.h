@@ -21,7 +21,7 @@ struct strip {
     /* Largest factor by which g(theta_i(0)) of a follower increases over the strip, with g(theta) = sin
      * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
     real grows;
-    /* Upper bound on the energy that the followers behind the last visited one can still lose. `grows` does
+    /* Upper bound on the energy that the followers after the last visited one can still lose. `grows` does
      * not cover these followers. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds; >= 0 */

@@ -52,7 +52,7 @@ KERNEL enum dom_status segment_braked(const struct segment *segment, bool *brake
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/* For a motion that stops: finds the tilt at which its energy is used up. With friction, the solution of the
+/* Finds the tilt at which the energy of a motion that stops is used up. With friction, the solution of the
  * motion may be replaced by one that ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 

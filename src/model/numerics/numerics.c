@@ -121,7 +121,7 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
         /* Levels may agree by chance although the nodes do not resolve f. So `unseen`, the error of the
-         * unresolved part, must be small, too. */
+         * unresolved part, must also be small. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;

@@ -10,7 +10,7 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds together */
+    /* the kind of error whose size is wanted, or DOM_ERROR_COUNT for all kinds together */
     enum dom_error_of kind;
     double widest; /* the largest sigma that is tried */
     /* bounds on sigma: enough rows fall at `lo`, too few at `hi` */
@@ -74,8 +74,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma with which the requested share of the rows falls. Sets *sigma to infinity if this
- * share falls even with b->widest. */
+/* Finds the largest sigma at which the requested share of the rows falls. Sets *sigma to infinity if this
+ * share falls even at b->widest. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

@@ -114,7 +114,7 @@ struct shared {
     const struct chance *chance;
     struct dom_row row;
     struct totals *sums;
-    double *margin; /* the margins of each row, or NULL */
+    double *margin; /* the margins of each row; NULL if not wanted */
     enum dom_status *status;
 };
 

@@ -59,8 +59,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Returns the largest safe growth of any train, or 0. Sets *best to its separation. Takes coarse steps, and
- * then halves the step repeatedly. */
+/* Returns the largest safe growth of any train, or 0 if no train is safe. Sets *best to the separation of
+ * this train. Takes coarse steps, and then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -172,7 +172,8 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push that makes the row safe enough, to a relative tolerance of 1e-4, or NaN. */
+/* Returns the weakest push that makes the row safe enough, with a relative error of at most 1e-4. Returns NaN
+ * if no such push is found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;

@@ -27,7 +27,7 @@ struct planner {
     struct dom_domino *domino; /* array of `room` dominoes */
     size_t room;
     enum dom_status status;
-    dom_real failed_s; /* last separation at which a train or row could not be computed, or 0 */
+    dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     /* true to run all dominoes; false to end a run at the first domino with too little safety */
     bool whole;
     /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */

@@ -106,7 +106,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* For a row that falls: finds the window of the current value. */
+/* Finds the window around the current value of a row that falls. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -188,7 +188,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* For a row that does not fall: finds the window nearest to the current value. */
+/* Finds the window nearest to the current value of a row that does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);

@@ -43,7 +43,7 @@ struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
     struct span leave;            /* v of the tilt min(theta_leave, theta_inf), beyond which F is constant */
-    /* upper bound on v of all followers, which is v of theta_f or of theta_inf */
+    /* upper bound on the v of every follower: the v of theta_f or of theta_inf */
     double last;
 };
 

@@ -68,7 +68,8 @@ static bool rounds_to_nearest(void)
     return fegetround() == FE_TONEAREST;
 }
 
-/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE. */
+/* Returns the reason why no proof about the train can be attempted. Returns DOM_PROOF_NONE if there is no
+ * such reason. */
 static enum dom_proof_gap gap_before(const struct dom_train *train)
 {
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;

@@ -22,8 +22,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    /* the time for which the tilt is sought, in tau from the beginning of the passage. If `rests` is true,
-     * the time is counted backwards from the end. */
+    /* the time at which the tilt is to be found, in tau from the beginning of the passage. If `rests` is
+     * true, the time is counted backwards from the end. */
     real into;
     struct num_series series;
 };
