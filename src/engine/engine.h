@@ -132,9 +132,10 @@ struct engine_settled {
     struct engine_fall fall;
     struct engine_grain grain; /* the resolution of the last run */
     /* The largest change in a time due to the last halving of the step length, as a fraction of the duration.
-     * NaN if the verdict changed, or if times were not requested. */
+     * NaN if the verdict changed. Valid only if times were requested. */
     double change;
-    bool same; /* true if the last halving of the step length did not change the verdict */
+    /* true if the last halving of the step length did not change the verdict, or if one run was enough */
+    bool same;
 };
 
 /* engine_settle stops when no time changes by more than ENGINE_AGREES times the duration, or after a run with
