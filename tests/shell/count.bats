@@ -34,7 +34,7 @@ END
 The 20th domino is 106.4 m tall; it could topple a domino up to 159.6 m tall.
 Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     answer=$("$DOMINO" -e 'count 112')
-    for words in '^Falling with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \
+    for words in '^Which kinds of domino fall with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \
         '^ *solid *yes;.* 1\.64423 .* 16 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
@@ -43,7 +43,7 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     same 'r 2 with solid dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
     answer=$("$DOMINO" -e 'count 112 2')
-    for words in '^12 dominoes, .* would be needed' '^Such a row does not fall\.$' '^Falling with growth 2 ' '^ *hollow *yes' \
+    for words in '^12 dominoes, .* would be needed' '^Such a row does not fall\.$' '^Which kinds of domino fall with growth 2 ' '^ *hollow *yes' \
         '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done

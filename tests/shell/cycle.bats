@@ -72,7 +72,7 @@ evenly() { # COUNT
     same 'where' "$(sed -n 2p <<<"$walk")" "$(json 'step 2; where' | tail -n 1)"
     run -0 "$DOMINO" -e 'step 4'
     for words in 'Cycle 2, event 1 of 3' '7\.2 cm tall' '(22; c4)' '(24; c6)' 'The impulses at the contacts, from the head down the train' \
-        '88\.08 % of the kinetic energy, the share 1/J(0)' 'has 730 % of the energy that it needs .* clears the barrier'; do
+        '88\.08 % of the kinetic energy (the share 1/J(0))' 'has 730 % of the energy that it needs .* clears the barrier'; do
         grep -q "$words" <<<"$output" || same "$words" "$words" "$output"
     done
 }
@@ -132,10 +132,10 @@ evenly() { # COUNT
         same "$scene" "$advice" "${lines[1]}"
         [[ $(head -n 2 <<<"$output") != *[=\(]* ]]
     done <<'END'
-set r 1.7|Place the dominoes farther apart: with gaps of 0.5337 times the height, each can be 1.81 times as large as the one before. Or keep the gaps, and make each domino at most 1.644 times as large as the one before.
-effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer together: with gaps of 0.5386 times the height, each can be 1.603 times as large as the one before. Or keep the gaps, and make each domino at most 1.406 times as large as the one before.
-set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 times the height, each can be 1.81 times as large as the one before.
-set r 1.9|Make the dominoes grow less: with gaps of 0.5337 times the height, each can be 1.81 times as large as the one before; with the present gaps, 1.644 times as large.
+set r 1.7|Place the dominoes farther apart: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before. Or keep the gaps, and make each domino at most 1.644 times as large as the one before.
+effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer together: with gaps of 0.5386 times the height, each domino can be 1.603 times as large as the one before. Or keep the gaps, and make each domino at most 1.406 times as large as the one before.
+set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before.
+set r 1.9|Make the dominoes grow less: with gaps of 0.5337 times the height, each domino can be 1.81 times as large as the one before; with the present gaps, let each domino be at most 1.644 times as large as the one before.
 set d 3|Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.
 END
     # A percentage that would be rounded to 100 % has more digits.

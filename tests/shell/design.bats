@@ -71,7 +71,7 @@ END
     done
 }
 
-@test "design: if no row meets the wishes, the answer says which value would help" {
+@test "design: if no row fulfils the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
     same hall "infeasible: the shortest row with safety 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
@@ -100,7 +100,7 @@ END
     run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
     grep -q 'according to the model, in which feet are hinges\. All of them also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
-    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which is used because feet is on; a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
+    grep -q "^infeasible: .* no row that was tried falls in the rigid-body engine (used because feet is on); a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
 }
 
@@ -140,7 +140,7 @@ END
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
     wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
-    grep -q 'rows with safety 2 are possible, but none with these boards and this grid was found' <<<"$output"
+    grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
     grep -q 'other boards, or a finer grid, may help' <<<"$output"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"

@@ -38,7 +38,7 @@ record="effect row \"$root/examples/record.csv\""
     [ "${#lines[@]}" -le 23 ]
     awk 'length > 79 { exit 1 }' <<<"$output"
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
-    "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the domino that is pushed: 0: '
+    "$DOMINO" -e 'draw forces' | grep -q "contact forces, divided by the pushed domino's weight: 0: "
     same 'a safe session draws in characters' "$output" "$("$DOMINO" --safe -e 'draw 0.3')"
     # Measured in lines, the next domino is about 1.5 times as tall as the head.
     next=$(grep -c '#' <<<"$("$DOMINO" -e 'draw 0' | head -n -2)")
@@ -191,13 +191,13 @@ END
 $record|draw|10 dominoes, 24 cm to 5.5 m tall, on 8.85 m of floor.
 $record|draw|All 10 fall: the last lies 7.65 s after the first hit.
 $record|draw|Weakest: domino 8 (
-$record|draw at domino 8|3.348 s after the first hit: domino 8 falls, 2 still stand.
-$record|draw at -0.1|0.100 s before the first hit: domino 1 falls, 9 still stand.
-$record|draw at end|all lie.
+$record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes still stand.
+$record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
+$record|draw at end|all dominoes have fallen.
 set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
-set r 1.6; effect row 12|draw at end|the row has ended at domino 2, 10 still stand.
+set r 1.6; effect row 12|draw at end|the row ends at domino 2; 10 dominoes stand.
 set s 0.9; set r 1.2; effect row 4|draw|The row ends at domino 1 (
-effect row 1; effect push 5|draw at end|it lies.
+effect row 1; effect push 5|draw at end|the domino has fallen.
 END
     share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
     awk -v k="$(values kinetic <<<"$share")" -v b="$(values barrier <<<"$share")" 'BEGIN { p = 100 * k / b; exit !(p > 95.5 && p < 96.5) }'
@@ -265,15 +265,15 @@ END
 }
 
 @test "rows that cannot be drawn give a one-line error that says what works" {
-    one_line "'draw at' shows a row at a given moment; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
-    one_line "the motion ends at 7.648 s; 'draw at end' shows that moment" "$record; draw at 8 s > a.svg"
+    one_line "'draw at' shows a row at a given time; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
+    one_line "the motion ends at 7.648 s; 'draw at end' shows the row at this time" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
-    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that moment" 'set r 1.6; effect row 12; draw at domino 5'
-    one_line "the clock starts at 0 s, with the push; 'draw at 0' shows that moment" 'effect row 5; effect push 5; draw at -1'
-    one_line "the moment must be a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
-    one_line 'the moment is missing; usage: draw, draw at 2.5 s, ' "$record; draw at"
+    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
+    one_line "the clock starts at 0 s, with the push; 'draw at 0' shows the row at this time" 'effect row 5; effect push 5; draw at -1'
+    one_line "'at' needs a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
+    one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
@@ -313,7 +313,7 @@ END
     cd "$BATS_TEST_TMPDIR"
     answer=$("$DOMINO" -e 'count 112 m; draw tower' | sed -n '/^20 dominoes, 4/,$p')
     for words in '^20 dominoes, 4.8 cm to 106 m tall' 'Behind the last domino: a tower of 112 m' \
-        'Above the row, [0-9.]* times larger: dominoes 1 to 9\.' '^domino .* 19 *20 *tower$'; do
+        'Above the row, enlarged [0-9.]* times: dominoes 1 to 9\.' '^domino .* 19 *20 *tower$'; do
         grep -q "$words" <<<"$answer" || same 'draw tower' "$words" "$answer"
     done
     # The spire is narrower than the foot.
@@ -321,7 +321,7 @@ END
     # The data are for the growth of the count, not for the growth of the session.
     same data "$(csv 'set r 1.6; effect row 17; draw')" "$(csv 'count 112 m 1.6; draw tower' | sed 1,2d)"
     "$DOMINO" -e 'count 112 m; draw tower > a.svg; draw tower > a.png; set r 1.2; count 60 m; draw tower > b.svg'
-    grep -q '>tower<' a.svg && grep -q 'times larger: dominoes 1 to' b.svg
+    grep -q '>tower<' a.svg && grep -q 'enlarged [0-9.]* times: dominoes 1 to' b.svg
     # Drawing does not change the session.
     same scene "$(json 'show')" "$(json 'count 112 m 1.6; draw tower' >/dev/null; json show)"
     all_fail <<END

@@ -106,8 +106,8 @@ END
     close 'P of the paper' "$(json 'set q hollow; fuel' | values fuel_paper)" "$(at P paper)" 1e-6
     close 'r_max' 2.06377177 "$(at 'r_max' program)" 1e-7
     close 'r_max of the paper' 2.1686 "$(at 'r_max' paper)" 1e-4
-    close 'best s' 0.432413 "$(at 's of' paper)" 1e-6
-    close 'best s' 0.443615 "$(at 's of' program)" 1e-6
+    close 'best s' 0.432413 "$(at 's at' paper)" 1e-6
+    close 'best s' 0.443615 "$(at 's at' program)" 1e-6
     # The paper's search ends at the first maximum, which is at theta = 0 here.
     answer=$(json 'set q hollow; set s 0.54; set r 1.8518; set tol 1e-8; recipe')
     close 'first maximum' 0 "$(at 'H(theta_m)' paper)"
@@ -130,12 +130,12 @@ largest growth|3|0.1|1.7050|1.2532
 largest growth|3|0.2|1.9130|1.5548
 largest growth|3|0.3|2.0471|1.8135
 largest growth|3|0.4|2.1686|2.0638
-its maximum: the separation|3|null|0.432413|0.443615
-its maximum: the growth|3|null|2.202558|2.172869
-its maximum: the separation|4|null|0.520419|0.533651
-its maximum: the growth|4|null|1.831348|1.810436
-the drop-off|3|null|0.53929|0.53929
-the drop-off|4|null|0.61901|0.61901
+maximum of the curve: separation|3|null|0.432413|0.443615
+maximum of the curve: growth|3|null|2.202558|2.172869
+maximum of the curve: separation|4|null|0.520419|0.533651
+maximum of the curve: growth|4|null|1.831348|1.810436
+start of the curve 1/s|3|null|0.53929|0.53929
+start of the curve 1/s|4|null|0.61901|0.61901
 growth of a pair|3|0.4|2.04654|2.04654
 112 m tower: dominoes, r = 1.5|4|null|20|20
 END
@@ -170,7 +170,7 @@ END
 @test "explain names the terms of sums, and says when a quantity has no value" {
     "$DOMINO" -e 'explain fuel' | grep -q '^    next_i: tilt of domino i when the head hits the next domino, at theta_c$'
     answer=$("$DOMINO" -e 'set s 0.05; explain why')
-    grep -q "^      = no value: this train has no such cycle; 'why' says more" <<<"$answer"
+    grep -q "^      = no value: this train has no complete cycle; 'why' says more" <<<"$answer"
     ! grep -qi 'nan' <<<"$answer"
     same 'in json' null "$(json 'set s 0.05; explain why' | head -n 1 | values value)"
     # Each name that a quantity needs has its own row.

@@ -21,7 +21,7 @@ scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect plac
     "$DOMINO" -e 'effect row 5; effect friction 3; effect placement 1 mm; improve sizes' | grep -q "No better row was found.*'mend' looks for a change"
     wrong 'effect row 3; improve' "needs random errors; first enter 'effect placement 1 mm'"
     wrong 'improve' "there is no row"
-    wrong "$scene; improve mass 5 kg" "without 'sizes' only gaps change"
+    wrong "$scene; improve mass 5 kg" "without 'sizes', only gaps change"
     wrong "$scene; improve sizes mass 5 kg" "the masses of this row are not known"
     wrong "$scene; improve sizes hall 9 cm" 'has no room for these dominoes'
     wrong "$scene; improve grid 1 m" 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'

@@ -252,7 +252,7 @@ END
 }
 
 @test "a contact at the hinge, and a foot that no friction can hold, are explained in words" {
-    [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'pushed: 0: no force is enough'* ]]
+    [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'weight: 0: no force is enough'* ]]
     null_of 'set s 1; set r 1; draw forces' '.i == 0' force 'the contact is at the hinge'
     null_of 'effect floor 0; effect friction 1.5; slip' true hit 'lifted off the floor'
     null_of 'effect row 3; effect floor 0; set s 1; set r 1; fall' '.domino == 2' floor 'lifted off the floor'

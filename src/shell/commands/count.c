@@ -116,7 +116,7 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
 {
     bool has_name = false;
     struct tower other = {.falls = false};
-    answer_say(a, "\nFalling with growth %s at s = %.6g, by kind of domino:", quad_growth(train->r, 6),
+    answer_say(a, "\nWhich kinds of domino fall with growth %s at s = %.6g?", quad_growth(train->r, 6),
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;

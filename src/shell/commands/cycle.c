@@ -164,7 +164,7 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
                ? "no domino effect: friction locks the collision, because the force on the struck domino "
-                 "passes its hinge on the wrong side; use a smaller r s or less friction"
+                 "passes its hinge on the wrong side; make r or s smaller, or use less friction"
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);
@@ -222,8 +222,9 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
 }
 
 static const struct column barrier_columns[] = {
-    {"theta_m", "rad", "tilt of the head at the maximum of the potential energy", 0},
-    {"barrier", "mgh/2", "the energy that the train needs: the maximum of H(theta) - H(0)", 0},
+    {"theta_m", "rad", "tilt of the head at the top of the barrier", 0},
+    {"barrier", "mgh/2", "the energy that the train needs; without friction, the maximum of H(theta) - H(0)",
+     0},
     {"kinetic", "mgh/2", "the energy that the train has: the kinetic energy J(0) tau^2 omega(0)^2", 0},
     {"margin", "mgh/2", "kinetic - barrier; not negative if the train keeps falling (26; c8, corrected)", 0},
     {"verdict", "", "'goes on', 'stops', 'locks' (by friction) or 'no fuel' (no energy is released)", 7},

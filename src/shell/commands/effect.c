@@ -110,7 +110,7 @@ static const struct column effects_columns[] = {
     {"without", "us", "time to compute an answer with the effect off", 9},
     {"with", "us", "time to compute an answer with the effect on", 9},
     {"times", "", "the time with the effect divided by the time without it", 8},
-    {"entered", "", "how often an answer runs the code of the effect", 8},
+    {"entered", "", "how many times the effect's code runs while an answer is computed", 8},
     {"adds", "", "what the effect adds to the paper's model", 26},
     {"source", "", "source of the mathematics", 20},
     {NULL, NULL, NULL, 0},
@@ -228,8 +228,9 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         return;
     if (is_row)
         part_row(a, "contact",
-                 "signs of the forces, from a bound or, if needed, from the forces at four tilts", n,
-                 "no contact may pull");
+                 "signs of the forces: from a bound on the forces or, if the bound does not decide, from the "
+                 "forces at four tilts",
+                 n, "no contact may pull");
     else
         part_row(a, "barrier",
                  has_friction ? "roots of C, and omega^2 at each root"
@@ -282,7 +283,7 @@ const struct command effect_commands[] = {
      .help = "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
              "mm', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', "
              "'effect floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'effect "
-             "friction off' turns friction off; an effect that is off takes no time.",
+             "friction off' turns friction off; an effect that is off costs no computing time.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
      .changes = true,

@@ -97,7 +97,8 @@ static void help_parameter(struct session *session, const struct topic *t)
     putc('\n', out);
     if (p->effect) {
         help_say(out, "Source: %s", p->effect->source);
-        help_say(out, effect->on ? "The effect is on: %s\n" : "The effect is off, and takes no time.\n",
+        help_say(out,
+                 effect->on ? "The effect is on: %s\n" : "The effect is off, and costs no computing time.\n",
                  names_shown(effect_setting(&session->state.scene, p->which)));
     }
     help_say(out, "'set %s' changes it, 'reset %s' restores the default.", values, p->name);

@@ -59,7 +59,8 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
         answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.\n");
     else
         answer_say(a,
-                   "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
+                   "With a gap of %.6g times the height, each domino can be %s times as large as the one "
+                   "before. %s\n",
                    (double)train->s, quad_growth(used->r_max, 6),
                    used->ends == DOM_END_REACH
                        ? "With a larger growth a domino falls past the next one without touching it."
@@ -191,9 +192,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
         return query_status(query, problem, status);
     if (status == DOM_OK)
         answer_say(a,
-                   "Dominoes can grow most with gaps of %.4g times the height: each can be %.4g times as "
-                   "large as the "
-                   "one before.\n",
+                   "Dominoes can grow most with gaps of %.4g times the height: each domino can be %.4g times "
+                   "as large as the one before.\n",
                    (double)best.s, (double)best.r_max);
     return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
@@ -277,7 +277,7 @@ const struct command limit_commands[] = {
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth, with gaps of S heights (default: s)",
+     .summary = "the largest growth, with gaps S times the height (default: s)",
      .equation = "(26; c8)",
      .help = "The search raises the growth r from 1 until each domino has too little energy to topple the "
              "next one. It goes no further than r = 1/s (less with rounded edges), because beyond 1/s a "
@@ -328,15 +328,14 @@ const struct command limit_commands[] = {
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},
      .summary = "how many dominoes it takes to topple one of height H (growth R or r)",
-     .help =
-         "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h tall, "
-         "topple one that is at least H tall. The n-th domino is smaller than H and topples the next one. "
-         "The first domino of the row just tips over, or is given the push of 'effect push'. 'feasible' "
-         "tells whether the row falls. If it does not fall, 'stops_at' is the domino at which it ends, and "
-         "'push' is the weakest push with which it would fall. 'goes_on' tells whether an endless train that "
-         "is already moving keeps falling. 'r_start' is the largest growth at which a row starts and keeps "
-         "falling. The row has gaps of s heights, even if the session has another row. If an effect that "
-         "needs the rigid-body engine is on, the engine runs the row.",
+     .help = "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h "
+             "tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
+             "next one. The first domino of the row just tips over, or is given the push of 'effect push'. "
+             "'feasible' tells whether the row falls. If it does not fall, 'stops_at' is the domino at which "
+             "it ends, and 'push' is the weakest push with which it would fall. 'goes_on' tells whether an "
+             "endless train that is already moving keeps falling. 'r_start' is the largest growth at which a "
+             "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
+             "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

@@ -83,9 +83,9 @@ static bool run_record(struct session *session, const struct arguments *given, s
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
         return problem_error(problem,
-                             "'%s' does not work here, because answers go to '%s'; enter it before the "
-                             "command with '>'",
-                             a->command, names_shown(session->output->path));
+                             "'%s' does not work while answers go to '%s'; enter '%s' first, and the command "
+                             "with '>' after it",
+                             a->command, names_shown(session->output->path), a->command);
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
         wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);

@@ -161,8 +161,8 @@ static void say_launch(const struct place *p)
     answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
                (double)(100 * p->state->lost / p->state->before),
                p->has_friction ? ""
-               : p->is_rounded ? ", the share i(0)/J(0)"
-                               : ", the share 1/J(0)",
+               : p->is_rounded ? " (the share i(0)/J(0))"
+                               : " (the share 1/J(0))",
                energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
         answer_say(p->answer, "There is no barrier: the potential energy of the train decreases "
@@ -188,12 +188,11 @@ static void say_top(const struct place *p)
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
                    (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
     else
-        answer_say(
-            p->answer,
-            "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
-            "by %s, and the margin, a kinetic energy of %s, is left. From here on, the potential energy "
-            "decreases (26; c8).",
-            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+        answer_say(p->answer,
+                   "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
+                   "by %s. The kinetic energy that is left, %s, is the margin. From here on, the potential "
+                   "energy decreases (26; c8).",
+                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
 /* Returns the potential energy h(theta) of a domino above the floor, in units of m g h / 2. */
@@ -230,8 +229,9 @@ static void say_stop(const struct place *p)
     if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
         return;
     answer_say(p->answer,
-               "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the "
-               "barrier is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' explains it.",
+               "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. To pass the top "
+               "of the barrier, at theta_m = %s, the train would need %s more (26; c8). There is no next "
+               "hit; 'why' explains it.",
                angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
                p->has_friction ? "potential energy and friction" : "potential energy",
                angle_at(p, b.theta_m).text, energy_at(p, -b.margin).text);
@@ -241,14 +241,13 @@ static void say_hit(const struct place *p)
 {
     const struct domq_state *s = p->state;
     struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
-    answer_say(
-        p->answer,
-        "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at %s; "
-        "the cycle has released %s, the fuel P (25; c7), and has lasted %s.",
-        measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
-        p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-        omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
-        measured(s->time * p->units.tau, "s", 6).text);
+    answer_say(p->answer,
+               "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at "
+               "%s; the cycle has released the fuel P = %s (25; c7), and has lasted %s.",
+               measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+               p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+               omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+               measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_friction)
         answer_say(p->answer, "Friction between dominoes has taken %s of this energy.",
                    energy_at(p, s->friction_work).text);

@@ -11,8 +11,8 @@ const struct column why_columns[] = {
     {"J0", "", "J(0), the inertia of the train (50; d8, corrected)", 0},
     {"kinetic", "mgh/2", "K, the kinetic energy after the collision (24; c6)", 0},
     {"barrier", "mgh/2", "B, the energy that the train needs to keep falling (26; c8)", 0},
-    {"margin", "mgh/2", "K - B, the energy that is left at the highest point", 0},
-    {"r_max", "", "largest growth at this s, where K = B or r equals the reach", 0},
+    {"margin", "mgh/2", "K - B, the energy that is left at the top of the barrier", 0},
+    {"r_max", "", "largest growth at this s: either K = B, or r equals the reach", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -55,14 +55,18 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     } else {
         const char *way = best.s < t->s ? "closer together" : "farther apart";
         char widest[128];
-        snprintf(widest, sizeof widest,
-                 "with gaps of %.4g times the height, each can be %.4g times as large as the one before",
-                 (double)best.s, (double)best.r_max);
+        snprintf(
+            widest, sizeof widest,
+            "with gaps of %.4g times the height, each domino can be %.4g times as large as the one before",
+            (double)best.s, (double)best.r_max);
         if (limit->ends == DOM_END_NONE)
             answer_say(a, "Place the dominoes %s: %s.\n", way, widest);
         else if (best.r_max < t->r)
-            answer_say(a, "Make the dominoes grow less: %s; with the present gaps, %.4g times as large.\n",
-                       widest, most);
+            answer_say(
+                a,
+                "Make the dominoes grow less: %s; with the present gaps, let each domino be at most %.4g "
+                "times as large as the one before.\n",
+                widest, most);
         else
             answer_say(a,
                        "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %.4g times "
@@ -85,10 +89,9 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     else if (b->barrier > 0)
         answer_say(
             a,
-            "After the collision the train must get over its %s point, where the head has a tilt of %.4g %s. "
-            "The kinetic energy K is compared with the energy B that this takes: K %s B (26; c8).",
-            domq_law(t)->dissipates ? "hardest" : "highest", (double)style_angle(style, b->theta_m),
-            style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
+            "After the collision the train must get over its barrier, whose top is at a head tilt of %.4g "
+            "%s. The kinetic energy K is compared with the energy B that this takes: K %s B (26; c8).",
+            (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_REACH)
         answer_say(a,
                    "The growth is limited by the reach: with r above %s%.6g the head falls past the next "

@@ -112,7 +112,7 @@ static bool train_film_make(struct train_film *f)
     f->film.frames = (size_t)ceil(FRAMES_FIRST * whole / f->duration) + 1;
     f->step = whole / (double)(f->film.frames - 1);
     snprintf(f->whole.caption, CAPTION, "1");
-    snprintf(f->ruler, sizeof f->ruler, "x in heights of the first head, %.4g mm; the head is at 0",
+    snprintf(f->ruler, sizeof f->ruler, "position relative to the first head; h is its height, %.4g mm",
              (double)(1000 * scene->scale.h));
     return true;
 }

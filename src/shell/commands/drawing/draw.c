@@ -78,8 +78,8 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
     *time = (domq_real)falling_row_hit(row, number - 1);
     return !isnan(*time) || number <= end ||
            problem_no_answer(problem,
-                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that "
-                             "moment",
+                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows how "
+                             "far the row falls",
                              number, end);
 }
 
@@ -92,11 +92,11 @@ static bool moment_time(struct problem *problem, const struct draw_options *opti
         return domino_time(problem, options->value[DRAW_DOMINO], row, time);
     *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
     if (*time < 0 && !row_run_tipped(&row->run, 0))
-        return problem_no_answer(problem,
-                                 "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
+        return problem_no_answer(
+            problem, "the clock starts at 0 s, with the push; 'draw at 0' shows the row at this time");
     /* An end time that the user copied from an answer may have been rounded up. */
     return options->end || !((double)*time > row->end * 1.005) ||
-           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that moment",
+           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",
                              measured((domq_real)row->end, "s", 4).text);
 }
 
@@ -178,7 +178,7 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     if (!stage->forces)
         return;
     text_add(stage->caption, CAPTION, "\n%s",
-             mark.forces ? mark.forces : "contact forces, in weights of the domino that is pushed:");
+             mark.forces ? mark.forces : "contact forces, divided by the pushed domino's weight:");
     for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
          k++) {
         const struct drawn *d = &stage->domino[k];
@@ -227,8 +227,9 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
          train = options->train || options->forces || options->has[DRAW_TILT];
     if (draw_at(options) && !row) {
         problem->place = query->given->column[0];
-        return problem_error(problem, "'draw at' shows a row at a given moment; first enter 'effect row N', "
-                                      "for example 'effect row 10'");
+        return problem_error(
+            problem,
+            "'draw at' shows a row at a given time; first enter 'effect row N', for example 'effect row 10'");
     }
     if (!picture_ready(a, problem))
         return false;

@@ -12,7 +12,7 @@ struct draw_parsed {
 };
 
 static const struct argument arguments[DRAW_VALUES] = {
-    [DRAW_TIME] = {.name = "the moment", .kind = ARGUMENT_ANY},
+    [DRAW_TIME] = {.name = "the time", .kind = ARGUMENT_ANY},
     [DRAW_DOMINO] = {.name = "the domino", .kind = ARGUMENT_ANY},
     [DRAW_TILT] = {.name = "T", .kind = ARGUMENT_TILT},
     [DRAW_CYCLES] = {.name = "N", .kind = ARGUMENT_ANY},
@@ -59,13 +59,13 @@ static bool value_parse(struct reader *r, struct draw_parsed *p, enum draw_value
                           : item_parse(r, &arguments[value], &p->item[value]);
 }
 
-/* Parses the moment that follows 'at'. */
+/* Parses the words that follow 'at'. */
 static bool moment_parse(struct reader *r, struct draw_parsed *p)
 {
     reader_place(r, r->at);
     p->options.column = r->problem->place;
     if (reader_ends(r))
-        return problem_error(r->problem, "the moment is missing; %s", draw_usage);
+        return problem_error(r->problem, "'at' needs a time, 'domino N' or 'end'; %s", draw_usage);
     bool domino = reader_takes(r, "domino");
     p->options.end = !domino && reader_takes(r, "end");
     r->last = !domino;
@@ -138,8 +138,7 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
     if (value == DRAW_TIME)
         return quantity_is_dimensionless(quantity) ||
                quantity_alike(quantity, (struct quantity){.time = 1}) ||
-               problem_error(problem,
-                             "the moment must be a time, not %s; write, for example, 'draw at 2.5 s'",
+               problem_error(problem, "'at' needs a time, not %s; write, for example, 'draw at 2.5 s'",
                              expression_kind(quantity));
     if (value == DRAW_SPEED && !(plain && number >= (domq_real)0.001 && number <= 1000))
         return problem_error(

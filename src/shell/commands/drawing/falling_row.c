@@ -177,15 +177,17 @@ void falling_row_moment(const struct falling_row *row, const struct domq_moment 
     char what[SENTENCE / 2];
     double time = (double)m->time;
     size_t after = row->stage.count - m->head;
-    const char *stand = after == 1 ? "stands" : "stand";
+    const char *plural = after == 1 ? "" : "es", *stand = after == 1 ? "stands" : "stand";
     if (time >= row->end && row->run.verdict.end == DOM_ROW_FALLS)
-        snprintf(what, sizeof what, row->stage.count > 1 ? "all lie" : "it lies");
+        snprintf(what, sizeof what,
+                 row->stage.count > 1 ? "all dominoes have fallen" : "the domino has fallen");
     else if (time >= row->end)
-        snprintf(what, sizeof what, "the row has ended at domino %zu, %zu still %s", m->head, after, stand);
+        snprintf(what, sizeof what, "the row ends at domino %zu; %zu domino%s %s", m->head, after, plural,
+                 stand);
     else if (after == 0)
         snprintf(what, sizeof what, "domino %zu, the last, falls", m->head);
     else
-        snprintf(what, sizeof what, "domino %zu falls, %zu still %s", m->head, after, stand);
+        snprintf(what, sizeof what, "domino %zu falls; %zu domino%s still %s", m->head, after, plural, stand);
     snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
              start_of(row), what);
 }

@@ -57,7 +57,8 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
  * the weakest. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls, 7 still stand." */
+/* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls; 7 dominoes still
+ * stand." */
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
 
 #endif

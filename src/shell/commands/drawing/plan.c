@@ -11,19 +11,21 @@ const struct column plan_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"back", "m", "distance from the back of domino 1 to the back of this domino", 0},
     {"front", "m", "distance from the back of domino 1 to the front of this domino", 0},
-    {"back_low", "m", "the smallest value of 'back' at which all dominoes fall, if only this domino moves",
-     0},
-    {"back_high", "m", "the largest value of 'back' at which all dominoes fall, if only this domino moves",
-     0},
+    {"back_low", "m",
+     "the smallest value of 'back' at which all dominoes still fall, if only this domino is moved", 0},
+    {"back_high", "m",
+     "the largest value of 'back' at which all dominoes still fall, if only this domino is moved", 0},
     {"gap", "m", "clear distance to the domino before it", 0},
     {"height", "m", "height of the domino", 0},
-    {"height_low", "m", "the smallest height at which all dominoes fall, if only this height changes", 0},
-    {"height_high", "m", "the largest height at which all dominoes fall, if only this height changes", 0},
+    {"height_low", "m", "the smallest height at which all dominoes still fall, if only this height changes",
+     0},
+    {"height_high", "m", "the largest height at which all dominoes still fall, if only this height changes",
+     0},
     {"thickness", "m", "thickness of the domino", 0},
     {"thickness_low", "m",
-     "the smallest thickness at which all dominoes fall, if only this thickness changes", 0},
+     "the smallest thickness at which all dominoes still fall, if only this thickness changes", 0},
     {"thickness_high", "m",
-     "the largest thickness at which all dominoes fall, if only this thickness changes", 0},
+     "the largest thickness at which all dominoes still fall, if only this thickness changes", 0},
     {"width", "m",
      "width of the domino: half its height, unless 'change' or the row's file sets another width", 0},
     {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
@@ -74,7 +76,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     if (v->end != DOM_ROW_FALLS) {
         problem_no_answer(problem,
                           "this row ends at domino %zu, so there is nothing to build yet; 'mend' looks for a "
-                          "change that saves it",
+                          "change that saves the row",
                           v->domino);
         falling_row_free(&p->row);
         return false;

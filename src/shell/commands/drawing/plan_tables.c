@@ -43,8 +43,8 @@ static struct guide_table *table_add(struct plan *p, const char *title, const ch
 }
 
 #define TAPE                                                                                                 \
-    "In mm, on a tape whose zero is at the back of domino 1. If only one domino moves, and its back stays "  \
-    "between 'least' and 'most', all dominoes still fall."
+    "In mm, on a tape whose zero is at the back of domino 1. If only one domino is moved, and its back "     \
+    "stays between 'least' and 'most', all dominoes still fall."
 
 bool plan_has_leans(const struct plan *p)
 {

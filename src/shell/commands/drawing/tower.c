@@ -73,7 +73,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         for (int i = 0; i < CORNERS; i++)
             d->corner[i].y += ZOOM_ABOVE * height;
     }
-    text_add(stage->caption, CAPTION, "\nAbove the row, %.3g times larger: domino%s 1%s%.0d.", scale,
+    text_add(stage->caption, CAPTION, "\nAbove the row, enlarged %.3g times: domino%s 1%s%.0d.", scale,
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 

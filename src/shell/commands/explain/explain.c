@@ -134,7 +134,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine, which runs this row because %s, has no equations; "
+                                 "the rigid-body engine runs this row because %s, and has no equations; "
                                  "'fall' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
@@ -236,8 +236,8 @@ const struct command explain_commands[] = {
      .summary = "the paper's recipe for the largest growth, compared with this program",
      .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
              "shows the number that each step gives at the session's s and r. It compares the paper's number "
-             "with the number of this program, and says why they differ. With friction, a slope, walls or "
-             "rounded edges there is no recipe.",
+             "with this program's, and says why they differ. With friction, a slope, walls or rounded edges "
+             "there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
      .sweep_refusal = "it compares the steps for one train",

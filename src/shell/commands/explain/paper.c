@@ -8,8 +8,8 @@ const struct column paper_columns[] = {
     {"what", "", "the quantity that the paper states or draws", 34},
     {"q", "", "mass exponent: 3 for hollow dominoes, 4 for solid ones", 4},
     {"s", "h", "separation", 0},
-    {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
-    {"exact", "", "with the fuel from the energy balance", 0},
+    {"paper", "", "the value with the paper's closed form of the fuel (25; c7)", 0},
+    {"exact", "", "the value with the fuel from the energy balance", 0},
     {"difference", "share", "paper / exact - 1", 0},
     {"why", "", "why the two numbers differ", 30},
     {NULL, NULL, NULL, 0},
@@ -78,10 +78,11 @@ static void growth_rows(struct table *t)
         t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         t->status = domq_limit_best(&t->train, &t->compute, &best[fuel]);
     }
-    paper_row(t, "Fig. growth", "its maximum: the growth", DOMQ_NAN, best[0].r_max, best[1].r_max, weights);
-    paper_row(t, "Fig. growth", "its maximum: the separation", DOMQ_NAN, best[0].s, best[1].s, weights);
+    paper_row(t, "Fig. growth", "maximum of the curve: growth", DOMQ_NAN, best[0].r_max, best[1].r_max,
+              weights);
+    paper_row(t, "Fig. growth", "maximum of the curve: separation", DOMQ_NAN, best[0].s, best[1].s, weights);
     const domq_real paper = crossing_find(t, DOM_FUEL_PAPER), exact = crossing_find(t, DOM_FUEL_EXACT);
-    paper_row(t, "Fig. growth", "the drop-off r = 1/s begins at s", DOMQ_NAN, paper, exact, weights);
+    paper_row(t, "Fig. growth", "start of the curve 1/s: separation", DOMQ_NAN, paper, exact, weights);
 }
 
 /* Writes rows for the paper's figure about two dominoes, in which the fuel plays no part. */

@@ -98,7 +98,7 @@ const struct derived derived_list[] = {
     Q("K", "K", "K", 0, HAS_EDGES, SUM_NONE, "J_0*w_0", "launch.kinetic", "mgh/2", "26; c8",
       "kinetic energy of the train after the collision"),
     Q("theta_m", "θ_m", "\\theta_m", 0, 0, SUM_NONE, NULL, "barrier.theta_m", "rad", "26; c8",
-      "tilt at which the train is highest; found by a search over all tilts from 0 to theta_c"),
+      "tilt of the head at the top of the barrier; found by a search over all tilts from 0 to theta_c"),
     Q("B", "B", "B", HAS_FRICTION, HAS_FRICTION, SUM_NONE, NULL, "barrier.barrier", "mgh/2", "",
       "barrier: the energy that the train needs to go on"),
     Q("B", "B", "B", HAS_EDGES, HAS_EDGES, SUM_NONE, NULL, "barrier.barrier", "mgh/2", "",
@@ -111,7 +111,7 @@ const struct derived derived_list[] = {
       "r^(-q*i)*(cos(theta_i) + d*sin(theta_i) - cos(start_i) - d*sin(start_i))", "barrier.barrier", "mgh/2",
       "26; c8", "barrier: the energy that the train needs, H(theta_m) - H(0)"),
     Q("margin", "margin", "\\mathrm{margin}", 0, 0, SUM_NONE, "K - B", "barrier.margin", "mgh/2", "26; c8",
-      "energy that is left at the highest point: the train keeps falling if this is at least 0"),
+      "energy that is left at the top of the barrier: the train keeps falling if this is at least 0"),
     Q("dH", "ΔH", "\\Delta H", HAS_SLOPE, HAS_EDGES, SUM_TILT,
       "r^(-q*i)*(cos(theta_i + alpha) + d*sin(theta_i + alpha) - cos(start_i + alpha) - d*sin(start_i + "
       "alpha))",
@@ -144,16 +144,17 @@ const struct derived derived_list[] = {
       "height of the domino that n dominoes topple"),
     /* Quantities of a row. */
     Q("margin_k", "margin_k", "\\mathrm{margin}_k", 0, 0, SUM_NONE, "K_k - B_k", "#margin", "mgh/2", "26; c8",
-      "energy that is left at the highest point: the row goes on from domino k if this is at least 0"),
+      "energy that is left at the top of the barrier: the row goes on from domino k if this is at least 0"),
     Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",
-      "kinetic energy of all moving dominoes just after domino k was hit"),
+      "kinetic energy of all moving dominoes just after domino k is hit"),
     Q("E_k", "E_k", "E_k", 0, 0, SUM_NONE, NULL, "#before", "mgh/2", "21; c3",
       "kinetic energy of the moving dominoes just before domino k is hit; it follows from the motion of "
       "dominoes 1 to k - 1, which 'fall' lists"),
     Q("D_k", "D_k", "D_k", 0, 0, SUM_NONE, NULL, "#lost", "mgh/2", "22; c4",
       "kinetic energy lost in the hit: the dominoes stay together, so the collision is fully inelastic"),
     Q("B_k", "B_k", "B_k", 0, 0, SUM_NONE, NULL, "#barrier", "mgh/2", "26; c8",
-      "barrier: how high the row climbs before domino k tips over, found by a search over all of its tilts"),
+      "barrier: the energy that the row needs to go on from domino k, found by a search over all tilts of "
+      "domino k"),
     {.names = {{NULL}}},
 };
 

@@ -104,8 +104,8 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
     recipe_row(a, 1, angles->detaches ? "theta_f (42; A18)" : "theta_inf (40; A16)", angles->theta_f,
                angles->theta_f,
                angles->detaches
-                   ? "the paper ends the chain where x_i exceeds x_f, which never happens: theta_f is the "
-                     "largest tilt. The program ends it where the leader reaches theta_leave"
+                   ? "the paper ends the chain where x_i exceeds x_f. This never happens, because theta_f is "
+                     "the largest tilt. The program ends the chain where the leader reaches theta_leave"
                    : NULL,
                true);
     recipe_row(a, 2, "J(0) (20; c2)", paper->J0, ours->J0, NULL, false);
@@ -118,10 +118,10 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
     recipe_row(a, 3, "H(theta_m) - H(0) (26; c8)", paper->barrier, ours->barrier,
                "the paper takes the first maximum of H, and the program the largest one", false);
     recipe_row(a, 3, "tau^2 omega(theta_m)^2 (21; c3)", paper->wm, ours->wm,
-               "the two numbers differ because the fuels differ; if this number is below 0, the train stops",
+               "the two numbers differ because the fuels differ; a number below 0 means that the train stops",
                false);
     recipe_row(a, 4, "r_max at this s", paper->r_max, ours->r_max, weights, false);
-    recipe_row(a, 5, "s of the largest growth", paper->best_s, ours->best_s, weights, false);
+    recipe_row(a, 5, "s at which r_max is largest", paper->best_s, ours->best_s, weights, false);
     recipe_row(a, 5, "the largest growth", paper->best_r, ours->best_r, NULL, false);
 }
 

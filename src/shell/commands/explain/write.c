@@ -93,7 +93,7 @@ static const char *const texts[][DIALECTS] = {
     [ITEM] = {"    ", "- $", "\\item $"},
     [MEANING] = {": ", "$: ", "$: "},
     [END] = {"", "", "\\end{itemize}\n"},
-    [NO_VALUE] = {"no value: this train has no such cycle; 'why' says more", "\\text{no value}",
+    [NO_VALUE] = {"no value: this train has no complete cycle; 'why' says more", "\\text{no value}",
                   "\\text{no value}"},
 };
 

@@ -63,10 +63,10 @@ bool fit_parse(struct reader *r, struct question *q)
 /* ---- The answer ---- */
 
 const struct column fit_columns[] = {
-    {"gap", "m", "for a speed: the clear gap between the equal dominoes", 0},
-    {"run", "", "for a hit or an angle: the number of the run", 5},
-    {"domino", "", "for a hit or an angle: the number of the domino", 0},
-    {"time", "s", "for an angle: the time at which it was measured", 0},
+    {"gap", "m", "if a speed was measured: the clear gap between the dominoes, which are all equal", 0},
+    {"run", "", "if a hit or an angle was measured: the number of the run", 5},
+    {"domino", "", "if a hit or an angle was measured: the number of the domino", 0},
+    {"time", "s", "if an angle was measured: the time of the measurement", 0},
     {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
     {"fitted", "", "the model's result with the fitted values", 0},
     {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
@@ -197,7 +197,7 @@ static void residuals_say(struct answer *a, const struct fit *f)
     }
     if (f->data.intervals)
         answer_say(
-            a, "The measured times drift away from the model's times, which happens if the gaps of a row are "
+            a, "The measured times drift away from the model's times, as they do if the gaps of a row are "
                "not all equal. The fit and the table therefore compare the times between successive hits.");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",

@@ -90,9 +90,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s at the second domino: it needs a push of "
-                 "%s at the top of domino 1, but more than %s throws this domino off the floor; enter a "
-                 "smaller safety",
+                 "infeasible: safety %s at the second domino needs a push of %s at the top of domino 1, but "
+                 "a push above %s lifts this domino off the floor; enter a smaller safety",
                  safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
@@ -114,8 +113,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         else
             snprintf(more, sizeof more, "another thickness may help");
         snprintf(text, size,
-                 "infeasible: rows with safety %s fall in the model, in which feet are hinges, but none that "
-                 "was tried falls in the rigid-body engine, which is used because %s; %s",
+                 "infeasible: rows with safety %s fall in the model with hinged feet, but no row that was "
+                 "tried falls in the rigid-body engine (used because %s); %s",
                  safety.text, scene_engine_why(query->scene), more);
     } else {
         domq_real mu = friction_most(query, wish->safety);
@@ -141,8 +140,8 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
                        d.limit == DOM_DESIGN_FITS;
     if (found)
         snprintf(reason, REASON,
-                 "infeasible: rows with safety %s are possible, but none with these boards and this grid was "
-                 "found; enter other boards or a finer grid, or leave them out",
+                 "infeasible: rows with safety %s are possible, but no row with these boards and this grid "
+                 "was found; enter other boards or a finer grid, or leave them out",
                  measured(wish->safety, "", 6).text);
     return found;
 }

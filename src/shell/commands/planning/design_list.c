@@ -16,7 +16,7 @@ const struct column design_columns[] = {
     {"volume", "m^3", "the volume of the wood in all dominoes, if q is not 3 or their walls are known", 0},
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
     {"weakest", "", "the number of the weakest domino", 0},
-    {"train", "", "the safety of the endless train", 0},
+    {"train", "", "the energy of the endless train, divided by the energy that it needs", 0},
     {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
     {"probability", "share", "the share of the random rows that fall", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},

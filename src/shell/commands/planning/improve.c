@@ -15,7 +15,7 @@ const struct column improve_columns[] = {
     {"probability", "share", "the share of the rows that fall after the changes", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"high", "share", "the upper end of the 95 % interval of the probability", 0},
-    {"rows", "", "the number of random rows that were set up; the search used other rows", 0},
+    {"rows", "", "the number of random rows for each probability; the search itself used other rows", 0},
     {"changed", "", "the number of dominoes that have changed", 0},
     {"length", "m", "the length of the row, including its fallen last domino", 0},
     {NULL, NULL, NULL, 0},
@@ -83,9 +83,9 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
         return problem_error(problem, "this command needs random errors; first enter 'effect placement 1 "
                                       "mm', or another error, such as 'effect error_thickness 1 %%'");
     if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
-        return problem_error(problem,
-                             "without 'sizes' only gaps change, and not thicknesses or masses; enter "
-                             "'improve sizes ...'");
+        return problem_error(
+            problem,
+            "without 'sizes', only gaps change, not thicknesses or masses; enter 'improve sizes ...'");
     if (!grid_check(w->grid, i->scene.domino[0].height, problem))
         return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
@@ -155,13 +155,13 @@ static void improvement_say(const struct query *query, struct answer *a, const s
             a, "All %zu random rows fall, so there is nothing to improve; the probability is at least %s.",
             i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
     else if (count < 2)
-        answer_say(a, "A row of one domino has nothing to change.");
+        answer_say(a, "There is nothing to change in a row of one domino.");
     else if (i->changed == 0)
         answer_say(a, "No better row was found. For the present row, %s.%s%s", study_words(&i->study[0]).text,
                    i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.",
                    i->study[0].fall > 0 ? "" : " 'mend' looks for a change that makes the row fall.");
     else
-        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other random rows.",
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search itself used other random rows.",
                    study_words(&i->study[0]).text, study_words(&i->study[1]).text);
     if (i->scene.row.engine)
         answer_say(a,
