@@ -10,7 +10,7 @@ enum { REPEATS = 5 };
 
 #define PEERS_TOL 1e-12 /* the finest tolerance that the other programs reach in double precision */
 
-/* Returns the shortest time of one answer, measured in batches that are long enough for the clock. Returns
+/* Returns the shortest time per answer, measured in batches that are long enough for the clock. Returns
  * NaN if there is no answer. */
 static double time_of(const struct question *q, enum dom_method method, enum dom_precision precision,
                       double tol, int repeats)

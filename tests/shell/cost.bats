@@ -55,7 +55,7 @@ load common
 
 @test "plot cost: the labels of the picture, and its data" {
     run -0 "$DOMINO" -e 'plot cost launch'
-    for words in 'What accuracy costs' 'time of one answer' 'this program, quad' 'recipe'; do
+    for words in 'What accuracy costs' 'time per answer' 'this program, quad' 'recipe'; do
         grep -q "$words" <<<"$output"
     done
     "$DOMINO" -e 'plot cost launch > a.svg'

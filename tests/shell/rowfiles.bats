@@ -192,7 +192,7 @@ END
     grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is now off by 1 mm backwards.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
     said=$("$DOMINO" -e 'effect row stops.csv; tolerance')
-    grep -qxF 'All would fall if the top of domino 2 were off by 1.7 mm backwards to 1.03 cm forwards; it is now off by 3 mm backwards.' <<<"$said"
+    grep -qxF 'All dominoes would fall if the top of domino 2 were off by 1.7 mm backwards to 1.03 cm forwards; it is now off by 3 mm backwards.' <<<"$said"
 }
 
 @test "'row > FILE' and then 'effect row FILE' give the same row, digit for digit" {

@@ -198,7 +198,7 @@ END
     wrong_line 'sweep friction off 0.2 3 : rmax' "the values of friction are words; list them, as in 'sweep friction off, on : rmax'"
     wrong_line 'sweep friction 0.1 off 3 : rmax' 'the values of friction are words'
     wrong_line 'sweep seed 1 10 5 : rmax' 'seed takes whole numbers'
-    wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratios need FROM and TO above 0'
+    wrong_line 'sweep mass 0 1 3 log : rmax' "with 'log', FROM and TO must be above 0"
     wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
     wrong_line 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
     wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' cannot be swept: it measures computing time"

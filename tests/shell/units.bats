@@ -231,10 +231,10 @@ END
     same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
         "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
     all_wrong <<'END'
-8|set s 0,3|^set: the value of s ends before ',3'; use a decimal point, as in 0\.5$
-10|count 112,5 m|^count: the value of H ends before ',5 m'; use a decimal point
-29|print rmax with friction 0.2, s 0.3|^print: the value of MU ends before ', s 0.3'; separate values by blanks
-9|budget s%|^budget: the value of P ends before '%'; write the fraction as 0\.95 or 95/100$
+8|set s 0,3|^set: unexpected ',3' after the value of s; use a decimal point, as in 0\.5$
+10|count 112,5 m|^count: unexpected ',5 m' after the value of H; use a decimal point
+29|print rmax with friction 0.2, s 0.3|^print: unexpected ', s 0.3' after the value of MU; separate values by blanks
+9|budget s%|^budget: unexpected '%' after the value of P; write the fraction as 0\.95 or 95/100$
 END
 }
 

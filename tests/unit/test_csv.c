@@ -102,7 +102,7 @@ TEST(quotes)
         {HEAD "1,,\x1b[31m", "1 - - ,\\x1b[31m; "},
         {HEAD "1,,\"a\n\nb", "2:4: this '\"' is never closed"},
         {HEAD "1,,\"a\"b", "2:7: a ',' is missing after the closing '\"'"},
-        {HEAD "1,\"2\"\"\",", "2:5: the value of gap ends before '\"'"},
+        {HEAD "1,\"2\"\"\",", "2:5: unexpected '\"' after the value of gap"},
     };
     CHECK(cases, &kind, false);
 }
@@ -138,7 +138,7 @@ TEST(decimal_marks)
     static const struct reading wrong[] = {
         {SEMICOLONS "1.234,5;;", "2:1: this number has more than one decimal mark"},
         {SEMICOLONS "1,234,567;;", "2:1: this number has more than one decimal mark"},
-        {SEMICOLONS "48,;;", "2:3: the value of size ends before ','"},
+        {SEMICOLONS "48,;;", "2:3: unexpected ',' after the value of size"},
         {HEAD "1,,x\n48,5,7,x",
          "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; the separator is ','; "
          "'48,5' is read as the cells 48 and 5: if it is one number, write 48.5"},
@@ -156,7 +156,7 @@ TEST(units)
         {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
         {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
         {"size,gap,count (m)", "1:10: '(m)' is not a unit of count; its units are: none"},
-        {"size (m),gap (m)\nmm,\n", "2:1: the first line gives size a unit other than 'mm'"},
+        {"size (m),gap (m)\nmm,\n", "2:1: 'mm' differs from the unit of size in the first line"},
         {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
         {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
         {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},

@@ -77,14 +77,14 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "are 2.8 % longer. In a row, all dominoes are boxes made of the same boards, whose thickness "
                 "is THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
                 "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
-                "than ABOVE are boxes, and all others are solid. The endless train then has no walls. In a "
-                "row without a file, masses then follow from the volumes of the blocks and boxes, and 'q' "
-                "has no effect. The moments of inertia of boxes, and masses computed from a density, take "
-                "the walls into account. Walls half as thick as the domino make a solid block. A domino is "
-                "half as wide as it is tall, unless a file or 'change' gives its width. The moment of "
-                "inertia about the lower edge is that of a solid "
-                "block of the same mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v "
-                "= (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+                "than ABOVE are boxes, and all others are solid. The endless train then consists of solid "
+                "dominoes. In a row without a file, masses then follow from the volumes of the blocks and "
+                "boxes, and 'q' has no effect. The moments of inertia of boxes, and masses computed from a "
+                "density, take the walls into account. Walls half as thick as the domino make a solid block. "
+                "A domino is half as wide as it is tall, unless a file or 'change' gives its width. The "
+                "moment of inertia about the lower edge is that of a solid block of the same mass, times 1 + "
+                "v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t), "
+                "and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "a factor of the moment of inertia, in closed form",
@@ -108,10 +108,10 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "edges",
             .synonyms = "rho rounded round radius corner bevel rolling foot",
-            .adds = "rounded edges, on which dominoes roll over the floor",
+            .adds = "rounded edges, on which dominoes roll as they tip over",
             .help = "The radius of the edges is RADIUS times the height, for every domino of a train; in a "
                     "row from a file each domino can have a radius of its own. The radius is at most half of "
-                    "the thickness. Edges rounded by 1 % of the height, like those of dominoes from a shop, "
+                    "the thickness. Edges rounded by 1 % of the height, like those of shop-bought dominoes, "
                     "raise r_max by about 7 %. The foot rolls on the floor without slipping, and the round "
                     "upper edge of a follower slides down the flat back of its leader. With l = 1 - 2 rho "
                     "the potential energy of a domino is h(theta) = 2 rho + l cos theta + (d - 2 rho) sin "
@@ -225,8 +225,8 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .adds = "the friction that the floor needs so that no foot slips",
             .help = "With this effect, 'fall' and 'slip' report the friction coefficient that the floor "
                     "needs so that no foot slips, and which domino would slip first on a floor with the "
-                    "friction MU. The motion is computed for feet that do not slip. Newton's law for the "
-                    "centre of each block gives the force R of the floor on its foot: mass times "
+                    "friction coefficient MU. The motion is computed for feet that do not slip. Newton's law "
+                    "for the centre of each block gives the force R of the floor on its foot: mass times "
                     "acceleration, minus gravity and the contact forces. The foot does not slip while "
                     "|R_x|/R_z is below MU. In the collision the same holds for the impulses; for the struck "
                     "domino the ratio is |1/2 - (1 + d^2)/(3 a)|/(d/2), which is 0 if the domino is hit at "

@@ -192,7 +192,8 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
                                               DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
                                               DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,
                                               DOM_ERROR_push,      DOM_ERROR_lean};
-    _Static_assert(sizeof order / sizeof *order == DOM_ERROR_COUNT, "each kind of error is drawn once");
+    _Static_assert(sizeof order / sizeof *order == DOM_ERROR_COUNT,
+                   "`order` must list each kind of error once");
     memcpy(draw->domino, row->domino, row->count * sizeof *draw->domino);
     draw->row = *row;
     draw->row.domino = draw->domino;

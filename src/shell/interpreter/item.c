@@ -50,11 +50,11 @@ static bool item_wrong(struct problem *problem, const struct text *text, const c
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     reader_place(r, end);
-    return problem_error(r->problem, "the value of %s ends before '%s'; %s", name, names_shown(end),
+    return problem_error(r->problem, "unexpected '%s' after the value of %s; %s", names_shown(end), name,
                          *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
                          : *end == ',' ? "separate values by blanks, without a comma"
                          : *end == '%' ? "write the fraction as 0.95 or 95/100"
-                                       : "an operator or a blank is missing here");
+                                       : "an operator or a blank is missing");
 }
 
 /* Returns true if the text from `begin` to `end` ends in a number, so that a unit may follow. */

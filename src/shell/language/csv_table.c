@@ -50,8 +50,8 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
         return csv_wrong(&csv->file, at,
-                         "the first line gives %s a unit other than '%s'; delete one of the two units",
-                         c->name, shown);
+                         "'%s' differs from the unit of %s in the first line; delete one of the two units",
+                         shown, c->name);
     csv->unit[k] = q.value;
     return true;
 }

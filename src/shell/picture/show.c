@@ -120,9 +120,8 @@ void script_head(const struct answer *a, const char *terminal)
     const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
     const int length = (int)(strrchr(name, '.') - name);
     fprintf(a->out,
-            "# A picture by domino, with its data: 'gnuplot %s' draws %.*s.pdf.\nset encoding utf8\nset "
-            "terminal %s\n"
-            "set output '",
+            "# A picture and its data, written by the program domino. 'gnuplot %s' draws %.*s.pdf.\nset "
+            "encoding utf8\nset terminal %s\nset output '",
             name, length, name, terminal);
     for (int i = 0; i < length; i++) /* gnuplot reads '' within single quotes as one quote */
         fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);

@@ -29,7 +29,7 @@ const struct marks script_marks = {
     .weakest = "red",
     .ends = "black",
     .contacts = "; dots: contacts",
-    .forces = "arrows: the push at a contact, in weights of the domino that is pushed",
+    .forces = "arrows: the push at each contact, divided by the weight of the pushed domino",
 };
 
 static int caption_lines(const char *text)

@@ -123,7 +123,7 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ENTRY("mass", scene.mass, "kg", "mass of the first domino; if it is 0, energies are in m g h/2", .highest = 1e9),
+    {ENTRY("mass", scene.mass, "kg", "mass of the first domino, 0 if not known; if no masses are known, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
     {ENTRY("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as it is tall; 0 if not known",
          .highest = 1e9),

@@ -33,10 +33,10 @@ const struct domq_effect error_effect_place = {
     .name = "error_place",
     .synonyms = "position tape",
     .adds = "random errors in the positions of dominoes",
-    .help = "Each domino is off its position by a separate random error. The error does not move the "
-            "dominoes after it, as if all positions had been measured with one tape. In 'effect placement', "
-            "by contrast, an error in a gap moves all dominoes after it. Dominoes that would overlap are "
-            "moved until they touch.",
+    .help =
+        "Each domino is off its position by a separate random error. An error moves only its own domino, as "
+        "if all positions had been measured with one tape. In 'effect placement', by contrast, an error in a "
+        "gap moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
     SIZED("m", "error in each position", 1e9, 0.001),
 };
 

@@ -24,7 +24,7 @@ static void cost_chart(const struct query *query, const char *name, const struct
     snprintf(chart->title, sizeof chart->title,
              "What accuracy costs: %s at s = %.6g, r = %.6g, d = %.4g, q = %.4g", name, (double)train->s,
              (double)train->r, (double)train->d, (double)train->q);
-    snprintf(chart->x.label, sizeof chart->x.label, "time of one answer in s");
+    snprintf(chart->x.label, sizeof chart->x.label, "time per answer in seconds");
     snprintf(chart->y.label, sizeof chart->y.label, "relative error");
     chart->x.logarithmic = chart->y.logarithmic = true;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {

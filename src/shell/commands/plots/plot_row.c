@@ -196,7 +196,8 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
                  measured(t->high - t->now, "m", 3).text);
     else
         snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall as planned. It falls with a gap of %.30s to %.30s before domino %zu.",
+                 "As planned, the row does not fall. It would fall with a gap of %.30s to %.30s before "
+                 "domino %zu.",
                  measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
 }
 

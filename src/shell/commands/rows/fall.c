@@ -16,9 +16,12 @@ const struct column fall_columns[] = {
     {"barrier", "mgh/2", "energy that is needed to tip this domino over", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
     {"energy", "share", "kinetic / barrier; the domino tips over if this is at least 100 %", 6},
-    {"floor", "", "friction that feet need while this domino falls (only with 'effect floor')", 5},
+    {"floor", "",
+     "friction that the floor needs so that no foot slips while this domino falls (only with 'effect floor')",
+     5},
     {"floor_hit", "",
-     "friction that feet need at the moment when this domino is hit (only with 'effect floor')", 9},
+     "friction that the floor needs so that no foot slips when this domino is hit (only with 'effect floor')",
+     9},
     {"slid", "m", "how far the foot of the domino has slid, backwards if negative (only with 'effect feet')",
      7},
     {NULL, NULL, NULL, 0},
@@ -76,8 +79,7 @@ static const char *end_reason(const struct row_run *run)
     if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
         return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
-        return "its energy is too small, and more energy would not help, because friction would lock the row "
-               "at a larger tilt";
+        return "its energy is too small; with more energy, friction would lock the row at a larger tilt";
     return dom_row_end_text(v->end);
 }
 

@@ -120,9 +120,9 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     const bool engine = scene_has_engine(query->scene);
     enum dom_precision precision = query->scene->compute.precision;
     if (status == DOM_NOT_CONVERGED && engine)
-        return problem_no_answer(problem,
-                                 "the rigid-body engine cannot decide this row, which does not come to rest "
-                                 "or whose verdict depends on the time step; try a slightly different row");
+        return problem_no_answer(
+            problem, "the rigid-body engine cannot decide this row, because the row does not come to rest or "
+                     "the verdict depends on the time step; try a slightly different row");
     if (status == DOM_NO_LEAN && engine)
         return problem_no_answer(
             problem,

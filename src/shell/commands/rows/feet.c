@@ -91,10 +91,14 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
 /* ---- slip ---- */
 
 const struct column slip_columns[] = {
-    {"motion", "", "the friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
-    {"theta", "rad", "the tilt of the head at which feet need this friction", 0},
+    {"motion", "",
+     "the friction that the floor needs so that no foot slips while dominoes fall: the largest |R_x| / R_z",
+     0},
+    {"theta", "rad", "the tilt of the head at which a foot needs this friction", 0},
     {"domino", "", "the domino whose foot needs this friction: 0 = head, 1, 2, ... its followers", 0},
-    {"hit", "", "the friction that feet need in a collision: the largest ratio of impulses", 0},
+    {"hit", "",
+     "the friction that the floor needs so that no foot slips in a collision: the largest ratio of impulses",
+     0},
     {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
     {"slips", "", "yes if a foot slips while dominoes fall, on the floor that 'effect floor' sets", 0},
     {"slips_hit", "", "yes if a foot slips in a collision, on the floor that 'effect floor' sets", 0},

@@ -34,7 +34,7 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
     if (isnan(push))
         answer_say(a, "A push alone cannot save this row; enter 'effect push 5', and then 'mend' again.");
     else
-        answer_say(a, "With 'effect push %.4g' all fall.", (double)push);
+        answer_say(a, "With 'effect push %.4g', all dominoes fall.", (double)push);
     return DOM_OK;
 }
 

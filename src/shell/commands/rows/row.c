@@ -363,11 +363,10 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help =
-         "Tries the gap after the domino at which the row ends, and the 30 gaps before it. For each gap, "
-         "'mend' finds the nearest value at which all dominoes fall, and lists the smallest change first. If "
-         "the row needs a push, the answer says so. The search tries 40 smaller and 40 larger values of each "
-         "gap, and then bisects. It can miss a range of gaps that is narrower than one step.",
+     .help = "Tries the gap at which the row stops, and the 30 gaps before it. For each gap, 'mend' finds "
+             "the nearest value at which all dominoes fall, and lists the smallest change first. If the row "
+             "needs a push, the answer says so. The search tries 40 smaller and 40 larger values of each "
+             "gap, and then bisects. It can miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},

@@ -14,11 +14,11 @@ const struct column placement_columns[] = {
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"high", "share", "the upper end of the 95 % interval of the probability", 0},
     {"unknown", "", "the number of rows that the model cannot decide; they widen the interval", 0},
-    {"stops_most", "", "the domino at which most of the failed rows stop", 0},
+    {"stops_most", "", "the domino at which rows stop most often", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
     {"without", "share", "the share of the rows that would fall without the error in 'costs_most'", 0},
-    {"stops_there", "", "the domino at which most rows stop because of the error in 'costs_most'", 0},
+    {"stops_there", "", "the domino at which rows stop most often because of the error in 'costs_most'", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -10,27 +10,30 @@
 
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
-    {"place", "m", "position: the distance from the back of domino 1 to the back of this domino", 8},
-    {"from", "m", "the smallest position at which all fall, if no other domino is moved", 8},
-    {"to", "m", "the largest position at which all fall, if no other domino is moved", 8},
+    {"place", "m", "the distance from the back of domino 1 to the back of this domino", 8},
+    {"from", "m", "the smallest 'place' with which all dominoes fall, if no other domino is moved", 8},
+    {"to", "m", "the largest 'place' with which all dominoes fall, if no other domino is moved", 8},
     {"gap", "m", "clear distance to the domino before it", 8},
-    {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
-    {"gap_high", "m", "the largest gap at which all fall, if all dominoes after the gap move with it", 8},
+    {"gap_low", "m",
+     "the smallest gap with which all dominoes fall, if all dominoes after the gap move with it", 8},
+    {"gap_high", "m",
+     "the largest gap with which all dominoes fall, if all dominoes after the gap move with it", 8},
     {"height", "m", "height of the domino", 8},
-    {"height_low", "m", "the smallest height at which all fall", 10},
+    {"height_low", "m", "the smallest height with which all dominoes fall", 10},
     {"height_high", "m",
-     "the largest height at which all fall; the search ends at 4 times the present height", 11},
+     "the largest height with which all dominoes fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
-    {"thickness_low", "m", "the smallest thickness at which all fall", 10},
+    {"thickness_low", "m", "the smallest thickness with which all dominoes fall", 10},
     {"thickness_high", "m",
-     "the largest thickness at which all fall; the search ends at 4 times the present thickness", 11},
+     "the largest thickness with which all dominoes fall; the search ends at 4 times the present thickness",
+     11},
     {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
-    {"lean_low", "m", "the smallest lean at which all fall (negative: backwards)", 8},
-    {"lean_high", "m", "the largest lean at which all fall (negative: backwards)", 9},
-    {"friction_low", "", "the smallest friction between dominoes at which all fall", 8},
+    {"lean_low", "m", "the smallest lean with which all dominoes fall (negative: backwards)", 8},
+    {"lean_high", "m", "the largest lean with which all dominoes fall (negative: backwards)", 9},
+    {"friction_low", "", "the smallest friction between dominoes with which all dominoes fall", 8},
     {"friction_high", "",
-     "the largest friction between dominoes at which all fall; the search ends at 2 or at 4 times the "
-     "present friction, whichever is larger",
+     "the largest friction between dominoes with which all dominoes fall; the search ends at a friction of "
+     "2, or at 4 times the present friction if that is larger",
      8},
     {"first", "",
      "the properties in which this domino has the tightest limits of all: 'place', 'height' or 'both'", 6},
@@ -179,10 +182,10 @@ static void friction_say(struct answer *a, const struct windows *w)
         answer_say(a, "No value of the friction between the dominoes saves this row; it is %s now.",
                    now.text);
     else if (!w->falls)
-        answer_say(a, "All would fall if the friction between the dominoes were %s; it is %s now.", range,
-                   now.text);
+        answer_say(a, "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
+                   range, now.text);
     else
-        answer_say(a, "All fall if the friction between the dominoes is %s%s; it is %s now.", range,
+        answer_say(a, "All dominoes fall if the friction between the dominoes is %s%s; it is %s now.", range,
                    f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
 }
 
@@ -205,9 +208,10 @@ static void lean_say(struct answer *a, const struct windows *w)
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
-        answer_say(a, "All would fall if the top of domino %zu were off by %s to %s; it is now off by %s.", k,
-                   off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
-                   off_plumb(l.now, DIGITS_NOW).text);
+        answer_say(
+            a, "All dominoes would fall if the top of domino %zu were off by %s to %s; it is now off by %s.",
+            k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
+            off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
         answer_say(a, "Set domino %zu %s: its top may be off by %s backwards or %s forwards%s.", k,
                    w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
@@ -266,19 +270,19 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
                     far = of->now < of->low ? of->high : of->low,
                     value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
     answer_say(a, "'change %zu %s %s' %s.", k, size_names[kind], measured(value, "m", 4).text,
-               w->falls ? "sets the middle of this range" : "saves the row");
+               w->falls ? "chooses the middle of this range" : "saves the row");
 }
 
 /* Prints the window of the domino whose height or thickness has the tightest limits. */
-static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind, const char *how)
+static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
 {
     const size_t k = w->critical[kind];
     if (k == 0)
         return;
     const struct domq_window of = readable(&w->kind[kind][k - 1]);
-    answer_say(a, "Make domino %zu between %s and %s %s: its %s has the tightest limits%s; it is %s now.", k,
-               length(of.low, DIGITS).text, length(of.high, DIGITS).text, how, size_names[kind],
-               w->count > 1 ? " of all" : "", length(of.now, DIGITS_NOW).text);
+    answer_say(a, "The %s of domino %zu has %s limits: %s to %s; it is %s now.", size_names[kind], k,
+               w->count > 1 ? "the tightest" : "these", length(of.low, DIGITS).text,
+               length(of.high, DIGITS).text, length(of.now, DIGITS_NOW).text);
     change_say(a, w, kind, k);
 }
 
@@ -299,13 +303,12 @@ static void tolerance_say(struct answer *a, const struct windows *w)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));
     if (place) {
         const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
-        answer_say(
-            a, "Place domino %zu between %s and %s: it has the tightest limits of all, and is at %s now.",
-            place, length(p.low, DIGITS).text, length(p.high, DIGITS).text, length(p.now, DIGITS_NOW).text);
+        answer_say(a, "The place of domino %zu has the tightest limits: %s to %s; it is %s now.", place,
+                   length(p.low, DIGITS).text, length(p.high, DIGITS).text, length(p.now, DIGITS_NOW).text);
         place_change_say(a, w, place);
     }
-    size_say(a, w, DOM_WINDOW_HEIGHT, "tall");
-    size_say(a, w, DOM_WINDOW_THICKNESS, "thick");
+    size_say(a, w, DOM_WINDOW_HEIGHT);
+    size_say(a, w, DOM_WINDOW_THICKNESS);
     heights_say(a, w);
     lean_say(a, w);
     friction_say(a, w);

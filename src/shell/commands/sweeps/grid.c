@@ -131,7 +131,7 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
     if (axis->logarithmic) {
         problem->place = text_column(text, parsed->log_at);
         return (axis->from > 0 && axis->to > 0) ||
-               problem_error(problem, "%s: equal ratios need FROM and TO above 0", name);
+               problem_error(problem, "%s: with 'log', FROM and TO must be above 0", name);
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
