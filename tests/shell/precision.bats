@@ -94,7 +94,7 @@ quad() { # COMMANDS KEY DIGITS
     for pair in 'float|1e-06' 'double|1e-15' 'quad|1e-33'; do
         run "$DOMINO" -e "set precision ${pair%|*}; set tol ${pair#*|}/2"
         [ "$status" -eq 1 ]
-        [[ $output == *"cannot be reached in ${pair%|*} precision; tol must be in the range ${pair#*|} .. 0.1"* ]]
+        [[ $output == *"is too small for ${pair%|*} precision; tol must be in the range ${pair#*|} .. 0.1"* ]]
         json "set precision ${pair%|*}; set tol ${pair#*|}; rmax" | grep -q '"ends_by":"barrier"'
     done
     for value in 0 -1 -1e-12; do

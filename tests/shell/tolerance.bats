@@ -52,9 +52,9 @@ verdicts() { # COMMANDS...
 
 @test "tolerance: windows in sentences are rounded inwards; for a row that does not fall, they say what saves it" {
     said=$("$DOMINO" -e 'effect row 5; tolerance')
-    grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the tightest limits of all, and is at 3.58 cm now.' <<<"$said"
-    grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
-    grep -qE '^All fall if the friction between the dominoes is at most 0\.17' <<<"$said"
+    grep -qF 'The place of domino 2 has the tightest limits: 3.25 cm to 4.64 cm; it is 3.58 cm now.' <<<"$said"
+    grep -qE '^The height of domino 1 has the tightest limits: 4\.07 cm to 7\.75 cm;' <<<"$said"
+    grep -qE '^All dominoes fall if the friction between the dominoes is at most 0\.17' <<<"$said"
     grep -qxF 'Set domino 2 plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)

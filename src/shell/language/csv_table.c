@@ -265,7 +265,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
         return csv_wrong(&csv->file, at, *error.at ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
                          error.message, c->advice);
     if (!good)
-        return csv_wrong(&csv->file, at, "the value of %s ends before '%s'; %s", c->name, shown, c->advice);
+        return csv_wrong(&csv->file, at, "unexpected '%s' after the value of %s; %s", shown, c->name,
+                         c->advice);
     bool bare = quantity_is_number(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);

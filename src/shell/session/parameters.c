@@ -251,7 +251,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
                                  of->name, quad_text(value, 10), of->name, range);
     if (p->of_precision && value > 0 && value < lowest)
         return problem_no_answer(
-            problem, "%s = %s cannot be reached in %s precision; %s must be in the range %s%s", p->name,
+            problem, "%s = %s is too small for %s precision; %s must be in the range %s%s", p->name,
             quad_text(value, 10), arithmetic->name, p->name, range,
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)

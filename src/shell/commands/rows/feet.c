@@ -53,10 +53,10 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
                    hit ? "at a hit" : "while dominoes fall");
     else if (isfinite(first->needs))
         answer_say(a,
-                   "On a floor with a friction coefficient of %.4g, the foot of domino %zu slips first: %s, "
-                   "it needs %s.",
-                   (double)floor, first->domino, slip_words(first, hit).text,
-                   measured(first->needs, "", 4).text);
+                   "On a floor with a friction coefficient of %.4g, the foot of domino %zu slips first (it "
+                   "needs %s %s).",
+                   (double)floor, first->domino, measured(first->needs, "", 4).text,
+                   slip_words(first, hit).text);
 }
 
 /* Prints how slipping feet affect the answer. If `in_motion` is false, feet slip only in a collision. */

@@ -104,10 +104,10 @@ static void causes_say(struct answer *a, const struct study *s)
         text_add(others, sizeof others, *others ? "; without %s, %zu" : "Without %s, %zu would fall",
                  names[k], s->without[k]);
     if (domino > 0)
-        snprintf(stops, sizeof stops, "; because of %s, most rows stop at domino %zu", it, domino);
+        snprintf(stops, sizeof stops, "; because of %s, rows stop most often at domino %zu", it, domino);
     if (s->without[worst] > s->result.fall)
-        answer_say(a, "Most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.", names[worst],
-                   it, s->without[worst], s->result.rows, stops, others);
+        answer_say(a, "The most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.",
+                   names[worst], it, s->without[worst], s->result.rows, stops, others);
     else
         answer_say(a, "Leaving out a single error would not make more of these rows fall.");
 }

@@ -290,8 +290,8 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 {
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
     const size_t place = w->critical[DOM_WINDOW_PLACE];
-    answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
-                  "assumes that nothing else in the row changes.");
+    answer_say(a, "\nA window is a range of values with which all dominoes fall, if nothing else in the row "
+                  "changes. Places are measured from the back of domino 1 to the back of each domino.");
     if (w->scene->row.engine)
         answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine reaches no verdict.");
