@@ -98,7 +98,7 @@ END
     close seconds "$(values seconds <<<"$answer" | tail -n 1)" "$(values seconds <<<"$answer" | head -n 1)" 1e-4
     within 'a domino more' "$(json "$scene; design 9 m" | values steps)" "$(values steps <<<"$answer" | head -n 1)" 'o > e && o < e + 4'
     run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
-    grep -q 'according to the model, in which feet are hinges\. All of them also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
+    grep -q 'according to the model, in which feet are hinges\. All dominoes also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
     grep -q "^infeasible: .* no row that was tried falls in the rigid-body engine (used because feet is on); a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"

@@ -116,8 +116,8 @@ static void contact_say(const struct query *query, struct answer *a, const struc
             "a force of %s of that domino's weight, at a head tilt of %.4g %s.",
             c->domino, weight.text, tilt, unit);
     else if (c->force > 0)
-        answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: one of them "
-                      "would have to be pulled in the collision. The answer is not valid.");
+        answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: in the "
+                      "collision, one domino would have to be pulled. The answer is not valid.");
     else
         answer_say(a,
                    "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "

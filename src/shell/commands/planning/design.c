@@ -205,7 +205,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
                  wish->engine ? ", according to the model, in which feet are hinges" : "");
     if (wish->engine)
         snprintf(engine, sizeof engine,
-                 " All of them also fall in the rigid-body engine, which is used because %s.",
+                 " All dominoes also fall in the rigid-body engine, which is used because %s.",
                  scene_engine_why(query->scene));
     if (!plan->is_improved && !plan->limits)
         snprintf(growth, sizeof growth, ", each %.4g times as large as the one before", (double)d->r);
