@@ -60,7 +60,7 @@ END
 }
 
 @test "a value that is not a number: the message says where and what" {
-    sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: (s at|s:|unexpected .* after the value of s;)/' <<'END' | all_wrong
+    sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: (s at|s:|s =|unexpected .* after the value of s;)/' <<'END' | all_wrong
 7 nan
 8 -nan
 7 inf
