@@ -277,7 +277,7 @@ END
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
-    one_line "'a.mov' is not the name of an animation: use the extension .gif, .webm or .mp4" "$record; animate a.mov"
+    one_line "'a.mov' is not the name of an animation; use the extension .gif, .webm or .mp4" "$record; animate a.mov"
     one_line 'the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"

@@ -221,8 +221,8 @@ END
     done
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
     wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'effect row 5' sets up five"
-    wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
-    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'which runs this row because bounce is on, computes no energies'
+    wrong 'effect row 1; plot fall' 'the only domino of this row starts tipped over its edge, and needs no energy'
+    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'runs this row because bounce is on, and computes no energies'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the row ends before domino 2 is hit'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
@@ -303,8 +303,8 @@ END
     "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
     "$DOMINO" -e 'plot growth width 8 cm > d.gp' && grep -q '^set terminal pdfcairo size 8cm' d.gp
     all_fail <<END
-plot growth width 2 cm > a.svg|width is 2 cm; it must be in 6 .. 30 cm
-plot growth font 40 > a.svg|font is 40; it must be in 5 .. 30 points
+plot growth width 2 cm > a.svg|width is 2 cm; it must be in the range 6 .. 30 cm
+plot growth font 40 > a.svg|font is 40; it must be in the range 5 .. 30 points
 plot growth width|the value of 'width' is missing
 plot growth title "x|never closed
 plot growth paper paper|one argument too many

@@ -181,7 +181,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "placement",
             .synonyms = "probability chance errors precision accuracy error_gap error_height gaps heights",
-            .adds = "random errors of the gaps, and of the heights if HEIGHTS is given",
+            .adds = "random errors in the gaps, and in the heights if HEIGHTS is given",
             .help = "The row is set up many times. Each gap has a normally distributed error with the "
                     "standard deviation SIGMA, which is a length, and each height has a relative error with "
                     "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "

@@ -34,7 +34,7 @@ bool movie_named(const char *path, struct problem *problem)
     const struct movie_kind *kind = kind_of(path);
     if (!kind)
         return problem_error(problem,
-                             "'%s' is not the name of an animation: use the extension .gif, .webm or .mp4",
+                             "'%s' is not the name of an animation; use the extension .gif, .webm or .mp4",
                              names_shown(path));
     return !kind->ffmpeg || program_exists("ffmpeg") ||
            problem_error(problem,

@@ -291,11 +291,10 @@ static bool effects_check(const struct scene *scene, struct problem *problem)
                            1U << DOM_EFFECT_placement;
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (scene->effect[k].on && !(known >> k & 1))
-            return problem_error(
-                problem,
-                "the rigid-body engine, which runs this row because %s, does not include %s; first "
-                "enter 'effect %s off'",
-                scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
+            return problem_error(problem,
+                                 "the rigid-body engine runs this row because %s, but does not include %s; "
+                                 "first enter 'effect %s off'",
+                                 scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
     return true;
 }
 
@@ -308,8 +307,8 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
         return false;
     if (count > ENGINE_MOST)
         return problem_error(problem,
-                             "a row of %zu dominoes is too long for the rigid-body engine, which runs it "
-                             "because %s; the maximum is %d; enter, for example, 'effect row 20'",
+                             "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
+                             "row because %s; the maximum is %d; enter, for example, 'effect row 20'",
                              count, why, ENGINE_MOST);
     const enum engine_status loaded = engine_load();
     if (loaded == ENGINE_NO_MEMORY)

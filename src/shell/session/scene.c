@@ -137,7 +137,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius can be at most half of "
-                                 "the thickness, %.6g h; enter for example 'effect edges %.2g'",
+                                 "the thickness, %.6g h; enter, for example, 'effect edges %.2g'",
                                  quad_text(t->rho, 10), (double)(t->d / 2), (double)(t->d / 4));
     if (status == DOM_NO_STAND) {
         domq_real lean[2];

@@ -124,8 +124,8 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
             return false;
         *number[k] = (double)value * (is_font ? 1 : 100);
         if (!(*number[k] >= least * (1 - 1e-12) && *number[k] <= most * (1 + 1e-12)))
-            return problem_error(problem, "%s is %.6g%s; it must be in %g .. %g%s", words[k].name, *number[k],
-                                 is_font ? "" : " cm", least, most, is_font ? " points" : " cm");
+            return problem_error(problem, "%s is %.6g%s; it must be in the range %g .. %g%s", words[k].name,
+                                 *number[k], is_font ? "" : " cm", least, most, is_font ? " points" : " cm");
     }
     return true;
 }

@@ -88,8 +88,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine, which runs this row because %s, computes no "
-                                 "energies; 'plot speed' shows how the row falls",
+                                 "the rigid-body engine runs this row because %s, and computes no energies; "
+                                 "'plot speed' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
@@ -104,8 +104,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     }
     bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
     if (idle)
-        problem_no_answer(problem, "the only domino is tipped over its edge, and needs no energy; 'effect "
-                                   "row 5' sets up five dominoes");
+        problem_no_answer(problem, "the only domino of this row starts tipped over its edge, and needs no "
+                                   "energy; 'effect row 5' sets up five dominoes");
     else if (chart)
         fall_chart(&run, chart);
     row_run_free(&run);

@@ -348,8 +348,8 @@ const struct command study_commands[] = {
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the friction of the floor at which no foot slips",
-     .help = "Finds the largest friction that the foot of a moving domino needs while dominoes fall, and at "
-             "the moment of a hit.",
+     .help = "Finds how much friction the floor needs so that no foot slips, while dominoes fall and at the "
+             "moment of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",
