@@ -155,8 +155,8 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see '^64$'
     see_last "$prompt"
     # Read a text to its end in two pages, and then a text that fits.
-    terminal resize-window -x 80 -y 72
-    until_true rows_are 72
+    terminal resize-window -x 80 -y 76
+    until_true rows_are 76
     press Enter
     type_in help
     press Enter
