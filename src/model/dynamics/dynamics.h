@@ -59,7 +59,7 @@ struct dynamics {
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
      * Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
-     * motion, returns DOM_LOCKS and stores the tilt of the lock in *hi.
+     * motion, returns DOM_LOCKS and stores the tilt at which it locks in *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*

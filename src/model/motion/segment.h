@@ -36,7 +36,7 @@ struct segment {
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 
 /* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If
- * friction locks the motion, lowers hi to the tilt of the lock. */
+ * friction locks the motion, lowers hi to the tilt at which it locks. */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*

@@ -67,7 +67,7 @@ struct domino {
 
 /* One contact: from domino i to domino i + 1. */
 struct contact {
-    struct span X, Y;  /* sine and cosine of theta_i+1 - theta_i */
+    struct span X, Y;  /* sine and cosine of theta_(i+1) - theta_i */
     struct span x;     /* sin theta_i */
     struct span slope; /* dF/dtheta */
     struct span shift; /* dF/dr */

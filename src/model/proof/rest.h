@@ -10,12 +10,12 @@
  *
  * If no follower detaches, theta_inf is a fixed point of F, so
  *
- *     theta_inf - theta_i+1 <= p (theta_inf - theta_i).
+ *     theta_inf - theta_(i+1) <= p (theta_inf - theta_i).
  *
- * The numbers c_i = L (cos theta_i - cos theta_inf) = X_i / r decrease by the same factor, c_i+1 <= p c_i,
+ * The numbers c_i = L (cos theta_i - cos theta_inf) = X_i / r decrease by the same factor, c_(i+1) <= p c_i,
  * since
  *
- *     c_i - c_i+1 >= L x_i (theta_i+1 - theta_i) >= L x_i X_i = r L x_i c_i.
+ *     c_i - c_(i+1) >= L x_i (theta_(i+1) - theta_i) >= L x_i X_i = r L x_i c_i.
  */
 #ifndef DOM_PROOF_REST_H
 #define DOM_PROOF_REST_H
@@ -28,7 +28,7 @@ struct rest {
     double ratio;
     double series; /* upper bound on 1 + x + x^2 + ... for x = `ratio` */
     double power;  /* r^(-q n) */
-    double drop;   /* h(theta_n+k) - h(theta_last) <= `drop` * p^k, or <= `drop` if followers may detach */
+    double drop;   /* h(theta_(n+k)) - h(theta_last) <= `drop` * p^k, or <= `drop` if followers may detach */
     double drops;  /* upper bound on the sum of i r^(-q i) (h(theta_i) - h(theta_last)) q / r */
     double slides; /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dr */
     double tilts;  /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dtheta */

@@ -51,7 +51,7 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_scale(w->share, change));
 }
 
-/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)) of domino i to P, and its derivative to dP/dr. */
+/* Adds r^(-q i) (h(theta_i) - h(theta_(i+1))) of domino i to P, and its derivative to dP/dr. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -65,13 +65,13 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 /*
  * Adds bounds on the remainders of T and dT/dr, that is, on the terms of domino n and all later dominoes.
  *
- * Since slope_n+k <= p^k slope_n (rest.h), the terms of T are bounded by a geometric series with the ratio e
- * = r^-(q+1) p^2. The terms of dT/dr are
+ * Since slope_(n+k) <= p^k slope_n (rest.h), the terms of T are bounded by a geometric series with the ratio
+ * e = r^-(q+1) p^2. The terms of dT/dr are
  *
  *     r^(-(q+1) i) (2 slope_i twist_i - (q+1) i/r slope_i^2),
- *     twist_i+1 = step_i twist_i + slope_i bend_i,   |bend_i| <= Q,
+ *     twist_(i+1) = step_i twist_i + slope_i bend_i,   |bend_i| <= Q,
  *
- * where twist_i is the derivative of slope_i with respect to r. So |twist_n+k| <= p^k |twist_n| + k p^(k-1)
+ * where twist_i is the derivative of slope_i with respect to r. So |twist_(n+k)| <= p^k |twist_n| + k p^(k-1)
  * slope_n Q.
  */
 static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
@@ -93,7 +93,7 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
 }
 
 /*
- * Adds bounds on the remainder of the fuel, the sum of r^(-q i) (h(theta_i) - h(theta_i+1)) over i >= n. No
+ * Adds bounds on the remainder of the fuel, the sum of r^(-q i) (h(theta_i) - h(theta_(i+1))) over i >= n. No
  * term is negative, because h decreases beyond theta_u. Since r^(-q i) <= r^(-q n), the sum is at most
  *
  *     r^(-q n) (h(theta_n) - h(theta_last)).
