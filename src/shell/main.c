@@ -21,10 +21,10 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 
 static const char help[] =
     "\n"
-    "Calculates how far a row of dominoes can grow if each domino is r times as large as the\n"
-    "one before.  Without -e, -f or FILE, domino reads commands from standard input, at a\n"
-    "prompt if it is a terminal.  An error in -e, -f or FILE ends the run; after an error on\n"
-    "standard input, the next line is read.\n"
+    "Calculates how large r can be if each domino of a row topples one that is r times as\n"
+    "large.  Without -e, -f or FILE, domino reads commands from standard input, at a prompt if\n"
+    "it is a terminal.  An error in -e, -f or FILE ends the run; after an error on standard\n"
+    "input, the next line is read.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
@@ -54,7 +54,7 @@ static const struct option options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/* The leading '-' makes getopt return each FILE as option 1, in the order of the command line. */
+/* The leading '-' makes getopt return each FILE as option 1, in order with the options. */
 static const char short_options[] = "-e:f:nhV";
 
 /* What the options request. */
@@ -168,7 +168,7 @@ static void run_file(struct session *session, const char *name)
         fclose(in);
 }
 
-/* Runs -e, -f and FILE in the order of the command line. */
+/* Runs -e, -f and FILE in the order in which they appear on the command line. */
 static void run_sources(int argc, char **argv, struct session *session)
 {
     optind = 0;

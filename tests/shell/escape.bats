@@ -98,7 +98,7 @@ harmless() { # FILE
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$two_dominoes" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row link.csv; save s.dom'
-    [[ $stderr == *'has a control character'* ]] || same message 'control character' "$stderr"
+    [[ $stderr == *'contains a control character'* ]] || same message 'control character' "$stderr"
     [ ! -e s.dom ]
     (cd "$folder" && "$DOMINO" -e 'effect row row.csv' -e 'save ../s.dom' || true)
     [ ! -e s.dom ]
@@ -111,7 +111,7 @@ harmless() { # FILE
         same "$command: goes on" 42 "$output"
     done
     run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going - -e 'print 41 + 1' </dev/zero
-    same 'standard input' 'stdin:1: the line has a NUL byte; commands are text' "$stderr"
+    same 'standard input' 'stdin:1: the line contains a NUL byte; commands are text' "$stderr"
     same 'the next source' 42 "$output"
 }
 

@@ -242,6 +242,6 @@ TEST(limits)
     }
     static const char nul[] = "size m,gap m\n1,2\n1,\0";
     rows_show(nul, sizeof nul, &kind, false, shown, sizeof shown);
-    assert_string_equal(shown, "1 2 - ; 3:3: the line has a NUL byte; a csv file is text in UTF-8");
+    assert_string_equal(shown, "1 2 - ; 3:3: the line contains a NUL byte; a csv file is text in UTF-8");
     free(text);
 }

@@ -386,7 +386,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
         if (is_text)
             command_run_text(session, text);
         else
-            session_error(session, "the line has a NUL byte; commands are text");
+            session_error(session, "the line contains a NUL byte; commands are text");
         session->source.line += joined;
         if (session_stops(session, errors) || (!is_text && length > TEXT_MOST))
             break;

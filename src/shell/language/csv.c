@@ -54,7 +54,7 @@ bool csv_load(struct csv_file *file, FILE *in)
         if (ferror(in))
             return csv_wrong(file, file->at, "cannot read the rest of the file: %s", strerror(errno));
         file->cut_short = strlen(file->text + n) < got
-                              ? "the line has a NUL byte; a csv file is text in UTF-8"
+                              ? "the line contains a NUL byte; a csv file is text in UTF-8"
                           : n + got >= CSV_FILE_MOST - 1 ? "the file is larger than 64 MB"
                                                          : NULL;
     }

@@ -166,10 +166,11 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     const char *path = scene->listed.domino ? scene->listed.path : "";
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return problem_error(problem,
-                                 "cannot save: the name of the row's file, '%s', has a control character; "
-                                 "rename the file, or enter 'effect row off'",
-                                 names_shown(path));
+            return problem_error(
+                problem,
+                "cannot save: the name of the row's file, '%s', contains a control character; "
+                "rename the file, or enter 'effect row off'",
+                names_shown(path));
     return true;
 }
 

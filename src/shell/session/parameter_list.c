@@ -27,7 +27,7 @@ static const char d_help[] =
     "you give a length, as in 'set d 7 mm', it is divided by h.";
 static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
-    "block, and 4 times if it is hollow, like a box of boards that are equally thin in all sizes.";
+    "block, and 4 times if it is hollow, like a box whose boards have the same thickness at every size.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "

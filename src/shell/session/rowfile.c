@@ -82,8 +82,8 @@ static const struct csv_column columns[KINDS] = {
                  WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
     [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by the mass of the first domino", 1e-40, 1e38,
                   "1e-40 .. 1e38"},
-    [DOMINO] = {"domino", "nr,no,no.,number", 0, PLAIN "the number of the domino, which the program ignores",
-                1, 1e6, "1 .. 1e6"},
+    [DOMINO] = {"domino", "nr,no,no.,number", 0,
+                PLAIN "the number of the domino (the program ignores this column)", 1, 1e6, "1 .. 1e6"},
 };
 
 const struct csv_kind rowfile_kind = {
