@@ -55,15 +55,15 @@ struct csv_file {
                               whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;
-    /* What the numbers read so far show about '.' or ',' as the decimal mark. */
+    /* How the numbers that have been read so far use '.' and ','. */
     struct csv_mark {
         bool is_used;
-        /* true if at least one number can only be read with '.' (or ',') as the decimal mark */
+        /* true if at least one number makes sense only if this character is its decimal mark */
         bool is_clear;
-        /* The place of the first number in which the mark could be a thousands separator. at.line is 0 if
-         * there is no such number. */
+        /* The place of the first ambiguous number: its decimal mark could be a thousands separator.
+         * at.line is 0 if there is no such number. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
+        char before[4], after[4]; /* the digits of the ambiguous number before and after its decimal mark */
     } point, comma;
 };
 

@@ -88,8 +88,8 @@ struct parse {
     struct arena *arena;
     /* letters that are names, not units, when they stand alone after a blank; may be NULL */
     const char *no_unit;
-    /* Parses "with NAME VALUE ..." at parse->end, after `value`. Returns a tree for both, or NULL after an
-     * error. If this pointer is NULL, "with" is not accepted. */
+    /* Parses "with NAME VALUE ..." at parse->end, after `value`. Returns a tree for the value and its
+     * "with", or NULL after an error. If this pointer is NULL, "with" is not accepted. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */
@@ -105,7 +105,7 @@ struct evaluation {
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context; /* for `symbol` */
-    /* the session's unit of angles, in radians, for angles that are typed without a unit */
+    /* the number of radians in the session's angle unit, which applies to angles typed without a unit */
     domq_real angle;
 };
 

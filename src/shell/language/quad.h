@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions for domq_real, the type of quad precision. quad(sqrt)(x) is the square root of a domq_real. */
+/* Functions for domq_real, the quad-precision type. quad(sqrt)(x) is the square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 

@@ -74,7 +74,7 @@ ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
 {
     size_t n = 0, begin = 0; /* the last of the joined lines begins at the offset `begin` */
     int c = 0;
-    /* A long line with a NUL byte is not read to its end, because a device may never end it. */
+    /* A long line with a NUL byte is not read to its end, because the input from a device may be endless. */
     for (bool has_nul = false; !(has_nul && n > TEXT_MOST);) {
         if (n + 1 >= *size) {
             size_t larger = *size ? 2 * *size : 256;

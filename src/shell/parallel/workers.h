@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The thread pool, which computes points of curves and sweeps, and runs tasks of the library. A worker takes
- * one block of consecutive points after another. A block takes about a millisecond, so workers seldom wait
- * for the single lock. Blocks are written in order, so the output does not depend on the number of
- * workers. */
+/* The thread pool, which computes points of curves and sweeps, and runs tasks of the library. Each worker
+ * takes blocks of consecutive points, one block at a time. A block takes about a millisecond, so workers
+ * seldom wait for the single lock. Blocks are written in order, so the output does not depend on the number
+ * of workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 

@@ -136,8 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends of an axis that are NaN, for data from `low` to `high`. The margin is `pad` times the range
- * of the data. */
+/* Chooses each end of an axis that is still NaN, for data from `low` to `high`. The margin is `pad` times the
+ * range of the data. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
- * chart_show (show.h) draws the chart where the answer goes. */
+ * chart_show (show.h) draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 

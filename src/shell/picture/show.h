@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws a command's picture where its answer goes. A terminal shows the picture in characters or, if
- * possible, in pixels. In a file, the extension determines the format. */
+/* Draws a command's picture to the destination of its answer. A terminal shows the picture in characters or,
+ * if possible, in pixels. In a file, the extension determines the format. */
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 
@@ -32,7 +32,7 @@ const struct extension *extension_of(const char *path);
 /* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
 bool picture_has_room(const struct answer *a, const char *command, struct problem *problem);
 
-/* Returns true if a picture can be drawn where the answer goes. Otherwise sets *problem. */
+/* Returns true if a picture can be drawn to the destination of the answer. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
 /* Returns the words that explain a picture's marks. Text and gnuplot pictures have different marks. */
@@ -41,11 +41,11 @@ struct marks picture_marks(const struct answer *a);
 /* Writes the head of a gnuplot script that draws a .pdf file of the same name. */
 void script_head(const struct answer *a, const char *terminal);
 
-/* Draws a chart where the answer goes, and frees the chart. */
+/* Draws a chart to the destination of the answer, and frees the chart. */
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 
-/* Draws a stage where the answer goes. */
+/* Draws a stage to the destination of the answer. */
 bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

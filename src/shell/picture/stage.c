@@ -211,8 +211,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    /* The finest tolerance keeps dominoes in the chain that are too light to matter, but large enough to be
-     * seen. */
+    /* With the finest tolerance, the chain includes dominoes that are light, but large enough to be seen. */
     fine.tol = domq_arithmetic(fine.precision)->tol_floor;
     stage->unit = "h";
     stage->ruler = "x";
@@ -228,7 +227,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        /* The remaining dominoes are drawn at the limit of the tilts; the difference is too small to see. */
+        /* The remaining dominoes are drawn at the limiting tilt; the difference is too small to see. */
         train_follow(&f, (double)angles.theta_f);
         f.leans = f.leans && !angles.detaches;
     }

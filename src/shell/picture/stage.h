@@ -12,7 +12,7 @@
 enum {
     CORNERS = 4,
     ARC = 5, /* the number of points on a rounded edge */
-    /* the maximum number of points of an outline, whose lower back edge is always sharp */
+    /* the maximum number of points of an outline: three edges can be arcs, but not the lower back edge */
     OUTLINE = 3 * ARC + 1,
 };
 
@@ -85,7 +85,7 @@ int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
  * the foot and `back` thicknesses behind the front. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
-/* Writes the text below a domino, such as its number, "next" or "". Returns its length. */
+/* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 

@@ -86,8 +86,8 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes the tics of an axis. Their labels have a unit of their own, such as cm. `step` is the distance
- * between two tics in this unit. `unit` is the size of this unit in the unit of the stage. */
+/* Writes the tics of an axis, labelled in a unit such as cm. `step` is the distance between two tics in this
+ * unit. `unit` is the length of one such unit on the stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws over the typed line while Readline waits for a key. Names of commands get a colour. A faint hint
- * after the cursor suggests how the line may continue. The cursor always returns to its position, where
- * Readline expects it. */
+ * after the cursor suggests how the line may continue. The cursor ends up where Readline expects it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"

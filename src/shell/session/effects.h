@@ -16,9 +16,9 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
 /* Returns the path of the effect's file, or NULL if the user gave none. */
 const char *effect_file(const struct scene *scene, int effect);
 
-/* Fills `all` with the values of an effect: the `given` elements of `value`, and then the usual values.
- * value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem and returns false if a required value is missing, or
- * if the effect cannot be turned off because another effect needs it. */
+/* Fills `all` with the values of an effect. The first `given` values come from `value`; the rest are the
+ * usual values. value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem and returns false if a required value
+ * is missing, or if the effect cannot be turned off because another effect needs it. */
 bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
@@ -31,7 +31,7 @@ void effect_put(struct scene *scene, int effect, domq_real value, const domq_rea
  * 'fuel'. Otherwise reports the problem. */
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
-/* Reports a problem and returns false if the path of the row's file has a control character. In a saved
+/* Reports a problem and returns false if the path of the row's file contains a control character. In a saved
  * script, the text after a newline would be another command. */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 

@@ -46,8 +46,7 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
         domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
-    /* For the ratio k about the centre, the parallel axis theorem gives box.inertia = (k + 3) / 4 about a
-     * lower edge. */
+    /* box.inertia is this ratio about a lower edge; the parallel axis theorem converts it to the centre. */
     return 4 * (double)box.inertia - 3;
 }
 
@@ -222,7 +221,7 @@ struct watch {
     bool more; /* the visitor has not asked to stop */
 };
 
-/* Passes the state after the last step to the visitor, with the time `time`. */
+/* Passes the state after the last step, and its time in s, to the visitor. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of all parameters: the parameters of the model, the settings of the calculator, and the effects.
- * Completion and commands such as set, show and save work from this list. Code that only one parameter needs
- * is a hook in its entry. */
+ * Completion and commands such as set, show and save work from this list. An entry has hooks for code that
+ * only this parameter needs. */
 #ifndef SHELL_PARAMETER_LIST_H
 #define SHELL_PARAMETER_LIST_H
 
@@ -19,11 +19,11 @@ struct parameter {
     const struct domq_effect_argument *value;
     const char *help;     /* the text that 'help' shows; may be NULL */
     const char *synonyms; /* other words for the parameter, separated by blanks; may be NULL */
-    /* the description of an effect, which includes the help and the synonyms; otherwise NULL */
+    /* for an effect: its description, with the help and the synonyms; NULL for other parameters */
     const struct domq_effect *effect;
     int which;                /* the number of the effect, if the parameter is an effect */
     const struct word *words; /* words for some of the values; may be NULL */
-    /* the value must be one of `words`, and is stored as an unsigned */
+    /* the value must be one of `words`, and is stored as an unsigned int */
     bool words_only;
     /* The parameter is a setting of the calculator. 'reset' leaves it unchanged unless its name is given. */
     bool setting;

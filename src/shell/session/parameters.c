@@ -124,7 +124,7 @@ static void parameter_put(struct state *state, const struct assigned *a)
 
 _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
                    sizeof(enum dom_precision) == sizeof(unsigned),
-               "parameter_get reads an enum as an unsigned");
+               "parameter_get reads an enum as an unsigned int");
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {

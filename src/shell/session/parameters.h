@@ -12,7 +12,8 @@
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
 
-/* Two names_lists of the words for the values of a parameter. parameter_offered omits synonyms. */
+/* Two names_lists: each lists the words that a parameter accepts as values. parameter_offered omits
+ * synonyms. */
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
 
@@ -81,8 +82,8 @@ enum { ASSIGNED_MAX = 8 };
  * Sets *problem and returns false if a value is out of range, or cannot be combined with the other values. */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to the first `given` elements of `value`; only effects take more than one. The state must
- * own its memory. On failure, sets *problem, changes nothing and returns false. */
+/* Sets a parameter to `value`, an array with `given` elements; only effects take more than one. The state
+ * must own its memory. On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 

@@ -164,7 +164,7 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
                                                         : *row_measure_at(&d, measure);
 }
 
-/* Returns the lean angle of a domino whose top is `off` m from plumb. */
+/* Returns the lean angle of a domino whose top is off plumb by `off` metres. */
 static domq_real lean_angle(domq_real off, domq_real height)
 {
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;

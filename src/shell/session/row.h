@@ -31,13 +31,13 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
  * units of m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. Unless the
- * domino has a radius of its own, the radius is the radius of 'effect edges'. */
+/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. A domino
+ * without a radius of its own has the radius of 'effect edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 
-/* Changes one measurement of all dominoes in the ranges. A new size keeps the density. Replacing the row
- * loses the changes. On failure, sets *problem, changes nothing and returns false. */
+/* Changes one measurement of all dominoes in the ranges. A new size keeps the density. The changes are
+ * lost when the row is replaced. On failure, sets *problem, changes nothing and returns false. */
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem);
 

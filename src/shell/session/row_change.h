@@ -19,7 +19,8 @@ struct row_change {
     bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member for a measurement, in a domino or in an element of listed_row.change. */
+/* Returns a pointer to the member that holds a measurement. `domino` may be an element of
+ * listed_row.change. */
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
 /* Returns true for a size. When it changes, the domino keeps its density. */

@@ -66,7 +66,7 @@ void effects_apply(struct scene *scene)
     DOM_DYNAMICS(APPLY)
 #undef APPLY
     if (scene_boxes_above(scene) > 0)
-        scene->train.walls = 0; /* an endless train has either only boxes or only solid dominoes */
+        scene->train.walls = 0; /* in an endless train, either all dominoes are boxes or all are solid */
 }
 
 void effects_reset(struct scene *scene)
