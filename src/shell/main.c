@@ -210,8 +210,8 @@ static bool reader_gone(void)
 }
 
 /* Closes standard output. If output was lost, prints a message and returns false. If a pipe has lost its
- * reader, as in 'domino | head', SIGPIPE ends the program instead, unless the parent process ignores
- * SIGPIPE. */
+ * reader, as in 'domino | head', SIGPIPE ends the program without a message. If the parent process ignores
+ * SIGPIPE, there is a message. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;

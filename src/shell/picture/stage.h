@@ -89,10 +89,10 @@ bool drawn_covers(const struct drawn *domino, double up, double back);
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 
-/* Returns true for a domino that is touched at its hinge (r s = 1), so that no push can turn it. */
+/* Returns true for a domino that is touched at its hinge (r s = 1). No push can turn such a domino. */
 bool drawn_locked(const struct drawn *domino);
 
-/* Returns true for the weakest domino, and for the domino at which a row ends. */
+/* Returns true for the weakest domino, and for the domino at which the fall ends. */
 static inline bool drawn_marked(const struct drawn *domino)
 {
     return domino->part == WEAKEST || domino->part == ENDS;
@@ -151,8 +151,8 @@ void sheet_follow(struct sheet *sheet, double at, double tall);
 void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
 
 /* Draws a dot in each colour, and finally in white, because a gif has only the colours of its first frame.
- * gnuplot omits a frame that equals the previous one, so `shift`, which changes the white slightly, must
- * alternate between 0 and 1. */
+ * `shift` changes the white slightly. It must alternate between 0 and 1, because gnuplot omits a frame that
+ * equals the previous one. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */

@@ -39,7 +39,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
 /* Like domq_row_watch, but in the engine, with the step size from the report of an earlier run. Before each
- * call of `visit`, sets feet[k] to the distance in m that the foot of domino k, counted from 0, has slid. */
+ * call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. The first k is 0. */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,
                                    void *context, double *feet);
