@@ -17,8 +17,8 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A solid domino must stay solid, and a box must stay a box. Returns the height nearest to `height` to which
- * a domino of height `before` may change. */
+/* A solid domino must stay solid, and a box must stay a box. Returns the allowed height that is
+ * nearest to `height`, for a domino whose height was `before`. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

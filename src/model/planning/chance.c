@@ -24,12 +24,12 @@
  * Bounds and special values of an energy margin:
  * - MARGIN_MOST: the domino needs no energy
  * - MARGIN_LEAST: friction locks the domino
- * - MARGIN_NONE: the row ends at this domino in a way that the model does not describe
+ * - MARGIN_NONE: the fall ends at this domino in a way that the model does not describe
  */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
-#define UNSEEN       20.0 /* margin of a domino that is not hit because the row ends earlier */
+#define UNSEEN       20.0 /* margin of a domino that is not hit because the fall ends earlier */
 
 /* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
@@ -71,8 +71,9 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before domino `from`
- * was changed. The run then ends as soon as the margins hardly differ.
+ * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before a change, and
+ * `from` is the number of the first domino that the change affects. The run then ends as soon as a margin
+ * almost equals its value in `base`.
  */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)
@@ -234,8 +235,8 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. Writes their margins to `margin`. If `margin` is NULL, adds up their probabilities of
- * failure and, if wanted, the derivatives in *total instead. */
+/* Runs all random rows. If `margin` is not NULL, writes their margins to this array. Otherwise adds their
+ * probabilities of failure to *total. Adds the derivatives too, unless total->by_gap is NULL. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

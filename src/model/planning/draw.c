@@ -55,8 +55,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
     gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
 }
 
-/* Returns the next random error, which combines two generators. The seeds of GSL have only 32 bits: with one
- * generator, some of a million rows would be identical. */
+/* Returns the next random error, the sum of numbers from two generators. The seeds of GSL have only 32 bits.
+ * With one generator, some of a million rows would be identical. */
 static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
 {
     gsl_rng *const *random = draw->random;
@@ -187,7 +187,7 @@ static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct do
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
               unsigned off)
 {
-    /* Leans are drawn last, since their limits depend on the sizes and on the slope. */
+    /* Random leans come last, since their limits depend on the sizes and on the slope. */
     static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
                                               DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
                                               DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,

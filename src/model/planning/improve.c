@@ -5,9 +5,9 @@
  * rows decide whether a result is kept.
  *
  * The width of the smoothing is a multiple of the standard deviation of each margin. At first, the multiple
- * is 1, so that even rows that are unlikely to stop contribute. Later levels of the search use more rows and
- * less smoothing. Errors of a few mm hardly affect large dominoes. With one width for all margins, large
- * dominoes would get as much spare energy as small ones, without needing it.
+ * is 1. Then every row contributes to the fraction, even if it is unlikely to stop. Later levels of the
+ * search use more rows and less smoothing. Errors of a few mm hardly affect large dominoes. With one width
+ * for all margins, large dominoes would get as much spare energy as small ones, without needing it.
  *
  * The minimizer is BFGS from GSL. With the same number of runs, SLSQP from NLopt was slightly better: 7.2 %
  * of rows of eleven dominoes did not fall, rather than 7.6 %. But Debian has NLopt only as a shared library.
@@ -158,8 +158,8 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 /* ---- The search ---- */
 
 /*
- * Sets the width of the smoothing for each margin. Only small margins stop a row, so the standard deviation
- * is found from the median and a lower quantile.
+ * Sets the width of the smoothing for each margin, a multiple of the margin's standard deviation. Only small
+ * margins stop a row. So the standard deviation is estimated from the median and a lower quantile.
  */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {

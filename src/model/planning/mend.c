@@ -4,7 +4,7 @@
 
 /* ---- Gaps ---- */
 
-/* number of earlier gaps to try, besides the gap at which the row ends; even earlier gaps hardly matter */
+/* number of earlier gaps to try, besides the gap at which the fall ends; even earlier gaps hardly matter */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Searches from the current gap towards `end` for the first gap at which all dominoes fall. */
@@ -48,7 +48,7 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gap after the domino at which the row ends, and up to BACK gaps before this gap. If this gap is
+/* Tries the gap after the domino at which the fall ends, and up to BACK gaps before this gap. If this gap is
  * too wide to reach across, tries no other gap. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)

@@ -21,7 +21,7 @@ struct shared {
     bool causes;       /* true if each row is also run without each kind of error in turn */
     atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* how many rows ended at each domino (dom_placement_causes), or NULL if not requested */
+    /* how many falls ended at each domino (dom_placement_causes), or NULL if not requested */
     atomic_size_t *stops;
 };
 
@@ -124,8 +124,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The kernel would see gaps and the tolerance only after the study has
- * changed them. */
+/* Checks the arguments of a study. The kernel would miss bad gaps or a bad tolerance, since the study changes
+ * these values before the kernel sees them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {

@@ -29,8 +29,8 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
     return true;
 }
 
-/* Records a failure. Without convergence, only this separation is skipped. Any other status ends the
- * search. */
+/* Records a failure. If the result did not converge or is not finite, only this separation is skipped. Any
+ * other status ends the search. */
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)

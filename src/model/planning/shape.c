@@ -94,7 +94,7 @@ bool shape_from_board(const struct shape *s, dom_real height)
 }
 
 /* Returns the thickness of the closest board. If a domino of this height needs no board, returns `thickness`,
- * on the grid if `final` is true. */
+ * rounded to the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -123,8 +123,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. Rounds positions rather than single gaps, so that rounding errors do not add
- * up. */
+/* Rounds all gaps to the grid. Before a gap is rounded, the rounding error of earlier gaps is added to it, so
+ * that errors do not add up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;

@@ -29,9 +29,9 @@ struct trial {
     void *context;
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
-    enum dom_row_end ends;      /* how the row ended in the last run in which it did not fall */
+    enum dom_row_end ends;      /* how the fall ended in the last run in which some dominoes did not fall */
     /* Spare energy (margin / barrier) in the last run: of the weakest domino if the row fell, or of the
-     * domino at which it stopped. NaN if the row ended in another way. */
+     * domino at which it stopped. NaN if the fall ended in another way. */
     dom_real spare;
 };
 
@@ -71,7 +71,7 @@ bool falls_with(dom_real value, void *context);
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
-/* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
+/* Returns the place value of the last digit that is kept when a number near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
 /* All dominoes must fall at `good`, but not at `bad`. Returns the value nearest to `bad` at which they fall,
@@ -82,8 +82,8 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
  * - 1. Returns the last value up to which they fall. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end` for a range in which all dominoes fall. Sets *to and *until
- * to the beginning and the end of the range. Returns false if no such range is found. */
+/* Searches from the current value towards `end` for a range in which all dominoes fall. Stores the
+ * beginning of the range in *to, and its end in *until. Returns false if no such range is found. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

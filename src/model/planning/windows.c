@@ -18,7 +18,7 @@
 /* The range of values that are tried. */
 struct range {
     dom_real lowest, highest;
-    /* how the row ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
+    /* how the fall ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
     enum dom_row_end above;
 };
 
@@ -83,8 +83,8 @@ static struct range range_of(const struct trial *t)
 }
 
 /*
- * Changes the value step by step towards `end`. Returns the last value up to which the row falls. Sets
- * *beyond to how the row ends past this value. Sets *others to true if the row falls again farther on.
+ * Changes the value step by step towards `end`. Returns the last value up to which the row falls. Stores
+ * in *beyond how the fall ends past this value. Sets *others to true if the row falls again farther on.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -171,8 +171,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* Finds the window that ends at the highest value of the range, where all dominoes must fall. The current
- * value must be above the range. */
+/* Finds the window that ends at the highest value of the range. All dominoes fall at this value, and the
+ * current value is above the range. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -188,7 +188,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the window nearest to the current value of a row that does not fall. */
+/* For a row that does not fall, finds the window nearest to the current value. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -207,7 +207,8 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can affect a row that ends at domino `ends`, both counted from 0. */
+/* Returns true if a change of domino k can affect a fall that ends at domino number `ends`. Both numbers
+ * count from 0. */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;

@@ -58,8 +58,8 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
  * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
  *
  * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. If D is
- * monotonic in the box, `at` is the end of the interval of tilts at which D is largest. Otherwise `at` is the
- * middle of this interval.
+ * monotonic in the box, the tilt `at` is the end of the interval at which D is largest. Otherwise the tilt
+ * `at` is the middle of the interval.
  *
  * Bound 3, by the mean value theorem in r: if d(K - D)/dr <= M, then K - D is at least its value at the upper
  * end of the strip, minus max(M, 0) times the width of the strip.
@@ -83,8 +83,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* The bounds on D hold only for tilts of the cycle, so `at` may not exceed theta_c. If any tilt in the
-     * box belongs to the cycle, `low` does. */
+    /* The bounds on D hold only for tilts of the cycle, so the tilt `at` may not exceed theta_c. If the box
+     * contains any tilt of the cycle, the tilt `low` is one. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));
@@ -203,8 +203,7 @@ double proof_guess(struct proof *proof, double r, double *top)
             *top = hit * k / SAMPLES;
         }
     }
-    /* find the maximum between the neighbours of the highest sample, by bisection with the sign of dD/dtheta
-     */
+    /* find the maximum between the neighbours of the highest sample, by bisection on dD/dtheta */
     double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         double at = 0.5 * (low + high);

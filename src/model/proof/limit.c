@@ -5,8 +5,9 @@
  * wide after a success, and half as wide after a failure.
  *
  * If the train seems to stop at the upper end of a strip, the search estimates the root of the margin. It
- * then tries to prove that the train keeps falling up to a decimal number just below the root, and that the
- * train stops at a decimal number just above the root. A wrong estimate can only make these proofs fail.
+ * then tries to prove that the train keeps falling for all growths up to a decimal number just below the
+ * root, and that the train stops at a decimal number just above the root. A wrong estimate can only make
+ * these proofs fail.
  */
 #include "proof/limit.h"
 
@@ -64,8 +65,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Tries to prove that the train keeps falling up to n / unit. If this proof fails, tries smaller decimal
- * numbers, beginning with the closest. */
+/* Tries to prove that the train keeps falling for all growths up to n / unit. If this proof fails, tries
+ * smaller decimal numbers, beginning with the closest. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -84,10 +85,10 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling up
- * to a growth slightly below the root, and that the train stops at a growth slightly above the root. Returns
- * false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop is a
- * smaller growth at which the train stops.
+ * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling for
+ * all growths up to one slightly below the root, and that the train stops at one slightly above the root.
+ * Returns false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop
+ * is a smaller growth at which the train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

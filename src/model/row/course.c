@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with a change of a few neighbouring dominoes. A trial begins at the
- * first head that can be affected. Effects of the change decrease from head to head, so a trial may also end
- * early. There are two effects.
+ * A row that is run many times, each time with a change of a few neighbouring dominoes. Each run (trial)
+ * begins at the first head that the change can affect. Effects of the change decrease from head to head, so a
+ * trial may also end early. There are two effects.
  *
- * First, omegasq deviates from its value in the unchanged row by a relative deviation D. The equation of
- * motion is linear in omegasq. So for a head whose geometry is unchanged,
+ * First, omegasq has a relative deviation D from its value in the unchanged row. The equation of motion is
+ * linear in omegasq. So for a head whose geometry is unchanged,
  *
  *     omegasq of the next head = gain * omegasq + offset.
  *
@@ -18,7 +18,7 @@
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
  * omegasq. So if no force is negative at two values of omegasq, none is negative between these values. Each
- * head is therefore run twice more: once barely fast enough, and once with FAST times the omegasq.
+ * head is therefore run twice more: once barely fast enough, and once with omegasq FAST times as large.
  *
  * The verdict does not change as long as omegasq deviates by less than the limits `below` and `above`. These
  * limits are found from the last head to the first:
@@ -40,7 +40,7 @@ struct mark {
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
     /* the smallest contact force of this and all later heads, divided by the weight of the pushed domino */
     real pushes;
-    /* true if this domino and all later ones fall, false if the row ends where the unchanged row ends */
+    /* true if this domino and all later ones fall, false if the fall ends as in the unchanged row */
     bool falls;
 };
 
@@ -53,8 +53,8 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* To look for negative contact forces, each head is run twice more: with FAST times its omegasq, and with the
- * excess of omegasq over `need` divided by FAST. */
+/* Contact forces are checked at FAST times the omegasq of a head, and also at a value that exceeds `need` by
+ * only 1/FAST of the actual excess. */
 #define FAST 1000
 
 /*
@@ -137,8 +137,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets `below` and `above` of the mark of the last head. As long as omegasq is within these limits, the row
- * ends at this head in the same way as the unchanged row. */
+/* Sets the limits `below` and `above` in the mark of the last head. As long as omegasq is within these
+ * limits, the fall ends at this head, in the same way as in the unchanged row. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
@@ -260,7 +260,7 @@ KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domi
     c->request.domino = domino;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
         status = row_domino_check(&c->request, k);
-    /* the row ends before it reaches a head that the change can affect */
+    /* the fall ends before it reaches a head that the change can affect */
     if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino)
         return status;
     for (; c->made < from && status == DOM_OK; c->made++)

@@ -55,8 +55,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* A sum that ends at domino k leaves out all dominoes behind it. `weights` and `moments` are upper bounds
-     * on their weights and moments of inertia, divided by those of domino k. */
+    /* If a sum along the chain ends at domino k, dominoes k - 1, k - 2, ... are left out. `weights` and
+     * `moments` are upper bounds on their weights and moments of inertia, divided by those of domino k. */
     real weights = geometry->weight * follower->steepest / geometry->steepest *
                    (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
@@ -189,7 +189,7 @@ static bool walls_room(const struct row_request *row, size_t k, const struct blo
     return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
-/* Returns true if a leaning domino stands, that is, does not fall over either edge of its foot. */
+/* Returns true if a leaning domino stands, that is, does not tip over either edge of its foot. */
 static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
 {
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks the dominoes of a row, and describes each contact between neighbours (a joint) by the geometry of a
+/* Checks the dominoes of a row, and describes each joint (contact between neighbours) as if it were in a
  * train. */
 #ifndef DOM_JOINT_H
 #define DOM_JOINT_H

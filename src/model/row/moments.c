@@ -36,7 +36,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* Here all n dominoes lean on each other. Only a rounding error at the end of a passage can make
+        /* All n dominoes lean on each other, so only a rounding error at the end of a passage can make
          * `leads` false. */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
@@ -114,8 +114,9 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* Returns the time from the beginning of the passage to the tilt `at`, minus s->into. If s->rests is true,
- * `at` is the x of slowness_to_rest, and the time from x until the head comes to rest is used instead. */
+/* passage_tilt finds the root of this function. Returns the time from the beginning of the passage to the
+ * tilt `at`, minus s->into. If s->rests is true, `at` is the variable x of slowness_to_rest, and the time is
+ * counted from x until the head comes to rest. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -130,7 +131,7 @@ static real passage_over(real at, void *context)
     return status == DOM_OK ? time - s->into : REAL_NAN;
 }
 
-/* Finds the tilt of the head at the time `into`, in tau since the beginning of the passage. */
+/* Finds the tilt of the head at the time `into`, counted in tau from the beginning of the passage. */
 static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
 {
     real x = 0;
@@ -206,8 +207,8 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* p = ln tan(phi / 4) at the hit; p is to be found at the time `left` before the hit */
-    real end, left;
+    real end;  /* p = ln tan(phi / 4) at the hit */
+    real left; /* the time before the hit at which p is to be found, in tau */
 };
 
 /* Returns the angle phi beyond theta_u, given p = ln tan(phi / 4). */
@@ -244,13 +245,13 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* A domino with rounded edges will hit the next one after the time `left`, in tau. Returns its angle phi
- * beyond theta_u. */
+/* Returns the angle phi beyond theta_u at the time `left`, in tau, before a domino with rounded edges hits
+ * the next one. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The moment of inertia is at least a quarter of its value for sharp edges. So per tau, p grows by at
-     * most sqrt(2 R), where R is the reach. So the solution p is at least `first`. */
+    /* The solution p is at least `first`. In each tau, p grows by at most sqrt(2 R), where R is the reach,
+     * because the moment of inertia is at least a quarter of its value for sharp edges. */
     real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

@@ -191,8 +191,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Head k touches the next domino, and one of the two leans. Returns how the row ends, or DOM_ROW_FALLS if the
- * row goes on falling. */
+/* Head k touches the next domino, and one of the two leans. Returns how the fall ends, or DOM_ROW_FALLS if
+ * it goes on. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;

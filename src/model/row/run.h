@@ -17,7 +17,8 @@ struct run {
     bool forces;   /* true if the smallest contact force is wanted, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* J(0) - 1, or A(0) - 1 with friction, of the collision that set the head in motion, or 0 if none did */
+    /* for the collision that set the head in motion: J(0) - 1, or with friction A(0) - 1; 0 if there was no
+     * collision */
     real inertia_ratio;
     real time;           /* time since the start in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */
@@ -49,7 +50,7 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
 /* Computes the collision of head k with domino k + 1, which becomes the head. *at and *hitting are the state
- * and the geometry of head k. If the row ends here, sets run->verdict.end. */
+ * and the geometry of head k. If the fall ends here, sets run->verdict.end. */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
 

@@ -215,7 +215,7 @@ static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
     return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
 }
 
-/* Runs the row until it ends, or until its verdict is in doubt. */
+/* Runs the row until the fall ends, or until the verdict is in doubt. */
 static enum dom_status sample_falls(struct random_row *s, struct run *run)
 {
     enum dom_status status = DOM_OK;

@@ -11,8 +11,7 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* increase in the number of moving dominoes from head to head: 0 or 1 */
     size_t more;
-    /* true if the next head will repeat the last motion, provided that the next two dominoes equal the
-     * current one */
+    /* true if the motion is steady: the next head repeats it if two more dominoes equal the current one */
     bool found;
 };
 
@@ -33,9 +32,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row after a repeated motion. The geometry of the skipped heads was not filled in,
- * so the last domino that has a geometry is run as if the row ended there. Returns false if too few equal
- * dominoes precede that domino.
+ * Runs the last head of a row after a repeated motion. The skipped heads have no geometry. So an equal domino
+ * is run instead: the last one that has a geometry, as if the row ended there. Returns false if too few equal
+ * dominoes precede this domino.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
