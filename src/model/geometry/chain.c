@@ -24,7 +24,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of the torque on domino b->i that reaches the head. Without friction, this is the slope. */
+    /* The part of the torque on domino b->i that reaches the head: theta_i' without friction. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
@@ -37,8 +37,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* Domino b->i has no follower, not even while the head is upright. Domino b->i itself detaches when its
-     * leader reaches theta_leave. */
+    /* While the head is upright, the follower of domino b->i has already detached. Domino b->i detaches next,
+     * when its leader reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);

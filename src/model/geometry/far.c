@@ -53,8 +53,8 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order at which making the series once, and using it for `passes` passes down the train, takes
- * the least time. Returns 0 if no series saves time. */
+/* Returns the order that saves the most time, or 0 if no series saves time. The cost of making the series is
+ * divided among the passes that use it; `passes` is their number. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
@@ -136,12 +136,12 @@ KERNEL void far_make(struct geometry *geometry, real passes)
         squares[k] = square;
     }
     /* At step j, `power` is f^j, and `squares` is f'^2 f^(j-1). H[j] and J[j - 1] already contain the terms
-     * of all earlier coefficients. Each unknown coefficient also occurs on the right side of its own
-     * equation. Its factor there gives the divisor. */
+     * of all earlier coefficients. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;
         slopes *= slope;
+        /* The equation for J[j - 1] is J[j - 1] = (terms so far) + m slope^(j+1) J[j - 1]. */
         J[j - 1] /= 1 - m * slope * slopes;
         const real J_m = m * J[j - 1];
         for (int k = j; k <= n; k++)

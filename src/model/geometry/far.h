@@ -5,8 +5,8 @@
 
 #include "geometry/sums.h"
 
-/* Makes the series geometry->far, with the cheapest order for `passes` passes. The order is 0 (no series) if
- * a domino detaches, or if no series saves time. */
+/* Makes the series geometry->far. `passes` is the number of passes that will use the series; the best order
+ * depends on it. The order is 0 (no series) if a domino detaches, or if no series saves time. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -29,8 +29,8 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. The tolerance is relative to
- * the whole sum, including `tail`, the value of the series, since the tail may cancel the sum so far. */
+/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. `tail` is the value of the
+ * series. The tolerance is relative to the sum including `tail`, since `tail` may cancel most of the sum. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * s->size);
@@ -113,7 +113,7 @@ KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Returns the terms of H2 of a domino and of all dominoes behind it. */
+/* Returns what a domino and all dominoes behind it contribute to H2. */
 KERNEL real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
 {
     return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);

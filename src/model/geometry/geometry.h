@@ -80,8 +80,8 @@ struct geometry {
     struct flow *flow;               /* solution of the equation of motion; NULL if none is needed */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    /* The work of the current search so far, and its limit, both in visited dominoes. `effort` is NULL
-     * without a limit. */
+    /* The number of dominoes visited in the current search so far, and its limit. `effort` is NULL if there
+     * is no limit. */
     size_t *effort;
     size_t effort_most;
     real L;        /* s + d */
@@ -115,7 +115,7 @@ struct geometry {
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
     real upright_inertia; /* inertia of an upright domino; 1 with sharp edges */
-    /* The largest gap that a head reaches, divided by its height. 1 with sharp edges. */
+    /* The largest gap that a head can reach across, divided by its height. It is 1 with sharp edges. */
     real span;
     struct rounded rounded;
     real lean; /* tilt before the hit; 0 if the domino is plumb */
@@ -161,11 +161,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
     return geometry->rounded.i.x * t.y - geometry->rounded.i.y * t.x;
 }
 
-/*
- * Returns the smallest tilt of the head that matters at the beginning of a cycle. Two tilts matter: theta_u,
- * and the tilt at which a follower that started near pi/2 has clearly left pi/2. If theta_u is 0 (edges of
- * radius d/2), only the second one matters.
- */
+/* Returns the smallest tilt of the head that matters at the beginning of a cycle. This is theta_u or, if
+ * smaller, the tilt at which a follower that started near pi/2 is no longer near pi/2. If theta_u is 0 (edges
+ * of radius d/2), only the second tilt matters. */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
     const struct rounded *of = &geometry->rounded;
@@ -188,9 +186,10 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
  * angle equal to theta_c within rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* These functions return upper bounds on the errors of five angles: a tilt whose coordinates have `units`
- * rounding errors each, the tilt of the head, theta_u, theta_f and theta_leave. */
+/* Returns an upper bound on the error of the angle of t. `units` is the sum of the relative errors of t.x and
+ * t.y, in units of ROUNDOFF. */
 KERNEL real tilt_error(struct tilt t, real units);
+/* These functions return upper bounds on the errors of the head's tilt, theta_u, theta_f and theta_leave. */
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);
 KERNEL real geometry_error_f(const struct geometry *geometry);

@@ -78,7 +78,8 @@ struct contact_law {
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), or 0 if domino 1 has not tipped over. */
     real (*tipped_omegasq)(const struct geometry *geometry);
 
-    /* Finds tan((theta_1 - theta) / 2) = p[1] z + ... + p[order] z^order, with z of far.h. */
+    /* Finds the power series tan((theta_1 - theta) / 2) = p[1] z + ... + p[order] z^order. z is far_variable
+     * (far.h). */
     void (*turns)(const struct geometry *geometry, int order, real *p);
 
     /* ---- A walk down a chain, domino by domino ---- */
@@ -101,10 +102,10 @@ struct contact_law {
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
-     * Finds J, H1 and H(head) - H(from), and what `pass` selects. Finds error bounds (bound.h) unless `error`
-     * is NULL.
-     * - t is the tangent of half the angle from `from` to `head`. The two tilts may be too close for their
-     *   difference to give t.
+     * Finds J, H1 and H(head) - H(from), and what `pass` selects (enum pass). Finds error bounds (bound.h)
+     * unless `error` is NULL.
+     * - t is the tangent of half the angle from `from` to `head`. The caller finds t, since a difference of
+     *   two close tilts would be inaccurate.
      * - If `from` is not upright, `error` must be NULL, and no domino may detach between the two tilts.
      * - PASS_SHIFT halves the work for an endless train from upright to theta_c.
      */

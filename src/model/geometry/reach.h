@@ -5,8 +5,8 @@
 
 #include "numerics/real.h"
 
-/* Returns the largest gap that a head with edges of radius rho reaches. Both lengths are in units of the
- * head's height. */
+/* Returns the largest gap that a head with edges of radius rho can reach across. Both lengths are in units of
+ * the head's height. */
 KERNEL real reach_span(real rho)
 {
     return 1 - 2 * rho + rho * PI / 2;

@@ -35,7 +35,8 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
 }
 
-/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, as precisely as its sign requires. */
+/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, with just enough digits for its
+ * sign. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums, real *half_J1)
 {
@@ -85,12 +86,12 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
 
 /* ---- Differences ---- */
 
-/* The angle between the tilts of a domino in two chains, and the tangent of half the angle. */
+/* The difference between the tilts of a domino in two chains, and the tangent of half the difference. */
 struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts. t is the tangent of half the angle between them. */
+/* Returns the difference between two tilts. t is the tangent of half the difference. */
 static struct apart apart_by(real t)
 {
     return (struct apart){2 * atan(t), t};
@@ -120,13 +121,13 @@ KERNEL_LOOP real tangent_excess(real D)
 
 /*
  * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
- * tilts of a and b, and D the difference between the turns to their followers. Subtracting the contact
- * equations gives
+ * tilts of a and b themselves. The turn is the angle from a domino to its follower; let D be the turn of a
+ * minus the turn of b. Subtracting the contact equations gives
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R.
  *
- * Every term of R has the small factor apart.by, so even the smallest differences keep their digits. D itself
- * is inaccurate, and is used only for the small term 2 tan(D/2) - D.
+ * Every term of R has the small factor apart.by, so even the smallest differences keep their digits. The
+ * difference of the stored turns is inaccurate, and is used only for the small term 2 tan(D/2) - D.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -155,26 +156,28 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * The test of pushes_between in sharp_change.c, for rounded edges. The inertia i changes with the tilt. So
- * a_k has i_k in its denominator, and
+ * The test of pushes_between in sharp_change.c, for rounded edges: neither a_k nor c_k may decrease down the
+ * chain. Here the inertia i changes with the tilt. So a_k has i_k in its denominator, and
  *
  *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k.
  *
- * Let x and y be the sine and cosine of the leader's tilt, and b, arm and curve as in rounded_levers. c_k
- * does not decrease if
+ * The condition on c_k: let x and y be the sine and cosine of the leader's tilt, and b, arm, curve and M as
+ * in rounded_levers. c_k does not decrease if
  *
  *     -curve b >= arm (slope i'_1/i_1 - i'/i) / 2.
  *
- * Let p = 1 - slope, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact equation, -curve b is
+ * To bound the left side, let p = 1 - slope, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact
+ * equation, -curve b is
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - x - y + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large. So p = x (M - rho_1 turn) / b is large, too, with M of
- * rounded_levers. As the tilt increases, the arm decreases: in its derivative, p replaces p^2, and 1 + p
- * replaces 2 p. The slope and the turn decrease, too, so the values at both ends bound every term.
+ * and d. If y Q < d/2, then x is large, and so is p = x (M - rho_1 turn) / b.
  *
- * The condition on a_k is the same as for sharp edges, with R i/i_1 instead of R, and with a term for a foot
+ * The arm decreases as the tilt increases: its derivative is curve b with p instead of p^2, and with 1 + p
+ * instead of 2 p. The slope and the turn decrease, too. So the values at both ends bound every term.
+ *
+ * The condition on a_k is the condition for sharp edges with R i/i_1 instead of R, and with a term for a foot
  * that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
@@ -230,7 +233,7 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* Chain a, its difference from chain b, and the sums of `change` in struct contact_law. */
+/* Chain a, its difference from chain b, and the sums over the dominoes visited so far. */
 struct rolling_pair {
     struct walk a;
     struct apart apart; /* difference between the current dominoes of a and b */

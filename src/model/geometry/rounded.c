@@ -174,7 +174,7 @@ static struct walk rounded_at(const struct geometry *geometry, real theta)
 
 /* ---- The chain ---- */
 
-/* Finds whether a follower leans on the domino, and if so, the turn to it. */
+/* Finds out whether a follower leans on the domino and, if so, the turn from the domino to the follower. */
 static void rounded_follower(struct walk *k)
 {
     struct link *link = &k->link;
@@ -278,10 +278,10 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /* ---- The shape of a train ---- */
 
 /*
- * Returns theta_inf, the tilt at which a follower leans as much as its leader, so that the right side of the
+ * Returns theta_inf, the tilt at which leader and follower are parallel, so that the right side of the
  * contact equation is 0. Also finds theta_inf as an angle, and the slope there. The right side is a
- * decreasing, concave function of 1 - cos theta up to pi/2, so Newton's method converges. It starts from
- * the solution for sharp edges.
+ * decreasing, concave function of 1 - cos theta up to pi/2, so Newton's method converges. It starts from the
+ * solution for sharp edges.
  */
 static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {

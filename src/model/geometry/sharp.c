@@ -179,7 +179,7 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
 }
 
 /* Adds this domino and all dominoes behind it to J, H1 and J'/2, using the far series. Adds nothing and
- * returns false if the series does not apply, or is not accurate so far from theta_inf. */
+ * returns false if there is no series, or if the tilt is too far from theta_inf for the series. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

@@ -13,9 +13,10 @@ struct sums {
     real H2;
     /* H(theta) - H(0), or H(theta) minus H at another tilt. Only in passes that compare two tilts. */
     real dH;
-    real left;   /* part of dH due to a follower that has detached in the cycle */
-    size_t n;    /* number of dominoes in the sums */
-    bool pushes; /* no contact opens between the two tilts; only with PASS_PUSHES */
+    real left; /* part of dH due to a follower that has detached in the cycle */
+    size_t n;  /* number of dominoes in the sums */
+    /* True if all contacts are proved to stay closed between the two tilts. Valid only with PASS_PUSHES. */
+    bool pushes;
 };
 
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
@@ -33,8 +34,8 @@ struct equation_of_motion {
  * sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be this fraction of the tolerance. A result that combines several sums then stays
- * within the tolerance. */
+/* The tail of a sum may be at most this fraction of the tolerance. A result that combines several sums then
+ * stays within the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
 /* A compensated sum, with bounds on its next terms. */

@@ -64,7 +64,8 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops to true if bounds show that all trains from lo to hi stop at r. m is the margin at lo. */
+/* Sets *stops to true if bounds show that, at growth r, all trains with separations from lo to hi stop. m is
+ * the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -119,11 +120,9 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/*
- * Searches the separations between lo and hi for a growth above the best so far. Skips the interval if bounds
- * show that all trains stop at the best growth, or at `witness` if `witness` is smaller. Otherwise bisects
- * the interval.
- */
+/* Searches the separations between lo and hi for a growth above b->r_max. Skips the interval if bounds show
+ * that all its trains stop at growth b->r_max, or at growth `witness` if `witness` is smaller. Otherwise
+ * bisects the interval. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -319,7 +318,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
 /* Finds the maximum of r_max near b->s. *smooth is true on entry if b->s is already close to the maximum. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
-    /* Noise in r_max shifts a smooth maximum by the square root of the noise. The bracket must be wider. */
+    /* Noise in r_max shifts a smooth maximum by about the square root of the noise. The bracket must be wider
+     * than this shift. */
     const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
     enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
     if (status == DOM_OK && !*smooth) {
@@ -402,8 +402,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The first bracket extends by this relative distance to both sides of the double kernel's best separation.
- * The distance exceeds the error of that separation. */
+/* The first bracket extends this relative distance to either side of the double kernel's best separation. The
+ * distance exceeds the error of that separation. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -454,7 +454,7 @@ static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
     b->r_max = rmax_at(b->s, c);
     if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
         *found = *smooth || search_kink(b, tol);
-    /* Otherwise s may lie beyond a jump, where the root at c->near need not be the first one. */
+    /* Without success, s may lie beyond a jump. The first root then need not be near c->near. */
     c->near = *found ? c->near : 0;
     return c->status;
 }

@@ -70,7 +70,7 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 /* Returns the margin, computed precisely enough to be sure of its sign. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
-/* Like margin_sign, but the barrier of a positive margin is correct to the tolerance. */
+/* Like margin_sign, but if the margin is positive, the barrier is correct to the tolerance, too. */
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*

@@ -12,7 +12,8 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples per factor of e in r, up to 0.9 of the reach. One more sample is at the reach. */
+/* The number of samples per unit of ln r, from r = 1 to 0.9 of the reach. One more sample is taken at the
+ * reach. */
 #define PROBE_PER_E 5
 
 /* Returns the growth of sample k. Beyond the last sample, the result is the reach. */

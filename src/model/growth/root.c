@@ -111,11 +111,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /*
-         * The next error is approximately the product of the last two errors, divided by a length. In the
-         * first two steps, this length is a 16th of r or of the distance from r to the reach, whichever is
-         * less.
-         */
+        /* The next error is approximately the product of the last two errors, divided by a length. In the
+         * first two steps, this length is min(r, reach - r) / 16. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
@@ -264,15 +261,15 @@ KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sa
 
 enum { DOWN_STRIPS = 32, DOWN_FAILS = 8 };
 
-/* Returns the width of the first strip below the root, in ln r. `whole` is the width of all strips. */
+/* Returns the width of the first strip below the root, in ln r. `whole` is the total width of the strips. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
     return whole < (real)0.03 ? whole : fmin(width, whole / 2);
 }
 
-/* Returns the width in ln r of a strip below r, near the reach. Over most such strips, the bounds show
- * that the margin decreases. */
+/* Returns a width, in ln r, for the strip just below a growth r near the reach. At this width, the bounds
+ * usually show that the margin decreases over the strip. */
 static real down_near(const struct margin_context *c, real r)
 {
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
@@ -286,7 +283,7 @@ static real down_near(const struct margin_context *c, real r)
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
-    /* at *down, an upper bound on the barrier and a lower bound on the margin, from the strips above */
+    /* at *down: an upper bound on the barrier, and a lower bound on the margin */
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
     /* K falls like a square root near the reach, so the first strip must be narrow there. */
     const bool reaches = root == 1 / c->s;

@@ -34,7 +34,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
 
-/* A chain with an upright head. Behind a detached domino it goes on with dominoes at theta_f. */
+/* A chain with an upright head. A detached domino and all dominoes behind it are at theta_f. */
 struct upright {
     struct link link;
     bool ended; /* true if this domino and all after it are at theta_f */
@@ -54,7 +54,7 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
-    /* T is J of this chain without its head, since domino 1 leans at theta_c. */
+    /* T (strip_follower) is J of this chain without the term of the head. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->contact_slope = u->ended || !u->link.leads ? 0 : u->link.contact_slope;
     real ratio = geometry->inertia * u->contact_slope * u->contact_slope;
@@ -136,26 +136,29 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* Upper bound on h(theta_u) - h of the head: the head has gained at least kinetic + loss. */
+        /* Upper bound on h(theta_u) - h(theta) of the head, since the head has already gained kinetic + loss
+         * or more. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->steepest - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
         const bool leads = !hi->detaches || head.v < hi->leave.v;
         const struct tilt first = leads ? tilt_follower(head, geometry_contact(hi, head)) : hi->f;
-        /* the loss increases with the tilt of the head, and at hi it is at most `grows` times as large */
+        /* the loss increases with the tilt of the head; at hi, it is at most `grows` times the loss of any
+         * other train in the strip */
         loss = hi->weight * fmax(strip_fall(hi, first) - upright, 0) / grows;
     }
     return tilt_half(p);
 }
 
 /*
- * Returns an upper bound on the terms of domino 1, or infinity if none is found. The bound is finite at the
- * reach, although u_1(0) = tan theta_c (strip_follower) is infinite there. At the maxima that matter, the
- * head leans by at least `least`, and u_1(theta) is at most `part` times u_1(0):
+ * Returns an upper bound on the terms of domino 1, or infinity if no bound is found. The bound is finite at
+ * the reach, although u_1(0) = tan theta_c (strip_follower) is infinite there. If the head leans by at least
+ * `least`, u_1(theta) is at most `part` times u_1(0):
  * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
- * - After it has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
+ * - After domino 1 has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
  *
- * With this bound the terms are a convex function of u_1(0), so they are largest at lo or at hi.
+ * With part u_1(0) instead of u_1(theta), the terms are a convex function of u_1(0). So they are largest at
+ * lo or at hi.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -224,11 +227,12 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 
 /*
  * Returns tan(t / 2), where t is an upper bound on the tilt of the head at the maximum of H. t is theta_u, or
- * less if the first follower pulls. At the maximum,
+ * less if the first follower pulls. At the maximum dH/dtheta is 0, so
  *
- *     reach sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i),
+ *     sqrt(1 + d^2) sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i).
  *
- * and no term is negative. Each factor of the first term is replaced by a bound from one end of the strip.
+ * No term of the sum is negative, so the first term alone is a lower bound. Each of its factors is replaced
+ * by a bound from one end of the strip.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -361,13 +365,14 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * A follower beyond theta_u lowers the barrier by its drop, the integral of w^i theta_i' g(theta_i) over
- * theta. This is at least the drop at hi divided by `grows`:
- * - theta_i' and w^i are at least as large as at hi.
- * - g(theta_i) may be smaller than at hi, but by no more than a factor of `grows`.
+ * A follower beyond theta_u loses energy, and thus lowers the barrier. The loss is the integral of w^i
+ * theta_i' g(theta_i) over theta. For every train in the strip, the loss is at least the loss at hi divided
+ * by `grows`:
+ * - theta_i' and w^i are at least their values at hi.
+ * - g(theta_i) is at least its value at hi divided by `grows`. The ratio of the two values is largest for an
+ *   upright head, because h/g and d theta_i / dr decrease with theta.
  *
- * This factor is largest for an upright head, because h/g and d theta_i / dr decrease with theta. The head
- * itself rises by at most `most`.
+ * The head itself rises by at most `most`.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
@@ -376,7 +381,7 @@ KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most
     return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
 }
 
-/* Each drop (see strip_barrier_most) is at most `grows` times the drop at lo. */
+/* The loss of a follower (see strip_barrier_most) is at most `grows` times the loss at lo. */
 KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
 {
     real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,

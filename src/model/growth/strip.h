@@ -25,8 +25,8 @@ struct strip {
      * not cover these followers. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds; >= 0 */
-    /* Upper bounds on d margin / d ln r over a strip of growths. root_slope holds only where the barrier
-     * is at least kinetic_least, as at every root of the margin. */
+    /* Upper bounds on d margin / d ln r over a strip of growths. root_slope holds only where the barrier is
+     * at least kinetic_least, which is the case at every root of the margin. */
     real margin_slope, root_slope;
     /* True if K > `enough` over the whole strip. Only kinetic_least is then set. */
     bool clear;
