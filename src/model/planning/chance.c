@@ -71,9 +71,9 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before a change, and
- * `from` is the number of the first domino that the change affects. The run then ends as soon as a margin
- * almost equals its value in `base`.
+ * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before a change that
+ * affects no domino before number `from`. The run then ends as soon as a margin almost equals its value in
+ * `base`.
  */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)

@@ -9,9 +9,9 @@ struct chance {
     const struct shape *shape;
     struct dom_compute compute;
     struct dom_placement placement; /* describes the random rows */
-    /* The width of the smoothing for each margin. The probability that a row falls is taken to be the
-     * product of Phi(margin / width) over all margins, where Phi is the normal distribution. Small widths
-     * make this probability nearly 0 or 1. */
+    /* The width of the smoothing for each margin. Each margin contributes a factor Phi(margin / width)
+     * to the probability that a row falls, where Phi is the normal distribution. Small widths make this
+     * probability nearly 0 or 1. */
     const double *width;
 };
 

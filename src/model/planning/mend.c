@@ -15,9 +15,9 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * If the gap is too wide to reach across, finds the range of gaps at which the row falls, beginning at the
- * widest gap within reach. Returns false if the gap is within reach, or if the row does not fall at the
- * widest gap within reach.
+ * If the gap is too wide to reach across, finds the range of gaps at which the row falls. The range begins
+ * at the widest gap within reach. Returns false if the gap is within reach, or if the row does not fall at
+ * the widest gap within reach.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {

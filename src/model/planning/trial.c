@@ -66,9 +66,9 @@ static bool is_train(const struct dom_row *row)
 /*
  * Runs the first START dominoes of a train. Returns true if the result decides whether the whole row falls.
  *
- * The margin, as a fraction of the kinetic energy, changes less and less from domino to domino. The row is
- * taken to fall if more than half of this fraction would be left at the end of the row, even if every further
- * change were as large as the latest.
+ * The margin, as a fraction of the kinetic energy, changes less and less from domino to domino. This test
+ * assumes that every further change equals the latest one. The row is taken to fall if more than half of the
+ * fraction would then be left at the end of the row.
  */
 static bool start_decides(struct trial *t)
 {

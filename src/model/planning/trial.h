@@ -54,8 +54,8 @@ typedef bool trial_test(dom_real x, void *trial);
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of the first significant digit of `value` if places = 0, of the next digit if
- * places = 1, and so on. */
+/* Returns the place value of one digit of `value`: the first significant digit if places = 0, the next digit
+ * if places = 1, and so on. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- The value that is changed (t->of), in most cases a property of domino t->k ---- */

@@ -52,17 +52,17 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It is enough that
- * one of three lower bounds is positive.
+ * Tries to prove K - D > 0 for all growths in the strip and all tilts from `low` to `high`. Tilts are given
+ * as sigma = 2 sin(theta/2). It is enough that one of three lower bounds is positive.
  *
  * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
  *
- * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. If D is
+ * Bound 2, by the mean value theorem in sigma: D(sigma) <= D(at) + |sigma - at| max |dD/dsigma|. If D is
  * monotonic in the box, the tilt `at` is the end of the interval at which D is largest. Otherwise the tilt
  * `at` is the middle of the interval.
  *
- * Bound 3, by the mean value theorem in r: if d(K - D)/dr <= M, then K - D is at least its value at the upper
- * end of the strip, minus max(M, 0) times the width of the strip.
+ * Bound 3, by the mean value theorem in r: let d(K - D)/dr <= M, and let w be the width of the strip. Then
+ * K - D is at least its value at the upper end of the strip, minus max(M, 0) w.
  *
  * If all three bounds fail, the interval of tilts is halved. If they fail even for the single tilt `at`, the
  * strip is too wide.

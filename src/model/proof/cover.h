@@ -45,8 +45,8 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Tries to prove that the train stops for r_low <= r <= r_high, because its kinetic energy is too small to
- * reach a certain tilt theta. `top` is 2 sin(theta/2). Returns false if the proof fails. */
+/* Tries to prove that the train stops for r_low <= r <= r_high. The proof shows that the kinetic energy is
+ * too small to reach a certain tilt theta. `top` is 2 sin(theta/2). Returns false if the proof fails. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Tries to prove that D < level for all tilts and for all growths from r_low to r_high. */

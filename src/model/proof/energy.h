@@ -36,8 +36,8 @@ struct upright {
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
 
-/* D = H(theta) - H(0) for all growths, and for `low` <= 2 sin(theta/2) <= `high`, where theta is the tilt of
- * the head. */
+/* D = H(theta) - H(0) for all growths, and for all tilts theta of the head with
+ * `low` <= 2 sin(theta/2) <= `high`. */
 struct climb {
     struct span height;
     struct span by_tilt; /* derivative of D with respect to 2 sin(theta/2) */

@@ -5,9 +5,9 @@
  * wide after a success, and half as wide after a failure.
  *
  * If the train seems to stop at the upper end of a strip, the search estimates the root of the margin. It
- * then tries to prove that the train keeps falling for all growths up to a decimal number just below the
- * root, and that the train stops at a decimal number just above the root. A wrong estimate can only make
- * these proofs fail.
+ * then tries two proofs. One shows that the train keeps falling for all growths up to a decimal number just
+ * below the root. The other shows that the train stops at a decimal number just above the root. A wrong
+ * estimate can only make these proofs fail.
  */
 #include "proof/limit.h"
 
@@ -86,9 +86,9 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 
 /*
  * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling for
- * all growths up to one slightly below the root, and that the train stops at one slightly above the root.
- * Returns false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, *stop
- * is a smaller growth at which the train stops.
+ * all growths up to limit->low, slightly below the root. Also tries to prove that the train stops at
+ * limit->high, slightly above the root. Returns false if a proof fails, with the reason in limit->outcome. If
+ * the reason is OUTCOME_REFUTED, *stop is a smaller growth at which the train stops.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)

@@ -4,7 +4,7 @@
  * computed in double with + - * / and sqrt, and are then moved outwards by one step.
  *
  * IEEE 754 rounds these five operations to the nearest double. If z is a rounded result, up(z) and down(z)
- * are at or beyond the neighbours of z, so the exact result lies between them (Rump, Zimmermann, Boldo,
+ * are at or beyond the neighbours of z. So the exact result lies between them (Rump, Zimmermann, Boldo,
  * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). The rounding mode is
  * never changed. If a caller has set another one, the functions dom_prove_... prove nothing.
  */

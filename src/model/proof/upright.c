@@ -23,8 +23,9 @@ static struct span step_bend(const struct growth *g, const struct contact *c, st
     struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
                 rL = {g->low.rL.lo, g->high.rL.hi};
     struct span off = least_zero(span_over(span_scale(rL, c->x), c->Y));
-    /* partial derivatives of 1 - r L x / Y: (r L / Y) ((r L x / Y) (X x / Y) - y) with respect to theta, and
-     * -L x / Y^3 with respect to r */
+    /* The partial derivatives of 1 - r L x / Y are
+     * - with respect to theta: (r L / Y) ((r L x / Y) (X x / Y) - y)
+     * - with respect to r: -L x / Y^3 */
     struct span pull = span_sub(span_scale(off, span_over(span_scale(c->X, c->x), c->Y)), y);
     struct span by_theta = span_over(span_mul(rL, pull), c->Y);
     struct span by_r = span_over(span_over(span_scale(g->shape->L, c->x), span_square(c->Y)), c->Y);

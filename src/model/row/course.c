@@ -25,8 +25,8 @@
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
- * As soon as D and the sum of the further changes together are within the limits, the trial ends with the
- * verdict of the unchanged row.
+ * The trial ends as soon as D and all further changes together are within the limits. Its verdict is then the
+ * verdict on the unchanged row.
  */
 #include "row/run.h"
 #include <stdlib.h>
@@ -53,13 +53,13 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Contact forces are checked at FAST times the omegasq of a head, and also at a value that exceeds `need` by
- * only 1/FAST of the actual excess. */
+/* Contact forces are checked at FAST times the omegasq of a head. They are also checked at a value that
+ * exceeds `need` by only 1/FAST of the actual excess. */
 #define FAST 1000
 
 /*
- * A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
- * the smallest contact force. With friction, no number tells how close a row is to locking. The tiny
+ * A trial may end early only if the sum of all further changes is below two limits: LEFT_MOST, and LEFT_FORCE
+ * times the smallest contact force. With friction, no number tells how close a row is to locking. The tiny
  * LEFT_MOST_LOCKING then replaces LEFT_MOST.
  */
 #define LEFT_MOST         ((real)0.01)

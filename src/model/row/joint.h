@@ -38,8 +38,8 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /*
- * Finds the contact of dominoes k and k + 1, one of which leans, and the tilt of domino k there. Returns
- * false if the edge of domino k misses the back face, or if the dominoes touch at the start.
+ * Finds the contact of dominoes k and k + 1, one of which leans. Also finds the tilt of domino k there.
+ * Returns false if the edge of domino k misses the back face, or if the dominoes touch at the start.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 

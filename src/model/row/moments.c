@@ -250,8 +250,8 @@ static real tipping_over(real p, void *context)
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The solution p is at least `first`. In each tau, p grows by at most sqrt(2 R), where R is the reach,
-     * because the moment of inertia is at least a quarter of its value for sharp edges. */
+    /* The moment of inertia is at least a quarter of its value for sharp edges. In each tau, p therefore
+     * grows by at most sqrt(2 R), where R is the reach. This bound yields `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A motion is repeated only if the sequence of equal dominoes is at least STEADY_MORE dominoes longer than
- * the longest pass along a chain. */
+/* A motion is repeated only if the equal dominoes outnumber the longest pass along a chain by at least
+ * STEADY_MORE. */
 enum { STEADY_MORE = 2 };
 
 /* Of the equal dominoes at the end of a row, only about STEADY_FIRST have their geometry filled in before the
