@@ -133,9 +133,9 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* These two functions return the defaults of DOM_TRAIN_PARAMETERS, with all effects off, and of
- * DOM_SCALE_PARAMETERS. */
+/* Returns the defaults of DOM_TRAIN_PARAMETERS, with all effects off. */
 struct dom_train dom_train_default(void);
+/* Returns the defaults of DOM_SCALE_PARAMETERS. */
 struct dom_scale dom_scale_default(void);
 
 /* ---- How to compute ---- */
@@ -308,8 +308,8 @@ struct dom_launch {
  * Finds the motion just after a collision.
  *
  * With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio are written, and omegasq and kinetic are
- * NaN. With DOM_LOCKS friction prevents the cycle from beginning, and no member is written. All functions
- * about a cycle may return DOM_LOCKS.
+ * NaN. With DOM_LOCKS friction prevents the cycle from beginning, and no member is written. Every function
+ * that computes a cycle may return DOM_LOCKS.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -336,8 +336,8 @@ struct dom_barrier {
  * - DOM_STOPS if it stops: all members are written,
  * - DOM_NO_FUEL: theta_m and barrier are written, and the other members are NaN.
  *
- * All functions about a cycle give the same verdict. If the tolerance is too coarse for a verdict, they
- * compute with a finer tolerance.
+ * All functions that compute a cycle give the same verdict. If the tolerance is too coarse for a verdict,
+ * they compute with a finer tolerance.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
@@ -416,10 +416,10 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in order of time, for `count` states evenly spaced over the cycle, and for the state at each
- * event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
+ * Calls visit, in chronological order, for `count` states evenly spaced over the cycle, and for the state at
+ * each event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
  *
- * A walk takes far less time than a call of dom_cycle_state for each state. The statuses are those of
+ * A walk takes far less time than calling dom_cycle_state for each state. The statuses are those of
  * dom_cycle_events. DOM_STOPS is returned after all states have been visited.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
@@ -579,7 +579,7 @@ struct dom_effect {
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
     bool dissipates; /* true if dominoes lose energy while they move; see dom_law */
-    /* True if the effect changes only tau. Times in units of tau then do not change. */
+    /* true if the effect changes only tau, so that times in units of tau stay the same */
     bool cancels;
     const char *synonyms; /* search words for the effect, separated by blanks */
 };

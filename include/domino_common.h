@@ -54,7 +54,7 @@ extern "C" {
       "friction locks the train: the contact force on a domino passes on the wrong side of its hinge")       \
     X(NO_STAND,                                                                                              \
       "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
-    X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
+    X(NO_ROOM, "the walls are thicker than half the thickness of a domino")                                  \
     X(NO_ROUND,                                                                                              \
       "the radius of the edges is too large: it must be at most half of the thickness, rho <= d/2")          \
     X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \

@@ -56,7 +56,8 @@ enum dom_window_of {
     DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass is proportional to the volume of the wood */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
-    /* The thickness of a domino. The mass is proportional to the volume of the wood. No gap changes. */
+    /* The thickness of a domino. The mass is proportional to the volume of the wood. All gaps stay the
+     * same. */
     DOM_WINDOW_THICKNESS
 };
 
@@ -141,9 +142,9 @@ struct dom_row {
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
     /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. If it is NaN, the first domino
-     * is tipped over its edge and let go. */
+     * is tipped over its edge and released. */
     dom_real push;
-    /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is in m, equal for all dominoes. */
+    /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m. */
     dom_real mu, alpha, walls, rho;
     /* An engine adds this number to the floor's friction coefficient. The model ignores the number. */
     dom_real feet;
@@ -209,8 +210,9 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
- * parameters of dom_row_run and returns the same results. Its private data are in row->engine->context. All
- * functions about rows call `run` if the row has an engine, except dom_row_watch, which returns
+ * parameters of dom_row_run and returns the same results. Its private data are in row->engine->context.
+ *
+ * If a row has an engine, all functions that run the row call `run`. Only dom_row_watch does not, and returns
  * DOM_NO_METHOD. Studies may call `run` from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
@@ -311,8 +313,8 @@ struct dom_window {
     dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the row ends just below and just above the window. DOM_ROW_FALLS if this is unknown: no value there
-     * was tried, or the row does not fall as it is. */
+    /* How the row ends just below and just above the window, or DOM_ROW_FALLS if this is unknown. It is
+     * unknown if no value there was tried, or if the row does not fall at the current value. */
     enum dom_row_end below, above;
 };
 
@@ -332,7 +334,7 @@ struct dom_window {
  * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope,
  * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
  *   and rounded edges fit,
- * - frictions from 0 to the larger of 2 and 4 times the current friction, but at most DOM_MU_HIGHEST,
+ * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
  * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
@@ -398,8 +400,8 @@ struct dom_wish {
     dom_real walls, boxes_above;
 };
 
-/* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
- * `needs` are NaN or 0. */
+/* A row that fulfils a wish, with the dominoes and gaps of a train. Unless `limit` is DOM_DESIGN_FITS, all
+ * members except `limit` and `needs` are NaN or 0. */
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;
@@ -416,8 +418,9 @@ struct dom_design {
 };
 
 /*
- * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs:
- * kinetic >= safety * barrier. This holds in the endless train and at each domino of the row after the first.
+ * Finds a row, built like a train, that falls reliably: every cycle has at least `safety` times the energy
+ * that it needs, kinetic >= safety * barrier. This condition holds in the endless train and at each domino of
+ * the row after the first.
  * train->s and train->r are not used.
  *
  * The search first finds the separation s at which a train with this safety has the largest growth r. This
@@ -552,9 +555,11 @@ struct dom_budget {
  * - for the push, the push itself,
  * - for factors, 64.
  *
- * The status is DOM_STOPS if too few rows fall even at sigma = 0. If DOM_INTERRUPTED comes after the first
- * estimate of sigma, `sigma` and `low` are the largest sigma at which enough rows are known to fall. `high`
- * is then the smallest sigma at which too few rows are known to fall, or infinity.
+ * The status is DOM_STOPS if too few rows fall even at sigma = 0.
+ *
+ * If the search is interrupted after the first estimate of sigma (DOM_INTERRUPTED), `sigma` and `low` are the
+ * largest sigma at which enough rows are known to fall. `high` is the smallest sigma at which too few rows
+ * are known to fall, or infinity.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,

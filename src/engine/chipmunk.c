@@ -19,8 +19,8 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Chipmunk prints its name when a process creates its first space, so `stdout` refers to /dev/null meanwhile.
- * The file descriptor stays as it is, since a signal handler or another thread may write to it.
+ * Creates the first space of the process. Chipmunk then prints its name, so `stdout` is /dev/null during the
+ * call. The file descriptor is not redirected, since a signal handler or another thread may write to it.
  */
 static void make_first(void)
 {

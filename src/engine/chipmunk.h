@@ -10,7 +10,7 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* Calls X(name) for each function of the library that is used. Getters are missing, since members are read
+/* Calls X(name) for each function of the library that is used. Getters are not used, since members are read
  * directly. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \

@@ -23,7 +23,7 @@ struct engine_row {
     const struct engine_box *box;
     size_t count;
     double g;
-    /* angular velocity given to the first box; NaN if this box is tipped over its edge and let go */
+    /* angular velocity given to the first box; NaN if this box is tipped over its edge and released */
     double push;
     double slope;  /* angle at which the floor slopes down in the direction of the row */
     double mu;     /* friction coefficient between boxes */
@@ -54,11 +54,11 @@ struct engine_grain {
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a first box
-     * that is let go. */
+    /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a released
+     * first box. */
     double time;
-    /* Time at which the box hits the next one or, if it is the last box of the row, lies on the floor. NaN if
-     * neither happens, or if a box that was let go hits the next one. */
+    /* Time at which the box hits the next box. For the last box of the row, the time at which it has fallen
+     * to the floor. NaN if this does not happen, and for a released first box that hits the next box. */
     double until;
     double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes after the hit */
@@ -80,8 +80,9 @@ struct engine_fall {
     /* the largest increase of energy between two hits, relative to the kinetic energy at the second hit */
     double gain;
     /*
-     * The smallest omega / (largest omega since the hit) of the foremost box. A row that almost stops has a
-     * small value. 0 if the foremost box had a contact of the kind that other_contact records.
+     * How close the row came to stopping: the smallest ratio of a foremost box's angular velocity to its
+     * largest angular velocity so far. 0 if a foremost box had a contact of the kind that other_contact
+     * records.
      */
     double slowest;
     /* The largest tilt of the foremost box, relative to the tilt at which it balances on its lower front

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Chipmunk crashes if an allocation fails. So a space is created only if the memory suffices for all spaces.
+ * Chipmunk crashes if an allocation fails. So a Chipmunk space is created only if there is enough memory for
+ * this space and for all existing spaces.
  */
 #ifndef ENGINE_ROOM_H
 #define ENGINE_ROOM_H

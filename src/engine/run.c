@@ -10,10 +10,10 @@
  * from its hinge is pulled back slowly, since the box keeps the velocity of the pull.
  *
  * Before a hit, the steps become short, to detect it on time and with little penetration. They stay short for
- * a while. Each step starts from the impulses of the previous one, scaled by the ratio of the lengths. So a
- * long step would act like another hit.
+ * a while after the hit. Each step starts from the impulses of the previous step, scaled by the ratio of the
+ * step lengths. So a long step would multiply the impulse of the hit, and act like another hit.
  */
-/* The unit of time is sqrt(height / g), with the height of the head. */
+/* The unit of time is sqrt(height / g) for the height of the head. */
 static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
@@ -123,7 +123,7 @@ static void step(struct run *r)
 }
 
 /* Returns the angle in rad by which box k must turn forwards to balance on its lower front corner. The angle
- * is negative if gravity already pulls the box down. */
+ * is negative if the box is past its balance point. */
 static double to_balance(const struct world *w, size_t k)
 {
     const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = world_gravity(w->row);
@@ -189,7 +189,7 @@ static void finish(struct run *r)
     w->fall->seconds -= zero;
     w->fall->zero = zero;
     if (tipped && w->hit)
-        w->hit[0].omega = 0; /* a box that is let go starts at rest */
+        w->hit[0].omega = 0; /* a released box starts at rest */
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;

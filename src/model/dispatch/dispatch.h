@@ -6,14 +6,14 @@
 
 #include "precision/kernel.h"
 
-/* A question about a train, and the kernel that answers it. `kernel` is set only with DOM_OK. */
+/* A question about a train, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
 struct question {
     struct request request;
     const struct kernel *kernel;
     enum dom_status status;
 };
 
-/* A question about a row, and the kernel that answers it. `kernel` is set only with DOM_OK. */
+/* A question about a row, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
 struct row_question {
     struct row_request request;
     const struct kernel *kernel;

@@ -77,9 +77,9 @@ struct dynamics {
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of a collision. The chain `hitting` has the inertia J, and its head has the
-     * tilt `at`. It hits the domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not
-     * positive.
+     * Finds the inertia ratio of a collision: the head of the chain `hitting` hits the domino that `next`
+     * describes. The tilt `at` is the tilt of the head, and J is the inertia of the chain. Returns
+     * DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
@@ -100,8 +100,8 @@ struct dynamics {
     /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
      * *slowness is NaN if no energy is left at `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the angular acceleration of the head at w = tau^2 omega^2. Unless n is NULL, stores
-     * the number of dominoes that contribute in *n. */
+    /* Finds tau^2 times the angular acceleration of the head at w = tau^2 omega^2. Unless n is NULL, sets *n
+     * to the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
     /* Returns the derivative of omegasq at theta with respect to omegasq at the launch. `gain` is this

@@ -30,7 +30,7 @@ KERNEL bool energy_paper_holds(const struct geometry *geometry)
     return geometry->g.along == 0 && geometry->law->closed_form;
 }
 
-/* Returns the fuel from the sums at theta_c. */
+/* Computes the fuel from the sums at theta_c. */
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
 
 /* Finds the fuel, and its error bounds unless error is NULL. */

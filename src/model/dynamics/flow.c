@@ -126,8 +126,9 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes. So the loop sets their number. Computed from a
-     * tilt near an end of the piece, the number could be wrong because of rounding. */
+    /* All sums over one piece must include the same dominoes. So the loop below sets the number of dominoes
+     * for each piece. A number computed from a tilt near an end of the piece could be wrong because of
+     * rounding. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -193,8 +194,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/* If the motion stops soon after lo, solves a short piece that contains the stop. Lowers *hi to its end. Wide
- * panels might not locate the stop. */
+/* If the motion stops soon after lo, solves a short piece that contains the stop, and lowers *hi to the end
+ * of this piece. The wide panels of a longer piece might not locate the stop. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {

@@ -15,7 +15,7 @@
 
 struct flow {
     struct num_linear solution;
-    real tol;           /* tolerance with which `solution` was computed */
+    real tol;           /* the tolerance at which `solution` was computed */
     real inertia_ratio; /* inertia ratio of the collision: A(0) - 1 = r^-(q+1) S_1(0) A(theta_c) */
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting chain */
 };

@@ -5,7 +5,7 @@
  * The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
  *
  * An equation of motion replaces the energy balance (21; c3). It is the sum of the torques on all dominoes,
- * multiplied by the factors S_0 = 1 and S_{i+1} = S_i a_i / b_i (55; e4). The contact forces cancel. With w =
+ * multiplied by the factors S_0 = 1 and S_(i+1) = S_i a_i / b_i (55; e4). The contact forces cancel. With w =
  * tau^2 omega^2,
  *
  *     (A/2) dw/dtheta + B w = C,

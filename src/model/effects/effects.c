@@ -25,7 +25,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "model. The tip of each follower slides down the face of its leader, and a friction "
                     "force mu N acts along the face, where N is the contact force. The lever arms of a "
                     "contact become a = Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the follower. "
-                    "The torques add up with S_0 = 1, S_{i+1} = S_i a_i/b_i. For w = tau^2 omega^2 the "
+                    "The torques add up with S_0 = 1, S_(i+1) = S_i a_i/b_i. For w = tau^2 omega^2 the "
                     "equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B "
                     "= sum r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision "
                     "the angular velocity is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic "
@@ -78,13 +78,13 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "is THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
                 "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
                 "than ABOVE are boxes, and all others are solid. The endless train then consists of solid "
-                "dominoes. In a row without a file, masses then follow from the volumes of the blocks and "
-                "boxes, and 'q' has no effect. The moments of inertia of boxes, and masses computed from a "
-                "density, take the walls into account. Walls half as thick as the domino make a solid block. "
-                "A domino is half as wide as it is tall, unless a file or 'change' gives its width. The "
-                "moment of inertia about the lower edge is that of a solid block of the same mass, times 1 + "
-                "v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t), "
-                "and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+                "dominoes. With ABOVE, and unless the row comes from a file, masses follow from the volumes "
+                "of the blocks and boxes, and 'q' has no effect. The moments of inertia of boxes, and masses "
+                "computed from a density, take the walls into account. Walls half as thick as the domino "
+                "make a solid block. A domino is half as wide as it is tall, unless a file or 'change' gives "
+                "its width. The moment of inertia about the lower edge is that of a solid block of the same "
+                "mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 "
+                "t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "a factor of the moment of inertia, in closed form",
@@ -97,7 +97,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                           .usual = (dom_real)1 / 48},
                          {.name = "ABOVE",
                           .unit = "m",
-                          .meaning = "height above which the dominoes of a row are boxes",
+                          .meaning = "height; in a row, only taller dominoes are boxes",
                           .lowest = 0,
                           .highest = (dom_real)1e9,
                           .usual = 0,
@@ -146,7 +146,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "upper edge would pass above the next domino, or if a contact would have to pull, the "
                     "model does not apply, and the output ends with a message.",
             .source =
-                "energy balance and collision of the paper, (19; c1) to (22; c4), with sizes for each domino",
+                "energy balance and collision of the paper, (19; c1) to (22; c4), for dominoes of any sizes",
             .plan = "for each head: kinetic energy compared with the maximum of H",
             .argument = {{.name = "N",
                           .unit = "",

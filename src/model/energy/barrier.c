@@ -93,7 +93,8 @@ static void top_step(struct top *top, struct sums at)
 
 #define TOP_STEPS 200
 
-/* Searches for a top by Newton's method, starting at top->p. `at` holds the sums there, or is NULL. */
+/* Searches for a local maximum of H by Newton's method, starting at top->p. Unless `at` is NULL, it holds the
+ * sums at top->p. */
 static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
                                      real tol)
 {
@@ -159,13 +160,13 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to be concave up to theta_u. In this case, H has a single top, because the head
- * and its followers lose height above theta_u (6; b2).
+ * Returns true if H is proved to have a single top. H is then concave from 0 to theta_u. Above theta_u, the
+ * head and its followers lose height (6; b2).
  *
- * Proof. Let c = r L / cos theta_c. With rounded edges, (r L + (r + 1) rho) / l replaces r L (rolling_here).
- * Since Y_i >= Y_0 = cos theta_c, (12; b8) and (14; b10) give
+ * Proof that H is concave. Let c = r L / cos theta_c. With rounded edges, (r L + (r + 1) rho) / l replaces
+ * r L (rolling_here). Since Y_i >= Y_0 = cos theta_c, (12; b8) and (14; b10) give
  *
- *     theta_{i+1}'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
+ *     theta_(i+1)'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
  *
  * So -theta_i'' is at most c times the sum of theta_j'^2 over j < i. H'' is the sum of w^i (h_i'' theta_i'^2
  * + h_i' theta_i''), where w = r^-q. Let g be an upper bound on -h_i'. Then the terms of H'' with theta_j'^2
@@ -227,7 +228,8 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
 }
 
 /* Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
- * the first edge. `known` is tan(theta / 2) of the top that *b holds, or -1. */
+ * the first edge. If *b already holds a maximum of H, `known` is tan(theta / 2) at the maximum, and
+ * otherwise -1. */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {

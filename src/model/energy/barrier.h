@@ -17,15 +17,15 @@ struct barrier {
 };
 
 /*
- * Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The height
- * has an error of third order, so the cube root of the tolerance is enough. TOP_TOL_ROUGH usually suffices.
- * It is used for heights that are not part of a result.
+ * Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The error of
+ * the height is of third order in the last Newton step, so the cube root of the tolerance is enough.
+ * TOP_TOL_ROUGH is for heights that are not part of a result.
  */
 #define TOP_TOL(geometry)       (cbrt((geometry)->tol) / 4)
 #define TOP_TOL_ROUGH(geometry) (4 * cbrt((geometry)->tol))
 
-/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m. TOP_TOL suffices for the
- * height. */
+/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m. If only the height is needed,
+ * TOP_TOL is enough. */
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
                                       struct barrier *barrier);
 
@@ -54,8 +54,8 @@ KERNEL real barrier_most(const struct geometry *geometry);
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
-/* Finds the barrier from whole->edge[0] to `end`, with the edges of `whole` below `end`. Heights are relative
- * to H at `from`. */
+/* Finds the barrier from whole->edge[0] to the tilt `end`. The edges of `whole` must be known. Heights are
+ * relative to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
 

@@ -97,8 +97,8 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
     return model_status(DOM_OK, solver);
 }
 
-/* Finds the tilt at a given time by Newton's method. Bisects if a step would leave the bracket. *at is the
- * first guess and the result. */
+/* Finds the tilt at a given time by Newton's method. Bisects if a step would leave the bracket. The
+ * caller sets *at to a first guess. */
 static enum dom_status tilt_search(struct motion *m, real time, real *at)
 {
     real lo = 0, hi = m->end;
@@ -128,7 +128,8 @@ static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, 
     return clock->pieces > 0 ? clock_tilt(m, clock, time, at) : tilt_search(m, time, at);
 }
 
-/* Computes the clock and the duration of the cycle. Without a clock, an integral gives the duration. */
+/* Computes the clock and the duration of the cycle. If the clock cannot be computed, it has no pieces, and
+ * the duration is found by an integral. */
 static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *whole)
 {
     enum dom_status status = clock_make(m, clock);

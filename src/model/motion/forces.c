@@ -59,8 +59,8 @@ static struct push push_on(const struct moving *k, real normal)
 
 /*
  * Finds the force of the floor from Newton's law for the centre of the block. Relative to the hinge, the
- * centre is at (x - d y, y + d x) / 2. With rounded edges, the centre of the lower edge replaces the hinge.
- * It moves along the floor at the height rho.
+ * centre is at (x - d y, y + d x) / 2. With rounded edges, the hinge is replaced by the centre of the lower
+ * edge, which moves parallel to the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,

@@ -142,8 +142,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. A follower that detaches at theta counts, even if
- * rounding puts theta just before that tilt. */
+/* Finds the energy that detached dominoes have released. A follower counts as detached even if rounding puts
+ * theta just before the tilt of its detachment. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;

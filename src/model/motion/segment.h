@@ -52,8 +52,8 @@ KERNEL enum dom_status segment_braked(const struct segment *segment, bool *brake
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/* Finds the tilt at which the energy of a motion that stops is used up. With friction, the solution of the
- * motion may be replaced by one that ends near this tilt. */
+/* For a motion that stops, finds the tilt at which the energy of the motion is used up. With friction, may
+ * replace the solution of the motion by a solution that ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
 /* Integrands: the slowness 1 / (tau omega) at a tilt, and its error bound. The context is the segment. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. Some sources are compiled with dom_real as double, others
- * with DOMQ defined, and the rest both ways. With DOMQ, lines such as "#define dom_train domq_train"
+ * The public API, as the library's own sources include it. Some sources are compiled with dom_real as double,
+ * others with DOMQ defined, and the rest both ways. With DOMQ, lines such as "#define dom_train domq_train"
  * (domq_names.h) replace the names in domino.h with the names in domino_quad.h.
  */
 #ifndef DOM_API_H

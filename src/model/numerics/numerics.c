@@ -258,8 +258,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns [lo, hi] after the substitution x = peak + width sinh u. There is no substitution for an interval
- * that is shorter than the width of the peak, or than its distance from the peak. */
+/* Returns [lo, hi] after the substitution x = peak + width sinh u. Does not transform an
+ * interval that is shorter than the width of the peak, or than the distance between peak and interval. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -371,7 +371,8 @@ struct series_target {
     real integral;
 };
 
-/* Returns the series at right - 1, minus the target. Near -1, `right` keeps digits that x would lose. */
+/* Returns the series at x = right - 1, minus the target. Near x = -1, `right` keeps digits that x would
+ * lose. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

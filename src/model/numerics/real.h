@@ -106,7 +106,7 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Returns the larger number. C's fmax has rules for NaN, which cost a function call. */
+/* Returns the larger number. C's fmax must handle NaN, which costs a function call. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;

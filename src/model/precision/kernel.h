@@ -52,7 +52,7 @@ struct kernel {
 };
 
 /* Each kernel is compiled once, with the types of one header. A bridge kernel (dispatch/bridge.c) converts
- * between the headers. */
+ * between the types of the two headers. */
 #ifdef DOMQ
 extern const struct kernel domq__kernel_float, domq__kernel_quad, domq__kernel_bridge;
 #else
