@@ -10,7 +10,7 @@ struct link {
     size_t i;
     struct tilt tilt;
     struct contact contact; /* contact with the follower, if `leads` */
-    real contact_slope;     /* theta_{i+1}' / theta_i' */
+    real contact_slope;     /* theta_(i+1)' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */

@@ -26,8 +26,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. done_J is also safe for rounded edges, since these never
- * increase the inertia. */
+/* Returns true when the tail of H1 can be left out. done_J is also safe for rounded edges, since rounding an
+ * edge never increases the inertia. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;

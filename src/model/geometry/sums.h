@@ -30,8 +30,8 @@ struct equation_of_motion {
     size_t n; /* number of dominoes in the sums */
 };
 
-/* The largest number of dominoes in a pass, which then takes tens of milliseconds. At r = 1, only trains with
- * sqrt(s (s + 2 d)) < 2e-5 need more. */
+/* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. At r = 1, only
+ * trains with sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
 /* The tail of a sum may be at most this fraction of the tolerance. A result that combines several sums then

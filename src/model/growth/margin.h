@@ -56,7 +56,7 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* Return the contexts of the endless train (26; c8, corrected) and of the pair (17; b13). */
+/* These functions return the contexts of the endless train (26; c8, corrected) and of the pair (17; b13). */
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
@@ -73,10 +73,8 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r);
 /* Like margin_sign, but if the margin is positive, the barrier is correct to the tolerance, too. */
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
-/*
- * margin_follow returns margin_share at r, computed as precisely as the next step of a root search needs.
- * Each call starts at the maximum of H from the previous call. Call margin_follow_begin first.
- */
+/* margin_follow returns margin_share at r, with the digits that the next step of a root search needs. Each
+ * call starts at the maximum of H from the previous call. Call margin_follow_begin first. */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);
 

@@ -69,7 +69,7 @@ struct strip_sums {
     real far_rests;                /* the tail of `rests`, multiplied by 1 - w */
     real least_advance;            /* lower bound on d theta_i(theta) / d ln r at the largest tilt */
     real first_drops, first_rests; /* the terms of domino 1, which `drops` and `rests` do not include */
-    real ages;                     /* lower bound on the sum of i w^i (h_i(0) - h_{i+1}(0)) */
+    real ages;                     /* lower bound on the sum of i w^i (h_i(0) - h_(i+1)(0)) */
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
@@ -99,7 +99,7 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
  *
  * By the envelope theorem
  *
- *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
+ *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_(i+1))
  *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))].
  *
  * Beyond theta_u, the bound uses three inequalities:
@@ -118,7 +118,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h_i - h_{i+1} is the integral of g over the angle asin X, which is at least X */
+        /* h_i - h_(i+1) is the integral of g over the angle asin X, which is at least X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -252,8 +252,8 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
     return top;
 }
 
-/* Counts a pass along both chains. Each step takes about as long as twelve dominoes of a plain pass, and adds
- * as much to the effort. */
+/* Counts a pass along both chains. A step takes about as long as twelve dominoes of a plain pass, and counts
+ * as twelve in the effort. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);

@@ -37,8 +37,9 @@ struct strip {
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
-/* Return bounds on all barriers in the strip: an upper one from hi, a lower one from lo. `most` is a known
- * upper bound. `width` is the difference of ln r, or of s, between hi and lo. */
+/* strip_barrier_most returns an upper bound on all barriers in the strip, from the barrier at hi.
+ * strip_barrier_least returns a lower bound, from the barrier at lo. `most` is a known upper bound. `width`
+ * is the difference of ln r, or of s, between hi and lo. */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);
 
