@@ -113,7 +113,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 
 @test "very thick dominoes get an answer" {
     run -0 "$DOMINO" -n -e "$scene; set d 100; effect feet 0.4; verdict"
-    [[ $output == *'The row ends at domino 1 of 5'* ]]
+    [[ $output == *'The fall ends at domino 1 of 5'* ]]
 }
 
 @test "^C ends a search of the engine" {

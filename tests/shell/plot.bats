@@ -40,7 +40,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
 fall|Energy~to~spare spare~energy~/~energy~needed,~in~% the~weakest,~domino All~6~fall.~Domino
 speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
 gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
-placement 50|How~likely rows~that~fall,~in~% standard~deviation~(or~uniform~limit)~of~every~gap 95~%~interval
+placement 50|How~likely rows~that~fall,~in~% standard~deviation~(or~limit)~of~the~gap~errors 95~%~interval
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
 inertia|Inertia launch top hit J~(20;~c2)
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
@@ -221,9 +221,9 @@ END
     done
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
     wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'effect row 5' sets up five"
-    wrong 'effect row 1; plot fall' 'the only domino of this row starts tipped over its edge, and needs no energy'
+    wrong 'effect row 1; plot fall' 'the only domino of this row starts past its tipping point, and needs no energy to fall'
     wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'runs this row because bounce is on, and computes no energies'
-    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the row ends before domino 2 is hit'
+    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the fall ends before domino 2 is hit'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'

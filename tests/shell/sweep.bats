@@ -177,7 +177,7 @@ END
 
 @test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
-    wrong_line 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
+    wrong_line 'sweep : rmax' 'the grid is missing; for each parameter, enter NAME FROM TO N'
     wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; enter, for example,"
     wrong_line 'sweep s 0.1 0.9 9 :' "the command after ':' is missing; enter, for example,"
     wrong_line 'sweep s' 's: FROM is missing'

@@ -55,7 +55,7 @@ verdicts() { # COMMANDS...
     grep -qF 'The place of domino 2 has the tightest limits: 3.25 cm to 4.64 cm; it is 3.58 cm now.' <<<"$said"
     grep -qE '^The height of domino 1 has the tightest limits: 4\.07 cm to 7\.75 cm;' <<<"$said"
     grep -qE '^All dominoes fall if the friction between the dominoes is at most 0\.17' <<<"$said"
-    grep -qxF 'Set domino 2 plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
+    grep -qxF 'Set domino 2 plumb: its top may lean up to 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'

@@ -34,13 +34,13 @@ static const struct column plot_columns[] = {
     {"barrier", "mgh/2", "fall: energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
     {"spare", "", "fall: margin divided by barrier; empty for a domino that needs no energy", 0},
-    {"place", "m", "speed: how far this domino stands from domino 1, front foot to front foot", 0},
+    {"place", "m", "speed: distance of this domino from domino 1, front foot to front foot", 0},
     {"speed", "m/s", "speed: speed of the front from this domino to the next one", 0},
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
-    {"low", "m", "gaps: lower end of the range of gaps with which all dominoes fall", 0},
-    {"high", "m", "gaps: upper end of the range of gaps with which all dominoes fall", 0},
+    {"low", "m", "gaps: lower end of the range of gaps at which all dominoes fall", 0},
+    {"high", "m", "gaps: upper end of the range of gaps at which all dominoes fall", 0},
     {"others", "", "gaps: yes if all dominoes also fall at some gap outside low .. high", 6},
-    {"sigma", "m", "placement: standard deviation (or uniform limit) of every gap", 0},
+    {"sigma", "m", "placement: standard deviation of the errors in the gaps (their limit, if uniform)", 0},
     {"probability", "", "placement: probability that the whole row falls", 0},
     {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
     {"high", "", "placement: upper end of the 95 % interval of the probability", 0},
@@ -83,7 +83,7 @@ static const struct plot plots[] = {
      .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
-     .x = {"sigma", "standard deviation (or uniform limit) of every gap"},
+     .x = {"sigma", "standard deviation (or limit) of the gap errors"},
      .y = {NULL, "rows that fall,", .percent = true}, .curve = {{"probability", "", CHART_BOTH, INK_BLUE}},
      .argument = &rows_argument},
     {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach",
@@ -164,8 +164,8 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     }
 }
 
-/* Parses the text after the name of a plot. Keywords may stand on both sides of the plot's argument, but only
- * before a grid or a fit, which extends to the end of the command. */
+/* Parses the text after the name of a plot. Keywords may stand before or after the plot's argument. If the
+ * argument is a grid or a fit, they must stand before it, because it extends to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];

@@ -73,8 +73,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis, with a unit that suits its largest number. Returns the size of this unit in
- * units of the column. */
+/* Writes the label of an axis, with a unit that suits its largest number. Returns this unit as a
+ * multiple of the column's own unit. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {

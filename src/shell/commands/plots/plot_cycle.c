@@ -69,7 +69,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the lines of 'plot chain'. Lines of later dominoes would be too close to theta_f to tell apart. */
+/* Counts the lines that 'plot chain' draws. The lines of further dominoes would lie too close to theta_f. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;

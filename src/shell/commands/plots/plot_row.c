@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes how the row ends into the note of the chart. */
+/* Writes how the fall ends into the note of the chart. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -20,7 +20,7 @@ static void end_note(const struct row_run *run, struct chart *chart)
                  "Domino %zu stops: it has %.40s of the energy that it needs.", v->domino,
                  measured(fall_share(last), "share", 3).text);
     else
-        snprintf(chart->note, sizeof chart->note, "The row ends at domino %zu: %s.", v->domino,
+        snprintf(chart->note, sizeof chart->note, "The fall ends at domino %zu: %s.", v->domino,
                  dom_row_end_text(v->end));
 }
 
@@ -49,7 +49,7 @@ static void fall_axes(const struct row_run *run, struct chart *chart)
     chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
 }
 
-/* Marks the dominoes that need no energy, the weakest one, and the one at which the row ends. */
+/* Marks the dominoes that need no energy, the weakest one, and the one at which the fall ends. */
 static void fall_marks(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -64,7 +64,7 @@ static void fall_marks(const struct row_run *run, struct chart *chart)
     }
     if (v->end != DOM_ROW_FALLS) {
         struct chart_curve *end =
-            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "the row ends at domino %zu", v->domino);
+            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "the fall ends at domino %zu", v->domino);
         chart_point(chart, end, (double)v->domino, chart->y.low);
     }
 }
@@ -104,8 +104,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     }
     bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
     if (idle)
-        problem_no_answer(problem, "the only domino of this row starts tipped over its edge, and needs no "
-                                   "energy; 'effect row 5' sets up five dominoes");
+        problem_no_answer(problem, "the only domino of this row starts past its tipping point, and needs "
+                                   "no energy to fall; 'effect row 5' sets up five dominoes");
     else if (chart)
         fall_chart(&run, chart);
     row_run_free(&run);
@@ -162,7 +162,7 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
     else if (!done)
         problem_no_answer(problem, run.scene.row.count == 1
                                        ? "this plot needs at least two dominoes; 'effect row 5' sets up five"
-                                       : "the front has no speed, because the row ends before domino 2 is "
+                                       : "the front has no speed, because the fall ends before domino 2 is "
                                          "hit; 'mend' looks for a change that saves the row");
     else if (chart)
         speed_chart(&run, chart);

@@ -11,9 +11,9 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* Writes the rows of a plot. plot_write adds them to `chart`, which is NULL if the output is csv or json. The
- * function itself adds only what the rows do not contain, such as a note. On failure, sets *problem and
- * returns false. */
+/* Computes the rows of a plot, and writes them to `a`. `chart` is NULL if the output is csv or json.
+ * Otherwise the function adds notes and marks to the chart, and plot_write adds the curves that struct plot
+ * defines. On failure, sets *problem and returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain;

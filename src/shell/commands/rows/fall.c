@@ -28,7 +28,7 @@ const struct column fall_columns[] = {
 };
 
 const struct column verdict_columns[] = {
-    {"verdict", "", "how the row ends: 'all fall', 'stops' or another outcome", 12},
+    {"verdict", "", "how the fall ends: 'all fall', 'stops' or another outcome", 12},
     {"domino", "", "the last domino that is hit", 0},
     {"short_by", "mgh/2", "the energy that the last domino lacks; in J if masses are known", 0},
     {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
@@ -72,7 +72,7 @@ static void all_fall_say(struct answer *a, const struct falling *f)
                    fall.text);
 }
 
-/* Returns a phrase that says why the row ends early, such as "friction locks it". */
+/* Returns a phrase that says why the fall ends early, such as "friction locks it". */
 static const char *end_reason(const struct row_run *run)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -94,7 +94,7 @@ static void verdict_say(struct answer *a, const struct falling *f)
                    energy_words(fall_share(&f->last)).text,
                    count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else
-        answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
+        answer_say(a, "The fall ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
     weakest_say(a, v);
 }
 
@@ -146,7 +146,7 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Stores a hit as the last one so far, and updates the friction that feet need. */
+/* Records the latest hit, and updates the friction that feet need. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;

@@ -24,7 +24,8 @@ void feet_add(struct feet *feet, const struct domq_fall *f)
     needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-/* Returns a phrase such as "while domino 3 falls", or "while this domino falls" for a foot of domino 3. */
+/* Returns a phrase such as "while domino 3 falls" or "when domino 3 is hit". If the foot that needs friction
+ * is that of domino 3 itself, the phrase says "this domino". */
 static struct words slip_words(const struct slip *slip, bool hit)
 {
     struct words words;

@@ -18,8 +18,8 @@ enum {
 };
 
 static const struct column block_columns[] = {
-    {"sigma", "m", "standard deviation (or uniform limit) of every gap", 0},
-    {"heights", "", "relative standard deviation (or uniform limit) of every height", 0},
+    {"sigma", "m", "standard deviation of the errors in the gaps (their limit, if uniform)", 0},
+    {"heights", "", "standard deviation of relative errors in the heights (their limit, if uniform)", 0},
     {"seed", "", "seed of the random rows", 0},
     {"scene", "", "checksum of the row and of everything that decides how it falls", 8},
     {"dominoes", "", "number of dominoes in the row", 8},
@@ -175,7 +175,8 @@ enum {
     FIELDS
 };
 
-_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a csv table can hold every column of a block");
+_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST,
+               "a csv table must have room for every column of a block");
 
 #define BLOCKS "'domino --shard I/N' with 'set output csv' writes blocks of a study"
 #define NUMBER CSV_REQUIRED, "", "none", "", BLOCKS, 0
@@ -234,8 +235,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Adds 12 to the count of domino 5 if *text is "5:12", and moves *text past this entry. Returns the number
- * that was added, or 0 if the entry is wrong. */
+/* Parses an entry DOMINO:COUNT, such as "5:12", and adds COUNT to the rows that stop at DOMINO. Moves *text
+ * past the entry. Returns COUNT, or 0 if the entry is wrong. */
 static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
 {
     unsigned long domino, count;

@@ -201,7 +201,7 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit of the value. Decides whether the value is set, added or multiplied. */
+/* Checks the unit. Decides whether the value replaces the old value, is added to it, or multiplies it. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {
@@ -372,7 +372,7 @@ const struct command row_commands[] = {
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
-     .summary = "how far each domino may be off before the row stops",
+     .summary = "how inaccurate each domino may be before the row stops",
      .help = "A window is a range of values. All dominoes fall with every value in it, if the rest of the "
              "row stays as it is. Each domino has windows for its place, the gap before it, its height, its "
              "thickness and its lean. The friction between dominoes has one window. A place is measured "

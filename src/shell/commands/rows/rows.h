@@ -72,7 +72,7 @@ void study_answer(struct answer *a, const struct study *study, const char *reaso
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
                   const struct scene_row *scene, const struct domq_placement *placement);
 
-/* ---- The windows of a row: how far each domino may be off before the row stops ---- */
+/* ---- The windows of a row: how inaccurate each domino may be before the row stops ---- */
 
 enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 

@@ -88,9 +88,9 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "how large the errors in the gaps may be for this share of the rows to fall", 0},
+    {"sigma", "m", "the largest errors in the gaps with which this share of the rows falls", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
-    {"high", "m", "the upper end of the 95 % interval of sigma; more rows make it narrower", 0},
+    {"high", "m", "the upper end of the 95 % interval of sigma; more rows narrow the interval", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
     {"scaled", "", "the error whose size is sigma, or 'all' if sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
@@ -160,7 +160,7 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  size_words(call, size).text);
     else
         snprintf(text, room, "%s to within %s (%s)", keep[call->kind], size_words(call, size).text,
-                 uniform ? "uniform limits" : "one standard deviation");
+                 uniform ? "limits of uniform errors" : "one standard deviation");
 }
 
 /* Prints the largest error that the row may have. Rounds it to two digits, runs rows with the rounded error,
@@ -244,7 +244,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     if (call->kind != DOM_ERROR_gap)
         answer_describe(
             a, "sigma", NULL,
-            "how large the error, or the factor for all errors, may be for this share of the rows to fall");
+            "the largest error, or factor for all errors, with which this share of the rows falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -333,10 +333,10 @@ const struct command study_commands[] = {
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .noun = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
-     .help = "Finds sigma, the standard deviation that the errors in the gaps may have. With this sigma, the "
-             "share P of ROWS random rows falls (1000 rows if ROWS is left out). If the errors are uniform, "
-             "sigma is their limit. The answer includes the 95 % interval of sigma. The random numbers are "
-             "the same at every sigma. All other errors of the scene stay as they are. 'budget 0.95 1000 "
+     .help = "Finds sigma, the largest standard deviation of the errors in the gaps at which the share P of "
+             "the rows falls. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), with the "
+             "same random numbers. If the errors are uniform, sigma is their limit. The answer includes the "
+             "95 % interval of sigma. All other errors of the scene stay as they are. 'budget 0.95 1000 "
              "thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds the "
              "factor by which all errors of the scene may be multiplied. ^C ends the search; sigma is then "
              "the largest size at which enough rows are known to fall.",

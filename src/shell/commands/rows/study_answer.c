@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 const struct column placement_columns[] = {
-    {"sigma", "m", "standard deviation (or uniform limit) of every gap", 0},
-    {"heights", "share", "relative standard deviation (or uniform limit) of every height", 0},
+    {"sigma", "m", "standard deviation of the errors in the gaps (their limit, if uniform)", 0},
+    {"heights", "share", "standard deviation of relative errors in the heights (their limit, if uniform)", 0},
     {"rows", "", "the number of rows that were set up", 0},
     {"fall", "", "the number of rows that fall completely", 0},
     {"probability", "share", "fall / rows", 0},
@@ -17,8 +17,10 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which rows stop most often", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without the error in 'costs_most'", 0},
-    {"stops_there", "", "the domino at which rows stop most often because of the error in 'costs_most'", 0},
+    {"without", "share", "the share of the rows that would fall without the error that 'costs_most' names",
+     0},
+    {"stops_there", "",
+     "the domino at which rows stop most often because of the error that 'costs_most' names", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -98,7 +100,8 @@ static void causes_say(struct answer *a, const struct study *s)
     char others[600] = "", stops[80] = "";
     if (worst == DOM_ERROR_COUNT)
         return;
-    const char *it = worst < DOM_ERROR_friction ? "them" : "it";
+    const bool is_plural = worst < DOM_ERROR_friction;
+    const char *it = is_plural ? "them" : "it";
     const size_t domino = cause_stops(s, worst);
     for (int k = cause_next(s, worst); k < DOM_ERROR_COUNT; k = cause_next(s, k))
         text_add(others, sizeof others, *others ? "; without %s, %zu" : "Without %s, %zu would fall",
@@ -106,10 +109,10 @@ static void causes_say(struct answer *a, const struct study *s)
     if (domino > 0)
         snprintf(stops, sizeof stops, "; because of %s, rows stop most often at domino %zu", it, domino);
     if (s->without[worst] > s->result.fall)
-        answer_say(a, "The most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.",
-                   names[worst], it, s->without[worst], s->result.rows, stops, others);
+        answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall%s. %s.",
+                   names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows, stops, others);
     else
-        answer_say(a, "Leaving out a single error would not make more of these rows fall.");
+        answer_say(a, "Leaving out any one kind of error would not make more of these rows fall.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)

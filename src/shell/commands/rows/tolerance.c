@@ -11,28 +11,28 @@
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"place", "m", "the distance from the back of domino 1 to the back of this domino", 8},
-    {"from", "m", "the smallest 'place' with which all dominoes fall, if no other domino is moved", 8},
-    {"to", "m", "the largest 'place' with which all dominoes fall, if no other domino is moved", 8},
+    {"from", "m", "the smallest 'place' at which all dominoes fall, if no other domino is moved", 8},
+    {"to", "m", "the largest 'place' at which all dominoes fall, if no other domino is moved", 8},
     {"gap", "m", "clear distance to the domino before it", 8},
     {"gap_low", "m",
-     "the smallest gap with which all dominoes fall, if all dominoes after the gap move with it", 8},
+     "the smallest gap at which all dominoes fall, if all dominoes after the gap move with it", 8},
     {"gap_high", "m",
-     "the largest gap with which all dominoes fall, if all dominoes after the gap move with it", 8},
+     "the largest gap at which all dominoes fall, if all dominoes after the gap move with it", 8},
     {"height", "m", "height of the domino", 8},
-    {"height_low", "m", "the smallest height with which all dominoes fall", 10},
+    {"height_low", "m", "the smallest height at which all dominoes fall", 10},
     {"height_high", "m",
-     "the largest height with which all dominoes fall; the search ends at 4 times the present height", 11},
+     "the largest height at which all dominoes fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
-    {"thickness_low", "m", "the smallest thickness with which all dominoes fall", 10},
+    {"thickness_low", "m", "the smallest thickness at which all dominoes fall", 10},
     {"thickness_high", "m",
-     "the largest thickness with which all dominoes fall; the search ends at 4 times the present thickness",
+     "the largest thickness at which all dominoes fall; the search ends at 4 times the present thickness",
      11},
     {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
-    {"lean_low", "m", "the smallest lean with which all dominoes fall (negative: backwards)", 8},
-    {"lean_high", "m", "the largest lean with which all dominoes fall (negative: backwards)", 9},
-    {"friction_low", "", "the smallest friction between dominoes with which all dominoes fall", 8},
+    {"lean_low", "m", "the smallest lean at which all dominoes fall (negative: backwards)", 8},
+    {"lean_high", "m", "the largest lean at which all dominoes fall (negative: backwards)", 9},
+    {"friction_low", "", "the smallest friction between dominoes at which all dominoes fall", 8},
     {"friction_high", "",
-     "the largest friction between dominoes with which all dominoes fall; the search ends at a friction of "
+     "the largest friction between dominoes at which all dominoes fall; the search ends at a friction of "
      "2, or at 4 times the present friction if that is larger",
      8},
     {"first", "",
@@ -208,16 +208,17 @@ static void lean_say(struct answer *a, const struct windows *w)
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
-        answer_say(
-            a, "All dominoes would fall if the top of domino %zu were off by %s to %s; it is now off by %s.",
-            k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
-            off_plumb(l.now, DIGITS_NOW).text);
+        answer_say(a,
+                   "All dominoes would fall if the top of domino %zu leaned by anything from %s to %s; it "
+                   "leans %s now.",
+                   k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
+                   off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
-        answer_say(a, "Set domino %zu %s: its top may be off by %s backwards or %s forwards%s.", k,
+        answer_say(a, "Set domino %zu %s: its top may lean up to %s backwards or %s forwards%s.", k,
                    w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
                    length(l.high, DIGITS).text, all);
     else
-        answer_say(a, "The top of domino %zu may be off by anything from %s to %s%s; it is now off by %s.", k,
+        answer_say(a, "The top of domino %zu may lean by anything from %s to %s%s; it leans %s now.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
                    off_plumb(l.now, DIGITS_NOW).text);
 }

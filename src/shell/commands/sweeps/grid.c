@@ -2,7 +2,7 @@
 #include "commands/sweeps/grid.h"
 #include "language/quad.h"
 
-static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
+static const char form[] = "for each parameter, enter NAME FROM TO N or NAME VALUE, VALUE, ...";
 
 /* ---- Parsing ---- */
 

@@ -16,7 +16,7 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes a column for each question of a list. An expression has the unit of its current value. */
+/* Makes a column for each question in a list. An expression has the unit of its current value. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;

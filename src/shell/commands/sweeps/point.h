@@ -8,12 +8,13 @@
 /* The question that is evaluated at each point. In a list of questions, each answer is one number. */
 struct point_question {
     struct question question;
-    struct point_question *next; /* the next question of the list, or NULL */
+    struct point_question *next; /* the next question in the list, or NULL */
 };
 
 enum { SWEEP_REASON = 256 };
 
-/* How many points have no answer, and how many have a reason why a value is missing. */
+/* Counts points without any answer, and points with a reason why a value is missing. A point without an
+ * answer has a reason, too, and is in both counts. */
 struct tally {
     size_t without_answer, with_reason;
     size_t first; /* index of the first point that has a reason */
@@ -26,7 +27,7 @@ struct sweep_columns {
     const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
     /* names such as "rmax.s" for columns that have the name of a parameter of the grid */
     char renamed[ASSIGNED_MAX][40];
-    struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
+    struct column answer[ANSWER_COLUMNS]; /* one column for each question in a list */
     char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */
 };
 

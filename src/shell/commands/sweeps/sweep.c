@@ -136,7 +136,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
     }
 }
 
-/* Sets *problem to an interrupt, or to the problem of the failed point. Returns false. */
+/* Reports the interrupt or the problem of the failed point in *problem. Returns false. */
 static bool point_failed(const struct sweeper *w, struct problem *problem)
 {
     if (dom_raised(w->query->scene->compute.interrupt))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table with the command 'sweep'. It is not in sweep.c, because it also refers to plot_sweep.c, which
- * uses sweep.c. */
+/* The command table that contains 'sweep'. It is not in sweep.c, because it also refers to plot_sweep.c,
+ * which uses sweep.c. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
