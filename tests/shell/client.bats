@@ -158,7 +158,7 @@ END
     run -1 --separate-stderr "$DOMINO" --safe -e 'tee t'
     [[ $stderr == *'a safe session cannot read or write files'* ]]
     printf 'tee x\n' >inner
-    wrong 'source inner > y' "'tee' does not work while answers go to 'y'; enter 'tee' first, and the command with '>' after it"
+    wrong 'source inner > y' "'tee' does not work while answers go to 'y'; first enter 'tee', then enter the command again with '>'"
 }
 
 @test "echo, and source of standard input" {

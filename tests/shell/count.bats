@@ -103,7 +103,7 @@ END
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
     for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
-        'just tips over, the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
+        'just tips over, the fall ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
         'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423 .* 16 dominoes; .* up to 1\.59459: 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112 m 1.64' "$words" "$answer"
     done
@@ -112,7 +112,7 @@ END
     grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
     # The largest growth at which a row starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
-    json 'count 112 m 1.64' | grep -q '"reason":"if its first domino just tips over, the row ends at domino 2'
+    json 'count 112 m 1.64' | grep -q '"reason":"if its first domino just tips over, the fall ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
     answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm')
     grep -q '^Such a row falls\.$' <<<"$answer"

@@ -181,7 +181,7 @@ END
         awk '{ for (k = 1; k <= 10; k++) { if ($k < before[k]) bad = 1; moved += $k > before[k]; before[k] = $k } } END { exit bad || moved < 20 }'
 }
 
-@test "draw: captions say how the row ends, which domino is the weakest, and what falls" {
+@test "draw: captions say how the fall ends, which domino is the weakest, and what falls" {
     while IFS='|' read -r row what words; do
         "$DOMINO" -e "$row; $what > a.svg; $what > b.txt"
         for file in a.svg b.txt; do
@@ -195,8 +195,8 @@ $record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes
 $record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
 $record|draw at end|all dominoes have fallen.
 set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
-set r 1.6; effect row 12|draw at end|the row ends at domino 2; 10 dominoes stand.
-set s 0.9; set r 1.2; effect row 4|draw|The row ends at domino 1 (
+set r 1.6; effect row 12|draw at end|the fall ends at domino 2; 10 dominoes stand.
+set s 0.9; set r 1.2; effect row 4|draw|The fall ends at domino 1 (
 effect row 1; effect push 5|draw at end|the domino has fallen.
 END
     share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
@@ -270,7 +270,7 @@ END
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
-    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
+    one_line "domino 5 is never hit: the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "the clock starts at 0 s, with the push; 'draw at 0' shows the row at this time" 'effect row 5; effect push 5; draw at -1'
     one_line "'at' needs a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
@@ -327,7 +327,7 @@ END
     all_fail <<END
 draw tower|works only if the last answer was a count; first enter 'count 112 m'
 count 1 cm; draw tower|the last 'count' needs no dominoes
-count 112 m 1; draw tower|the last 'count' needs too many dominoes
+count 112 m 1; draw tower|the last 'count' needs more dominoes than a row can have
 count 112 m; draw tower 3|one argument too many
 END
 }

@@ -136,7 +136,7 @@ maximum of the curve: separation|4|null|0.520419|0.533651
 maximum of the curve: growth|4|null|1.831348|1.810436
 start of the curve 1/s|3|null|0.53929|0.53929
 start of the curve 1/s|4|null|0.61901|0.61901
-growth of a pair|3|0.4|2.04654|2.04654
+two dominoes: largest growth|3|0.4|2.04654|2.04654
 112 m tower: dominoes, r = 1.5|4|null|20|20
 END
     same differences 'weights r^(-q i) left out in (25; c7)' "$(row 'largest growth' 3 0.2 | values why)"
@@ -161,7 +161,7 @@ effect row 6; effect friction 0.2|2|mgh/2
 effect row "$root/examples/record.csv"; effect push 3|8|J
 END
     run -1 "$DOMINO" -e 'set q hollow; set s 0.1; set r 1.2; effect row 5; explain verdict'
-    grep -q 'this row ends at domino 1 for a reason other than its energy: it touches the next' <<<"$output"
+    grep -q 'the fall ends at domino 1 for a reason other than its energy: it touches the next' <<<"$output"
     ! "$DOMINO" -e 'effect row 6; explain verdict' | grep -q 'about the endless train'
     # Without a row the verdict is that of the train.
     same train "$(json 'explain why')" "$(json 'explain verdict')"

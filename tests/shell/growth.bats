@@ -71,7 +71,7 @@ END
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
     for words in '1\.64423 times as large' 'A row falls with a growth of up to 1\.59459 if its first domino just tips over' \
-        'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do
+        'At a growth of 1\.64, the row needs a push of 6\.766 rad/s'; do
         grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
     done
     "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'Whatever its growth, a row does not fall if its first domino just tips over'

@@ -58,7 +58,7 @@ END
     for text in '>40<' '>332[0-9][.][0-9]<' 'person' 'For the hall' '>page'; do
         if [ "$text" = '>page' ]; then run ! grep -q "$text" forty.svg; else grep -q "$text" forty.svg; fi
     done
-    wrong 'effect row 5; effect friction 3; plan' "this row ends at domino 2, so there is nothing to build yet; 'mend' looks for"
+    wrong 'effect row 5; effect friction 3; plan' "the fall ends at domino 2, so there is nothing to build yet; 'mend' looks for"
     wrong 'plan' 'there is no row'
     wrong 'effect row 3; plan foo' "write a title as in 'plan title"
 }

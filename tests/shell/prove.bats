@@ -16,7 +16,7 @@ root=$BATS_TEST_DIRNAME/../..
     run -0 "$DOMINO" -e 'prove rmax 0.005'
     [[ $output == *'Proved: at growth 1 the train stops.'* ]]
     run -0 "$DOMINO" -e 'set q hollow; prove pair 0.3'
-    [[ $output == *'to 1.654207309921 a first domino that just tips over topples the next one; at 1.654207309922 it does not.'* ]]
+    [[ $output == *'to 1.654207309921 the first domino, if it just tips over, topples the next one; at 1.654207309922 it does not.'* ]]
     # With both fuels and with several exponents of the mass.
     for scene in 'set fuel paper' 'set q hollow' 'set q 3.7; set d 0.1'; do
         row=$(json "$scene; prove rmax 0.3")
@@ -105,7 +105,7 @@ root=$BATS_TEST_DIRNAME/../..
 @test "prove count says that the start of the row is computed, but not proved" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"
-    grep -q '"reason":"if its first domino just tips over, the row ends at domino 2' <<<"$answer"
+    grep -q '"reason":"if its first domino just tips over, the fall ends at domino 2' <<<"$answer"
     same 'with growth 1.5' 'goes on' "$(json 'prove count 112' | values result)"
     "$DOMINO" -e 'prove count 112' | grep -q 'Computed, but not proved: .* the row starts'
     run -1 "$DOMINO" -e 'set r 1.64; assert prove count 112'

@@ -311,7 +311,7 @@ const struct command cost_commands[] = {
              "also has rows for proofs, which 'prove' explains.",
      .see = "plot",
      .sweep_refusal =
-         "it measures computing time, and points that run at the same time would slow each other down",
+         "it measures computing time, and points computed at the same time would slow each other down",
      .rows = true,
      ANSWER(cost)},
     {.name = NULL},

@@ -15,7 +15,7 @@ const struct column count_columns[] = {
     {"last_height", "m", "height of the tallest domino that this row can topple, first_height r^n", 0},
     {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
     {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
-    {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},
+    {"stops_at", "", "the domino at which the fall ends, if not all dominoes fall", 8},
     {"push", "rad/s", "the weakest push with which such a row would fall", 0},
     {"r_start", "", "the largest growth at which such a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},

@@ -75,7 +75,7 @@ static const struct column chain_columns[] = {
     {"theta_i", "rad", "tilt of this domino (27; A2)", 0},
     {"slope_i", "", "d theta_i / d theta (33; A9)", 0},
     {"arm_a", "h", "lever arm of the force from this domino's follower", 0},
-    {"arm_b", "h", "lever arm of the opposite force on the follower", 0},
+    {"arm_b", "h", "lever arm of the reaction force on the follower", 0},
     {"weight", "", "r^(-q i), the weight of this domino in the energy (19; c1)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -358,8 +358,7 @@ const struct command cycle_commands[] = {
      .summary = "the energy that the train needs, and whether it has enough",
      .equation = "(26; c8)",
      .help = "The barrier is the largest potential energy of the train in the whole cycle. Near r s = 1 the "
-             "potential energy first decreases. It increases after the follower that pushes the head has "
-             "detached.",
+             "potential energy decreases at first. It increases once the head's follower has detached.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",

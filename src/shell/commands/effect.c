@@ -299,7 +299,7 @@ const struct command effect_commands[] = {
          "'scene' shows which method this scene needs, and why.",
      .see = "effect scene",
      .sweep_refusal =
-         "it measures computing time, and points that run at the same time would slow each other down",
+         "it measures computing time, and points computed at the same time would slow each other down",
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",

@@ -50,7 +50,7 @@ static void help_list(FILE *out)
         text_add(names, sizeof names, " %s", p->name);
     }
     help_say(out, "%s", names);
-    help_say(out, "'help NAME' explains one of these, 'apropos WORD' finds one.");
+    help_say(out, "'help NAME' explains one of these; 'apropos WORD' finds one.");
 }
 
 /* ---- A parameter or an effect ---- */

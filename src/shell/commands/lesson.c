@@ -38,7 +38,7 @@ static void line_show(const struct session *reader, const char *before, const ch
     free(shown);
 }
 
-/* Waits until the reader types the command, or only presses Enter. Runs any other line, and waits again.
+/* Waits until the reader types the command, or just presses Enter. Runs any other line, and waits again.
  * Returns false if the reader ends the lesson. */
 static bool reader_types(struct session *reader, const char *command)
 {
@@ -101,7 +101,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
     progress_end(); /* the progress display must not count the time that the reader takes */
     if (waits)
-        fputs("Type each line that the lesson shows, or only press Enter. You may try other\n"
+        fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
               "commands in between. Your own parameters stay as they are. 'q' ends the lesson.\n",
               reader.output->out);
     while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in, NULL) != -1)

@@ -98,7 +98,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
         if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
             return false;
         if (isfinite(start.push))
-            snprintf(push, sizeof push, " With growth %.6g the row needs a push of %.4g rad/s.",
+            snprintf(push, sizeof push, " At a growth of %.6g, the row needs a push of %.4g rad/s.",
                      (double)train->r, (double)start.push);
     }
     if (!isnan(r_start))
@@ -192,8 +192,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
         return query_status(query, problem, status);
     if (status == DOM_OK)
         answer_say(a,
-                   "Dominoes can grow most with gaps of %.4g times the height: each domino can be %.4g times "
-                   "as large as the one before.\n",
+                   "The best gap is %.4g times the height: each domino can then be %.4g times as large as "
+                   "the one before.\n",
                    (double)best.s, (double)best.r_max);
     return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
@@ -318,7 +318,7 @@ const struct command limit_commands[] = {
      .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
                   {.name = "TO", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
                   {.name = "N", .kind = ARGUMENT_COUNT}},
-     .summary = "the largest growth at N gaps, as in the paper's figures",
+     .summary = "the largest growth at N separations from FROM to TO",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
      .rows = true,
@@ -327,12 +327,12 @@ const struct command limit_commands[] = {
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},
-     .summary = "how many dominoes it takes to topple one of height H (growth R or r)",
+     .summary = "how many dominoes it takes to topple one of height H (growth R; default: r)",
      .help = "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h "
              "tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
              "next one. The first domino of the row just tips over, or is given the push of 'effect push'. "
-             "'feasible' tells whether the row falls. If it does not fall, 'stops_at' is the domino at which "
-             "it ends, and 'push' is the weakest push with which it would fall. 'goes_on' tells whether an "
+             "'feasible' tells whether the row falls. If not, 'stops_at' is the domino at which the fall "
+             "ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
              "endless train that is already moving keeps falling. 'r_start' is the largest growth at which a "
              "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
              "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",

@@ -79,7 +79,7 @@ static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON]
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
-        pair ? "a first domino that just tips over topples the next one" : "the train keeps falling";
+        pair ? "the first domino, if it just tips over, topples the next one" : "the train keeps falling";
     /* The 12 printed digits may be rounded up, which would claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
@@ -89,7 +89,7 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
         answer_say(a, "Proved: for every growth from %.12g up to 1/s %s.", p->from, falls);
     else if (p->ends == DOM_PROVED_NONE)
         answer_say(a, "Proved: at growth 1 %s.",
-                   pair ? "a first domino that just tips over does not topple the next one"
+                   pair ? "the first domino, if it just tips over, does not topple the next one"
                         : "the train stops");
     else if (low > p->from)
         answer_say(a, "Only this is proved: for every growth from %.12g to %.12g %s.", p->from, low, falls);
@@ -156,7 +156,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
               cycle_verdicts[proof.verdict].result, proof.work, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
-        answer_say(a, "Proved: the barrier is between these two bounds, in m g h/2 of the head.");
+        answer_say(a, "Proved: the barrier is between these two bounds, in units of the head's m g h/2.");
     say_cycle(query, a, &proof);
     return true;
 }

@@ -15,8 +15,8 @@ enum { START_SEARCHED = 24 };
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* Growths with a smaller relative difference count as equal. At the largest growth the margin is 0, and
- * rounding errors would decide whether a row falls. */
+/* Growths whose relative difference is below this count as equal. Otherwise, rounding errors would decide
+ * whether a row falls at the largest growth, where the margin is 0. */
 #define START_SAME ((domq_real)1e-8)
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
@@ -28,8 +28,8 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
     return scene;
 }
 
-/* Halves the row if a size or a mass exceeds the range of the precision. The lost dominoes are too far away
- * to affect the start. */
+/* Halves the row if a size or a mass is out of range. The dropped dominoes are too far away to affect the
+ * start. */
 static bool row_shorten(struct domq_row *row, enum dom_status status)
 {
     const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;
@@ -111,7 +111,7 @@ const char *start_problem(const struct query *query, const struct start *start, 
     else if (!start->engine && start->end != DOM_ROW_MISSES)
         snprintf(push, sizeof push,
                  "; a push that is strong enough would lift the first domino off the floor");
-    snprintf(text, START_TEXT, "%s, the row ends at domino %zu: %s%s", start_words(query).text,
+    snprintf(text, START_TEXT, "%s, the fall ends at domino %zu: %s%s", start_words(query).text,
              start->stops_at,
              start->end == DOM_ROW_LEANS ? "the first domino touches the second before it tips over"
                                          : dom_row_end_text(start->end),

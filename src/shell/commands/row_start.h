@@ -11,8 +11,8 @@ struct start {
     size_t count; /* number of dominoes in the row that was run */
     bool falls;   /* true if all dominoes of the row fall */
     enum dom_row_end end;
-    size_t stops_at;    /* number of the domino at which the row ends, counted from 1 */
-    domq_real push;     /* the weakest push in rad/s that is enough, or NaN */
+    size_t stops_at;    /* number of the domino at which the fall ends, counted from 1 */
+    domq_real push;     /* the weakest push in rad/s that makes the row fall, or NaN */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
@@ -33,7 +33,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 /* Returns "if its first domino just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 
-/* Writes why a row does not fall, for example "with a push of 3 rad/s, the row ends at domino 2: it has too
+/* Writes why a row does not fall, for example "with a push of 3 rad/s, the fall ends at domino 2: it has too
  * little energy to tip over". */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);

@@ -83,8 +83,8 @@ static bool run_record(struct session *session, const struct arguments *given, s
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
         return problem_error(problem,
-                             "'%s' does not work while answers go to '%s'; enter '%s' first, and the command "
-                             "with '>' after it",
+                             "'%s' does not work while answers go to '%s'; first enter '%s', then enter the "
+                             "command again with '>'",
                              a->command, names_shown(session->output->path), a->command);
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
@@ -126,8 +126,9 @@ const struct command script_commands[] = {
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "also write all answers into FILE, until 'tee off'",
-     .help = "An existing FILE is overwritten. After 'set output csv' or 'set output json' FILE gets the "
-             "data of all answers. 'COMMAND > FILE' writes a single answer into FILE and does not print it.",
+     .help = "An existing FILE is overwritten. After 'set output csv' or 'set output json', the data of "
+             "all answers is written into FILE. 'COMMAND > FILE' writes a single answer into FILE and does "
+             "not print it.",
      .see = "log",
      .files = true,
      .act = run_record},

@@ -54,12 +54,12 @@ static bool height_likely(const struct query *query, struct problem *problem)
     return problem_error(
         problem,
         "a height of %s without a unit would be %s, but the height is %s now; write 'set h %s m', "
-        "or the unit that you mean",
+        "or add the unit that you mean",
         quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text, measured(now, "m", 4).text,
         quad_text(given->number[1], 10));
 }
 
-/* Returns the number of gaps that were changed one by one, and no longer follow from s. */
+/* Returns the number of gaps that were changed individually and so no longer follow from s. */
 static size_t gaps_changed(const struct listed_row *row)
 {
     size_t count = 0;
@@ -79,13 +79,13 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->run_context, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* In a script, the next line may set the second parameter, so there is no message. */
+    /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
     int all = state_style(next).all_digits;
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->run_context->sourced)
-        answer_say(a, "%s precision has %d digits at most%s", domq_arithmetic(precision)->name, all,
+        answer_say(a, "%s precision has at most %d digits%s", domq_arithmetic(precision)->name, all,
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
     const bool is_size = strlen(p->name) == 1 && strchr("srdh", *p->name);
     if (next->scene.listed.domino && is_size && !query->run_context->sourced)
@@ -273,17 +273,17 @@ const struct command session_commands[] = {
      .summary = "the value of an expression, optionally in another unit",
      .help =
          "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
-         "expression has numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd for "
-         "lengths, kg g t lb oz for masses, s ms for times, and rad deg for angles. The functions are sin "
-         "cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. Names are "
-         "parameters, or what 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a number of the "
-         "last answer. A command stands for one number of its answer, and a key chooses another: rmax, "
-         "rmax(0.3).r_max_paper. g and t are units directly after a number or a ')': '10 g'. Elsewhere g is "
-         "gravity: 'h/g', '2*g'. Comparisons are 1 if they are true, and 0 otherwise: < <= >= == !=, and '(a "
-         "> b)' in parentheses, because '>' alone begins the name of a file. 'and', 'or' and 'not' join "
-         "comparisons, and 'if(r > 1.5, 1, 0)' chooses one of two values. 'with' changes parameters and "
-         "effects for one answer: 'rmax 0.4 with q hollow d 0.1'. In an expression, 'with' needs "
-         "parentheses: '2*(rmax with friction 0.2)'.",
+         "expression may contain numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd "
+         "for lengths, kg g t lb oz for masses, s ms for times, and rad deg for angles. The functions are "
+         "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
+         "is a parameter, or something that 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a "
+         "number of the last answer. A command stands for one number of its answer, and a key chooses "
+         "another: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number or a ')': '10 g'. "
+         "Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are true, and 0 otherwise: < <= >= "
+         "== !=, and '(a > b)' in parentheses, because '>' alone begins the name of a file. 'and', 'or' and "
+         "'not' join comparisons, and 'if(r > 1.5, 1, 0)' chooses one of two values. 'with' changes "
+         "parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1'. In an expression, 'with' "
+         "needs parentheses: '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",

@@ -169,7 +169,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a,
-                   "The energies fail to balance by %.4g %s, because the paper's closed form of "
+                   "The energies are out of balance by %.4g %s, because the paper's closed form of "
                    "the fuel does not follow from the energy balance.",
                    (double)(open * u.energy), u.energy_unit);
     return true;

@@ -203,8 +203,8 @@ bool definition_parse(struct reader *r, struct question *q)
     if (!value)
         return problem_error(
             r->problem,
-            "enter, for example, 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function of 1 "
-            "to %d values",
+            "enter, for example, 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function with 1 "
+            "to %d arguments",
             EXPRESSION_ARGUMENTS);
     if (!name_free(r->problem, v->name))
         return false;

@@ -253,7 +253,7 @@ static void say_hit(const struct place *p)
                    energy_at(p, s->friction_work).text);
     answer_say(p->answer,
                "'step' begins the next cycle. Its angles are the same, its lengths are r times as large, and "
-               "its duration is sqrt(r) times as long, %s (23; c5).",
+               "it lasts sqrt(r) times as long, %s (23; c5).",
                measured(s->time * next.tau, "s", 6).text);
 }
 

@@ -160,12 +160,12 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
             problem,
             "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
     if (a->path && !film.answer)
-        return problem_error(problem, "the film is written into FILE, so there is nothing to write into the "
-                                      "file after '>'; leave out the '>'");
+        return problem_error(problem, "the film is written to FILE, and nothing is left to redirect with "
+                                      "'>'; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || options->train || options->tower)
-        /* The note that the answer is about the train would be wrong or superfluous. */
+        /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (options->tower) {

@@ -78,7 +78,7 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
     *time = (domq_real)falling_row_hit(row, number - 1);
     return !isnan(*time) || number <= end ||
            problem_no_answer(problem,
-                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows how "
+                             "domino %zu is never hit: the fall ends at domino %zu; 'draw at end' shows how "
                              "far the row falls",
                              number, end);
 }
@@ -131,7 +131,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* the note would say that the answer is about the train, but the picture shows the row */
+    a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(options) ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);

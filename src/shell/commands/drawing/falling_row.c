@@ -158,7 +158,7 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
         snprintf(text, SENTENCE, "Domino %zu (%s) stops the row: it has %.150s.", end, row->marks.ends,
                  energy_words((domq_real)share).text);
     else
-        snprintf(text, SENTENCE, "The row ends at domino %zu (%s): %s.", end, row->marks.ends,
+        snprintf(text, SENTENCE, "The fall ends at domino %zu (%s): %s.", end, row->marks.ends,
                  dom_row_end_text(v->end));
 }
 
@@ -182,7 +182,7 @@ void falling_row_moment(const struct falling_row *row, const struct domq_moment 
         snprintf(what, sizeof what,
                  row->stage.count > 1 ? "all dominoes have fallen" : "the domino has fallen");
     else if (time >= row->end)
-        snprintf(what, sizeof what, "the row ends at domino %zu; %zu domino%s %s", m->head, after, plural,
+        snprintf(what, sizeof what, "the fall ends at domino %zu; %zu domino%s %s", m->head, after, plural,
                  stand);
     else if (after == 0)
         snprintf(what, sizeof what, "domino %zu, the last, falls", m->head);

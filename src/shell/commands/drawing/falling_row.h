@@ -50,7 +50,7 @@ enum { SENTENCE = 256 };
 /* Writes the number of dominoes and their heights, for example "7 dominoes, 4.8 cm to 54.7 cm tall". */
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes how the row ends. */
+/* Writes how the fall ends. */
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
 /* Writes which domino is the weakest, and how much energy it has. Writes "" if the drawing marks no domino as

@@ -75,7 +75,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     const size_t count = scene->row.count;
     if (v->end != DOM_ROW_FALLS) {
         problem_no_answer(problem,
-                          "this row ends at domino %zu, so there is nothing to build yet; 'mend' looks for a "
+                          "the fall ends at domino %zu, so there is nothing to build yet; 'mend' looks for a "
                           "change that saves the row",
                           v->domino);
         falling_row_free(&p->row);

@@ -19,7 +19,7 @@
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
 #define ZOOM_LEAST 2
-/* The distance in a film from the last domino to the tower, divided by the last domino's height. */
+/* In a film, the distance from the last domino to the tower, divided by the last domino's height. */
 #define BEYOND 1.1
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
@@ -34,8 +34,8 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
     if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
-        return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s dominoes",
-                                 dominoes == 0 ? "no" : "too many");
+        return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s",
+                                 dominoes == 0 ? "no dominoes" : "more dominoes than a row can have");
     const struct assigned assigned[] = {{parameter_find("r"), ans->cells[COUNT_GROWTH].number, NULL},
                                         {parameter_find("row"), dominoes, NULL}};
     *height = (double)ans->cells[COUNT_HEIGHT].number;

@@ -130,7 +130,7 @@ struct explain_arguments {
 };
 
 /* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is the first sentence
- * of the derivation, or "". Fails if pdflatex is needed and fails. */
+ * of the derivation, or "". Returns false on an error, for example if pdflatex fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_arguments *bound,
                    const char *verdict, struct problem *problem);

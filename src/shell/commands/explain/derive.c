@@ -31,7 +31,8 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Finds the number that the member `library` of struct derived describes, or NaN if there is none. */
+/* Evaluates `expression`, which is written like derived.library. Sets *value to NaN if the train has no such
+ * number. Returns false on an error. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -98,8 +99,8 @@ static bool chain_add(const struct domq_link *link, void *context)
     return true;
 }
 
-/* Fills d->at at this tilt of the head, and d->launch at the launch. Pads the shorter chain with dominoes at
- * theta_f, whose terms are 0. */
+/* Fills the chain `d->at` for the given tilt of the head, and the chain `d->launch` for the tilt 0. Pads the
+ * shorter chain with dominoes at theta_f, whose terms are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;

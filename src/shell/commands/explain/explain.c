@@ -149,7 +149,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
         return problem_no_answer(problem,
                                  v.end == DOM_ROW_FALLS
                                      ? "all dominoes fall, and none of them has a barrier to climb"
-                                     : "this row ends at domino %zu for a reason other than its energy: %s",
+                                     : "the fall ends at domino %zu for a reason other than its energy: %s",
                                  v.domino, dom_row_end_text(v.end));
     a->note = NULL; /* the note about the train does not apply to a row */
     snprintf(verdict, VERDICT_TEXT,
@@ -217,13 +217,13 @@ const struct command explain_commands[] = {
      .help =
          "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
          "in symbols and with numbers, and the value. It also lists the quantities in the equation. With "
-         "'deep', these quantities are explained as well, down to the parameters. The other commands compute "
-         "the same values. After theta1, energy and omega, MORE begins with a tilt; after rmax, with a "
-         "separation; after count, with a height. With a row, 'explain verdict' is about the domino that "
-         "decides the verdict. With friction or rounded edges, or where a search finds a maximum, there may "
-         "be no equation in closed form. The derivation then says so and ends. 'explain ... > lesson.pdf' "
-         "writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it with formulas. "
-         "json gives the tree: 'needs' names the quantities in each equation.",
+         "'deep' at the end, these quantities are explained as well, down to the parameters. The values are "
+         "the ones that the commands themselves print. With theta1, energy and omega, the first word of MORE "
+         "is a tilt; with rmax, a separation; with count, a height. With a row, 'explain verdict' is about "
+         "the domino that decides the verdict. With friction or rounded edges, or where a search finds a "
+         "maximum, there may be no equation in closed form. The derivation then says so and ends. 'explain "
+         "... > lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
+         "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep_refusal = "it explains one train",

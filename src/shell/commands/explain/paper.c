@@ -94,7 +94,7 @@ static void pair_rows(struct table *t)
         if (t->status == DOM_OK)
             t->status = domq_limit_pair(&t->train, &t->compute, &pair);
         paper_row(t, "Fig. marginal",
-                  pair.ends == DOM_END_REACH ? "growth of a pair: the reach 1/s" : "growth of a pair",
+                  pair.ends == DOM_END_REACH ? "two dominoes: the reach 1/s" : "two dominoes: largest growth",
                   t->train.s, pair.r_max, pair.r_max, "");
     }
 }

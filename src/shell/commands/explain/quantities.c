@@ -56,7 +56,7 @@ const struct derived derived_list[] = {
       "thetac.theta_f", "rad", "42; A18",
       "the largest tilt of a follower, at which it slides off its leader"),
     Q("theta_f", "θ_f", "\\theta_f", 0, 0, SUM_NONE, "theta_inf", "thetac.theta_f", "rad", "41; A17",
-      "the largest tilt of a follower; no follower slides off its leader"),
+      "the largest tilt of a follower, which never slides off its leader"),
     Q("X", "X", "X", 0, 0, SUM_NONE, "r*(L*cos(theta) - d)", "sin(theta1(@).theta_1 - @)", "", "30; A5",
       "sine of the angle between the head and its follower"),
     Q("Y", "Y", "Y", 0, 0, SUM_NONE, "sqrt(1 - X^2)", "cos(theta1(@).theta_1 - @)", "", "30; A5",
@@ -141,7 +141,7 @@ const struct derived derived_list[] = {
     Q("n", "n", "n", 0, 0, SUM_NONE, "ceil(n_exact)", "count(@).dominoes", "", "",
       "the number of dominoes that it takes to topple one of height H"),
     Q("H_n", "H_n", "H_n", 0, 0, SUM_NONE, "h*r^n", "count(@).last_height", "m", "",
-      "height of the domino that n dominoes topple"),
+      "height of the domino that a row of n dominoes can topple"),
     /* Quantities of a row. */
     Q("margin_k", "margin_k", "\\mathrm{margin}_k", 0, 0, SUM_NONE, "K_k - B_k", "#margin", "mgh/2", "26; c8",
       "energy that is left at the top of the barrier: the row goes on from domino k if this is at least 0"),

@@ -147,8 +147,9 @@ bool run_recipe(const struct query *query, struct answer *a, struct problem *pro
     if (status == DOM_OK)
         status = results_find(train, &steps, compute, &paper);
     if (status == DOM_TOO_LONG)
-        return problem_no_answer(problem, "the recipe needs r > 1: its sums of energies do not converge for "
-                                          "equal dominoes; first enter a larger r, for example 'set r 1.5'");
+        return problem_no_answer(problem,
+                                 "the recipe needs r > 1: for equal dominoes, its energy sums do not "
+                                 "converge; first enter a larger r, for example 'set r 1.5'");
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     answer_say(a, "The recipe of the paper (section 'A general domino train') at s = %.6g, r = %.6g:",

@@ -77,7 +77,7 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
 
 /* ---- The whole derivation ---- */
 
-/* The texts between the parts of a derivation, such as equations, numbers, values and lists of quantities. */
+/* The texts before, between and after the equations of a derivation. */
 enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, FROM, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
 enum dialect { PLAIN, MARKDOWN, TEX, DIALECTS };
 
