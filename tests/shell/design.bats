@@ -73,12 +73,12 @@ END
 
 @test "design: if no row fulfils the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
-    same hall "infeasible: the shortest row with safety 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
+    same hall "infeasible: the shortest row with a safety of 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
     same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
     close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6
     run -0 "$DOMINO" -e "set q hollow; effect friction 5; design 8 m"
-    grep -qE '^infeasible: not even equal dominoes .* with friction of up to 2\.93, safety 2 is possible\.$' <<<"$output"
+    grep -qE '^infeasible: not even equal dominoes .* with friction of up to 2\.93, a safety of 2 is possible\.$' <<<"$output"
     within 'less friction' 2 "$(json 'set q hollow; effect friction 2.92; effect row 2; effect push 9; design 4.8001 cm' | values train)" 'o >= e && o < 2.2'
     run -0 "$DOMINO" -e "set q hollow; effect friction 3; design 8 m"
     below=$(sed -n 's/.*a safety below \([0-9.]*\) .*/\1/p' <<<"$output")
@@ -140,7 +140,7 @@ END
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
     wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
-    grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
+    grep -q 'rows with a safety of 2 are possible, but no row with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
     grep -q 'other boards, or a finer grid, may help' <<<"$output"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability of at most 99.99 %"

@@ -90,8 +90,8 @@ explain foo|unknown question 'foo'; use one of: thetac, theta1
 explain theta1|'explain theta1' needs a value, for example 'explain theta1 0.2'
 explain theta1 3|outside the cycle
 explain why depp|did you mean 'deep'
-explain why > a.png|'a.png' is the name of a picture, and 'explain' cannot write one; use .pdf, .tex, .md or .txt
-rmax > a.md|'a.md' is the name of a document, and 'rmax' cannot write one
+explain why > a.png|'a.png' is the name of a picture, which 'explain' cannot write; use .pdf, .tex, .md or .txt
+rmax > a.md|'a.md' is the name of a document, which 'rmax' cannot write
 set s 0.001; explain rmax|no growth is possible here
 set r 3; explain why|falls past the next domino
 END

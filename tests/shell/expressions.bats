@@ -361,7 +361,7 @@ END
             list+=" $name.$key"
         else
             run -1 --separate-stderr "$DOMINO" --keep-going -e "print $name"
-            [[ $stderr == *"'$name"*"' has no value"* ]] || same "print $name" "'$name' has no value" "$stderr"
+            [[ $stderr == *"'$name"*"' "@("has no value"|"cannot be used in an expression")* ]] || same "print $name" "'$name' has no value" "$stderr"
         fi
     done
     same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
@@ -387,9 +387,9 @@ END
 }
 
 @test "commands that take a file or a word have no value in an expression" {
-    wrong 'print pool(1)' "'pool FILE' has no value in an expression"
-    wrong 'set s pool' "'pool FILE' has no value in an expression"
-    wrong 'count pool(1)' "'pool FILE' has no value in an expression"
+    wrong 'print pool(1)' "'pool FILE' cannot be used in an expression"
+    wrong 'set s pool' "'pool FILE' cannot be used in an expression"
+    wrong 'count pool(1)' "'pool FILE' cannot be used in an expression"
     same completion '(nothing)' "$("$DOMINO" -e 'complete print po')"
     same help '(nothing)' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
     for line in 'set s pool(1)' 'sweep s 0.1 0.2 2 : pool x' 'pool x' 'save x' 'source x' 'show > x' 'effect row x.csv' \

@@ -138,7 +138,7 @@ END
     echo draw >s.dom
     for what in rmax 'source s.dom' show help; do
         for name in a.svg a.PNG a.pdf; do
-            wrong "$what > $name" "'$name' is the name of a picture, and '${what%% *}' cannot write one; use "
+            wrong "$what > $name" "'$name' is the name of a picture, which '${what%% *}' cannot write; use "
             wrong "$what >> $name" "'$name' is the name of a picture"
         done
     done
@@ -215,9 +215,9 @@ END
     done
     wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .tex, .gp or .txt [(]for the data: .csv or .json[)]"
     for what in 'set s 0.3' reset; do
-        wrong "$what > a.csv" "'a.csv' is the name of a data file, and '${what%% *}' cannot write one; use .txt"
+        wrong "$what > a.csv" "'a.csv' is the name of a data file, which '${what%% *}' cannot write; use .txt"
     done
-    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is the name of a picture, and 'placement' cannot write one; use .csv, .json or .txt; 'draw' and 'plot' write pictures"
+    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is the name of a picture, which 'placement' cannot write; use .csv, .json or .txt; 'draw' and 'plot' write pictures"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

@@ -258,7 +258,7 @@ END
     grep -q 'can hold only one picture' <<<"$output"
     # Other commands have no picture.
     run -1 "$DOMINO" -e 'rmax > a.gp'
-    grep -q "is the name of a picture, and 'rmax' cannot write one" <<<"$output"
+    grep -q "is the name of a picture, which 'rmax' cannot write" <<<"$output"
     # The script is also written if gnuplot is not installed.
     mkdir bin && ln -s "$(command -v env)" bin
     PATH=$PWD/bin "$DOMINO" -e 'plot growth > again.gp'
@@ -368,6 +368,6 @@ END
         printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
         pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
     fi
-    wrong 'draw > d.tex' "'d.tex' is the name of a picture, and 'draw' cannot write one; use .svg, .png, .pdf, .gp or .txt"
-    wrong 'plot growth > d.md' "'d.md' is the name of a document, and 'plot' cannot write one; use .svg"
+    wrong 'draw > d.tex' "'d.tex' is the name of a picture, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
+    wrong 'plot growth > d.md' "'d.md' is the name of a document, which 'plot' cannot write; use .svg"
 }

@@ -19,7 +19,7 @@ struct column {
     const char *key;     /* the name of the column */
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* a one-line explanation */
-    /* the width of the column in a table of rows, for words and short numbers; 0 for other numbers */
+    /* the width of the column in a table of rows, if it holds words or short numbers; otherwise 0 */
     int width;
 };
 
@@ -134,8 +134,8 @@ void answer_leave_out(struct answer *answer, const char *keys);
  * unchanged. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/* Announces that a column will contain a number. In a table of rows, the unit of a column suits the largest
- * number that was announced or is in the first row. Does nothing if there is no such column. */
+/* Announces that a column will contain a number. In a table of rows, the unit of the column is chosen for the
+ * largest number that was announced or is in the first row. An unknown key is ignored. */
 void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */

@@ -65,7 +65,7 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* Returns an error bound on the printed number, which includes the error of rounding. */
+/* Returns a bound on the error of the printed number, including its rounding error. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);

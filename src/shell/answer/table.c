@@ -15,7 +15,7 @@ enum {
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
     WORDS_SHORT = 12,   /* a last column that is at most this wide does not need WORDS_LEAST */
-    WORDS_INDENT = 8,   /* the indentation of words below their row */
+    WORDS_INDENT = 8,   /* the indentation of a last column that goes below its row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
     DIGITS_LEAST = 3

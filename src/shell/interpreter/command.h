@@ -97,7 +97,8 @@ struct command {
     /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions omit
      * the column. */
     const char *slow_column;
-    /* The reason why 'sweep' refuses this command, or NULL. Also NULL for commands that compute nothing. */
+    /* The reason why 'sweep' refuses this command. NULL if 'sweep' accepts it, or if the command computes
+     * nothing. */
     const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
     /* What the command writes: */
@@ -168,7 +169,8 @@ enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Returns false and sets *problem if the session is safe and the command reads or writes files. */
+/* Returns false and sets *problem if the session is in safe mode (--safe) and the command reads or writes
+ * files. */
 static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {

@@ -102,7 +102,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The line with the time must not appear in csv and json, which are read by programs. */
+        /* The line with the time must not appear in csv or json, because programs read these formats. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -158,7 +158,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
         fits = c->writes == WRITES_DOCUMENTS
                    ? extension->is_document
                    : extension->terminal && draws && (charts || strcmp(extension->text, ".tex") != 0);
-    return fits || problem_error(problem, "'%s' is the name of a %s, and '%s' cannot write one; use %s%s",
+    return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
                                  names_shown(path),
                                  extension->kind == EXTENSION_DATA ? "data file"
                                  : extension->terminal             ? "picture"

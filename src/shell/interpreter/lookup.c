@@ -10,7 +10,8 @@ struct lookup {
     struct problem *problem;         /* receives the reason why a command has no answer */
 };
 
-/* Stores cell t->index of a row of the command t->refers. An empty cell or a word is an error. */
+/* Stores the number in column t->index of `cells`, a row that the command t->refers has returned. An empty
+ * cell or a word is an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {

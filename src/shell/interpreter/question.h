@@ -30,7 +30,8 @@ struct question {
 /* Parses the command at the reader's position, and its arguments. */
 bool command_parse(struct reader *reader, struct question *question);
 
-/* Parses the arguments of question->command, up to its end, to a '>', or to one of the reader's `stops`. */
+/* Parses the arguments of question->command. They end with the command, before a '>', or before one of the
+ * reader's `stops`. */
 bool question_parse(struct reader *reader, struct question *question);
 
 /* Parses a question inside another command: COMMAND, COMMAND.KEY, or an expression for 'print'. If

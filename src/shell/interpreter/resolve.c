@@ -9,8 +9,8 @@ enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol. Returns 0, which the functions below return for a node without
- * children. */
+/* Turns a node into a symbol. Returns 0: the functions below return the largest height of a child, and most
+ * symbols have no children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -119,7 +119,7 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
                                  : "'%s' has no value: the answer of this command consists of words or rows",
                     t->name);
     if (most < 0)
-        return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",
+        return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
                     command_usage(c));
     if (t->count < fewest || t->count > most)
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,

@@ -103,7 +103,7 @@ static bool file_fill(const struct file *f, int file)
     errno = o->append ? 0 : system_reserve(file, 0, text.st_size);
     bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_header(f) : 0, file);
     int reason = errno;
-    /* If only a part of the text could be appended, this part is removed again. */
+    /* If only part of the text could be appended, that part is removed. */
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;
     bool is_closed = close(file) == 0;
     errno = is_copied ? errno : reason;

@@ -14,8 +14,8 @@
 #include <sys/types.h>
 #include <time.h>
 
-/* Opens a file as open(2) does, but waits for the reader of a FIFO. The descriptor is non-blocking and
- * close-on-exec. Returns -1 on failure. */
+/* Opens a file as open(2) does. If the file is a FIFO that is opened for writing, first waits until a program
+ * reads from it. The descriptor is non-blocking and close-on-exec. Returns -1 on failure. */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
 /* Locks a file with flock(2) until it is closed. Only programs that also use flock(2) are kept out. Returns

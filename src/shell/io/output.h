@@ -45,8 +45,7 @@ struct output {
 /* Pushes a level. The caller sets the members of the level except `below`. */
 void output_push(struct output **top, struct output *output);
 
-/* Ends and frees a level, which is usually the highest one. Returns the result of the level's pop
- * function. */
+/* Ends and frees a level, usually the topmost one. Returns the result of the level's pop function. */
 const char *output_pop(struct output **top, bool keep);
 
 /* Writes all buffered text of the level. */
@@ -59,7 +58,8 @@ enum {
     OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE
 };
 
-/* Returns the address of the pointer to the highest level of these kinds, or NULL. */
+/* Returns the address of the pointer to the topmost level that has one of these kinds. Returns NULL if there
+ * is none. */
 struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */

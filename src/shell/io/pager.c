@@ -194,7 +194,7 @@ static bool pass_on(struct pager *p, const char *text, size_t size)
     return false;
 }
 
-/* Begins to show the text that has been held, with a pager if `with_pages` is true. */
+/* Begins to show the text that was held back, with a pager if `with_pages` is true. */
 static bool show(struct pager *p, bool with_pages)
 {
     if (p->to)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The levels of 'log' and 'tee' pass text on to the level below, and copy it into a file. */
+/* 'log' and 'tee' are levels of output (see output.h). They pass text on to the level below, and copy it into
+ * a file. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"

@@ -88,7 +88,7 @@ int system_reserve(int file, off_t from, off_t to)
     int reason = to > from ? posix_fallocate(file, from, to - from) : 0;
     return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot reserve space */
 #else
-    /* Writes a byte into each block beyond the end of the file. Earlier blocks are assumed to be on the disk
+    /* Extends the file by writing a byte into each new block. Earlier blocks are assumed to be on the disk
      * already. */
     struct stat status;
     if (fstat(file, &status) != 0)

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* The functions of a stream. A NULL function does nothing. `write` must write all bytes, or the stream has an
- * error. */
+/* The functions of a stream. A NULL function does nothing. `write` must write all bytes; a smaller result
+ * means an error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);
     ssize_t (*write)(void *cookie, const char *bytes, size_t size);

@@ -19,8 +19,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If the functions above treat the stream `from` like standard output, makes them treat the stream `to` so
- * instead. This is for 'log', 'tee' and the pager, which pass text on to standard output. */
+/* Makes the functions above treat the stream `to` like standard output, in place of the stream `from`. Does
+ * nothing if they treat a third stream like standard output. 'log', 'tee' and the pager need this function,
+ * because they pass text on to standard output. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */

@@ -77,11 +77,12 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes the model's result for each measurement, with the unknowns set to `value`. For angles, clock[k]
- * is the time when the motion of run k begins. Returns false and sets fit->problem if there is no answer. */
+/* Computes the model's result for each measurement, with the unknowns set to `value`. If the data are
+ * angles, clock[k] is the time when the motion of run k begins. Returns false and sets fit->problem if there
+ * is no answer. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
-/* For angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
+/* If the data are angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
 /* Returns true if measurement k is the first one of its run. */

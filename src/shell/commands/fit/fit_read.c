@@ -102,7 +102,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-/* Adds the current row of the file to the last run, or begins a run with a new number. */
+/* Adds the current row of the file to the last run. If the row has another run number, begins a new run. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,

@@ -82,29 +82,30 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     const struct measured safety = measured(wish->safety, "", 6);
     char more[192] = "";
     if (d->limit == DOM_DESIGN_HALL) {
+        snprintf(text, size,
+                 "infeasible: the shortest row with a safety of %s is %s m long, including its fallen last "
+                 "domino; 'hall %s m' is long enough",
+                 safety.text, measured(d->needs, "", 4).text,
+                 measured(round_digits(d->needs, 4, true), "", 4).text);
+    } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(
             text, size,
-            "infeasible: the shortest row with safety %s is %s m long, including its fallen last domino; "
-            "'hall %s m' is long enough",
-            safety.text, measured(d->needs, "", 4).text,
-            measured(round_digits(d->needs, 4, true), "", 4).text);
-    } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
-        snprintf(text, size,
-                 "infeasible: safety %s at the second domino needs a push of %s at the top of domino 1, but "
-                 "a push above %s lifts this domino off the floor; enter a smaller safety",
-                 safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
+            "infeasible: a safety of %s at the second domino needs a push of %s at the top of domino 1, but "
+            "a push above %s lifts this domino off the floor; enter a smaller safety",
+            safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(
             text, size,
-            "infeasible: the start is too weak for safety %s at the second domino; a push of %.40s rad/s "
-            "(%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
+            "infeasible: the start is too weak for a safety of %s at the second domino; a push of %.40s "
+            "rad/s (%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
             safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
-        snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s, and no push that was tried is enough; try "
-                 "a smaller safety",
-                 safety.text);
+        snprintf(
+            text, size,
+            "infeasible: the start is too weak for a safety of %s, and no push that was tried is enough; try "
+            "a smaller safety",
+            safety.text);
     } else if (d->limit == DOM_DESIGN_ENGINE) {
         domq_real push = push_stronger(wish);
         if (isfinite(push))
@@ -112,18 +113,19 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
                      measured(round_digits(push, 2, false), "", 2).text);
         else
             snprintf(more, sizeof more, "another thickness may help");
-        snprintf(text, size,
-                 "infeasible: rows with safety %s fall in the model with hinged feet, but no row that was "
-                 "tried falls in the rigid-body engine (used because %s); %s",
-                 safety.text, scene_engine_why(query->scene), more);
+        snprintf(
+            text, size,
+            "infeasible: rows with a safety of %s fall in the model with hinged feet, but no row that was "
+            "tried falls in the rigid-body engine (used because %s); %s",
+            safety.text, scene_engine_why(query->scene), more);
     } else {
         domq_real mu = friction_most(query, wish->safety);
         if (mu > 0)
-            snprintf(more, sizeof more, "; with friction of up to %.40s, safety %.40s is possible",
+            snprintf(more, sizeof more, "; with friction of up to %.40s, a safety of %.40s is possible",
                      measured(round_digits(mu, 3, false), "", 3).text, safety.text);
         if (d->needs > 1)
             snprintf(text, size,
-                     "infeasible: no growth gives safety %s here; a safety below %s is possible%s",
+                     "infeasible: no growth gives a safety of %s here; a safety below %s is possible%s",
                      safety.text, measured(round_digits(d->needs, 4, false), "", 4).text, more);
         else
             snprintf(text, size, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
@@ -139,10 +141,11 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
     const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
                        d.limit == DOM_DESIGN_FITS;
     if (found)
-        snprintf(reason, REASON,
-                 "infeasible: rows with safety %s are possible, but no row with these boards and this grid "
-                 "was found; enter other boards or a finer grid, or leave them out",
-                 measured(wish->safety, "", 6).text);
+        snprintf(
+            reason, REASON,
+            "infeasible: rows with a safety of %s are possible, but no row with these boards and this grid "
+            "was found; enter other boards or a finer grid, or leave them out",
+            measured(wish->safety, "", 6).text);
     return found;
 }
 
@@ -279,8 +282,8 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Prints the answer. If the session may change, first stores the design there, and improves the row if the
- * user asked for a probability. */
+/* Prints the answer. If the command can change the session, first stores the design in it, and improves the
+ * row if the user asked for a probability. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

@@ -56,7 +56,8 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall. Runs more rows if the given probability may be reached. */
+/* Counts how many random rows of a design fall. Runs a small sample first, and a larger one only if the
+ * design may reach the given probability. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
                          const struct domq_limits *limits, const struct domq_design *d, domq_real probability,
                          struct tried *t, struct problem *problem)

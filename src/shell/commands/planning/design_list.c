@@ -13,7 +13,7 @@ const struct column design_columns[] = {
     {"length", "m", "the length of the row, including its fallen last domino", 0},
     {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
     {"surface", "m^2", "the surface area of all dominoes, if q is 3 and their walls are not known", 0},
-    {"volume", "m^3", "the volume of the wood in all dominoes, if q is not 3 or their walls are known", 0},
+    {"volume", "m^3", "the volume of the wood in all dominoes, if 'surface' has no value", 0},
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
     {"weakest", "", "the number of the weakest domino", 0},
     {"train", "", "the energy of the endless train, divided by the energy that it needs", 0},

@@ -24,8 +24,8 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 /* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
 
-/* Lists the dominoes. A file gets the columns that 'effect row FILE' reads. Otherwise the list has the sizes
- * to saw and the positions. */
+/* Lists the dominoes. A file gets the columns that 'effect row FILE' reads. Otherwise the list also has the
+ * positions, and the surface or volume of each domino. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `is_random` is true. */

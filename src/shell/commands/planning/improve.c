@@ -175,7 +175,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     changes_list(a, i);
     answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
-               query->next ? " 'row > hall.csv' writes the row, and 'undo' takes the changes back." : "");
+               query->next ? " 'row > hall.csv' writes the row, and 'undo' reverts the changes." : "");
 }
 
 /* Reports that no row within the limits falls, and names these limits. Returns false. */

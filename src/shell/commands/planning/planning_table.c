@@ -22,15 +22,15 @@ const struct command design_commands[] = {
          "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
          "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
          "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
-         "thicknesses to choose from (with 'effect walls 12 mm 30 cm', only for the solid dominoes). 'grid "
-         "1 mm' makes all dimensions whole mm, and the row still has the required safety. 'design 8 m falls "
-         "99 %' finds the fewest dominoes that fall with this probability. It takes the random errors of "
-         "the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % interval must "
-         "reach this probability. A table shows the results for fewer and for more dominoes; then the row "
-         "is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect feet', 'effect "
-         "bounce', 'set method engine'), the row also falls in the engine. 'safety' still refers to the "
-         "model, in which feet are hinges. The row becomes the session's row; 'design ... > hall.csv' "
-         "writes a file for 'effect row hall.csv'.",
+         "thicknesses to choose from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'grid 1"
+         " mm' makes all dimensions multiples of 1 mm, and the row still has the required safety. 'design 8 "
+         "m falls 99 %' finds the fewest dominoes that fall with this probability. It takes the random "
+         "errors of the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % "
+         "interval must reach this probability. A table shows the results for fewer and for more dominoes; "
+         "then the row is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect "
+         "feet', 'effect bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
+         "refers to the model, in which feet are hinges. The row becomes the session's row; 'design ... > "
+         "hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
@@ -69,11 +69,11 @@ const struct command design_commands[] = {
          "order. 'sizes' also changes the sizes of all dominoes between the first and the last; their "
          "proportions stay fixed. 'hall 20 m' is the greatest length of the row, including its fallen last "
          "domino; the default is the present length. 'boards 9, 12, 15 mm' are the thicknesses to choose "
-         "from (with 'effect walls 12 mm 30 cm', only for the solid dominoes). 'mass 50 kg' is the greatest "
-         "mass that a changed domino may have. 'grid 1 mm' makes sizes and gaps whole mm. A domino that "
-         "becomes twice as large gets 2^(q-1) times the mass. The search uses random rows; the "
+         "from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'mass 50 kg' is the greatest "
+         "mass that a changed domino may have. 'grid 1 mm' makes sizes and gaps multiples of 1 mm. A domino "
+         "that becomes twice as large gets 2^(q-1) times the mass. The search uses random rows; the "
          "probabilities before and after the changes come from other random rows. A row is never replaced "
-         "by a worse one. ^C ends the search with the best row so far. 'undo' takes the changes back. If "
+         "by a worse one. ^C ends the search with the best row so far. 'undo' reverts the changes. If "
          "the rigid-body engine runs rows, the search still uses the model, and the probabilities come from "
          "the engine.",
      .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
@@ -111,7 +111,7 @@ const struct command design_commands[] = {
            .parse = watch_parse_answer,
            .bind = solve_bind,
            .choices = question_names}},
-     .summary = "change a parameter with keys, and see ANSWER move on a curve",
+     .summary = "vary a parameter with the arrow keys, and see ANSWER on a curve",
      .help =
          "An example is 'watch s 0.1 0.9 : rmax'. The left and right arrow keys make large steps, and the up "
          "and down keys make small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
@@ -164,7 +164,7 @@ const struct command design_commands[] = {
                    .noun = "command with a verdict",
                    .parse = assert_parse,
                    .choices = assert_names}},
-     .summary = "report an error unless COMMAND answers yes, or a comparison is true",
+     .summary = "report an error unless COMMAND answers yes or the comparison is true",
      .help = "'assert' runs the command, and reports an error if its verdict is no: the row does not fall, "
              "for example, or no row fulfils the wishes. A script then ends at once with exit status 1; a "
              "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
