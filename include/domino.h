@@ -637,8 +637,9 @@ struct dom_count {
 };
 
 /*
- * Finds how many dominoes it takes to topple one that is at least `height` tall. The first domino is `first`
- * tall, and each domino is r times as tall as the one before. Both heights are in the same unit.
+ * Finds how many dominoes it takes to topple a domino that is at least `height` tall. The first domino has
+ * the height `first`, and each domino is r times as tall as the domino before. Both heights are in the same
+ * unit.
  *
  * first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in the last place. The
  * status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* How a row ends: X(name, meaning). */
+/* How a fall ends: X(name, meaning). */
 #define DOM_ROW_ENDS(X)                                                                                      \
     X(FALLS, "all fall")                                                                                     \
     X(STOPS, "it has too little energy to tip over")                                                         \
@@ -29,7 +29,7 @@ enum dom_row_end {
 #undef DOM_ROW_ENUM
 };
 
-/* Returns the meaning of an end: a phrase about the domino at which the row ends. */
+/* Returns the meaning of an end: a phrase about the domino at which the fall ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
 /* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
@@ -172,7 +172,7 @@ struct dom_fall {
     dom_real barrier;
     dom_real margin;        /* kinetic - barrier, in J */
     dom_real lost;          /* energy lost in the collision, in J */
-    dom_real friction_work; /* energy lost to friction after the hit, in J; NaN if the row ends here */
+    dom_real friction_work; /* energy lost to friction after the hit, in J; NaN if the fall ends here */
     dom_real theta_m;       /* tilt of the domino at the top of the barrier, in rad */
     /* the last tilt in rad: at the next hit, on the floor, or at rest */
     dom_real theta;
@@ -185,13 +185,13 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* The domino at which the row ends: the last one that was hit. With DOM_BAD_..., the domino with the bad
-     * value. */
+    /* The domino at which the fall ends: the last domino that was hit. With DOM_BAD_..., the domino with the
+     * bad value. */
     size_t domino;
     /* the missing energy in J: > 0 for DOM_ROW_STOPS, infinite if friction locks the row */
     dom_real short_by;
-    /* the time in s until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
-     * times were not requested */
+    /* the time in s until all dominoes lie on the floor or, if the fall ends early, until the last hit; NaN
+     * if times were not requested */
     dom_real seconds;
     /* the number of the falling domino with the smallest margin / barrier; 0 if there is none */
     size_t weakest;
@@ -259,7 +259,7 @@ struct dom_row_growth {
     dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
     /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
-    /* How the row ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
+    /* How the fall ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
      * r_max. */
     enum dom_row_end ends;
 };
@@ -290,8 +290,8 @@ struct dom_mend {
 /*
  * Finds the changes to a single gap after which all dominoes of a row fall, the smallest change first. Writes
  * the number of changes to *count, which is 0 if the row already falls. The search tries the gap after the
- * domino at which the row ends. Unless this gap is too wide to reach across, it also tries the 30 gaps before
- * this gap. Calls progress, which may be NULL, for each gap.
+ * domino at which the fall ends. Unless this gap is too wide to reach across, it also tries the 30 gaps
+ * before this gap. Calls progress, which may be NULL, for each gap.
  *
  * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
  * If the current gap is even wider, and all dominoes fall at the widest gap within reach, `to` is the widest
@@ -313,7 +313,7 @@ struct dom_window {
     dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the row ends just below and just above the window, or DOM_ROW_FALLS if this is unknown. It is
+    /* How the fall ends just below and just above the window, or DOM_ROW_FALLS if this is unknown. It is
      * unknown if no value there was tried, or if the row does not fall at the current value. */
     enum dom_row_end below, above;
 };
@@ -325,8 +325,8 @@ struct dom_window {
  * - friction: one window.
  *
  * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
- * window is the nearest interval on either side of the current value. If a row that does not fall ends at
- * domino k, the dominoes after domino k + 1 have no window.
+ * window is the nearest interval on either side of the current value. If the fall ends early, at domino k,
+ * the dominoes after domino k + 1 have no window.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,

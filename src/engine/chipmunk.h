@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The functions of the rigid-body engine Chipmunk 7. It is loaded only when needed, since it may not be
- * installed.
+ * The functions of the rigid-body engine Chipmunk 7. The library is loaded only when needed, since it may not
+ * be installed.
  */
 #ifndef ENGINE_CHIPMUNK_H
 #define ENGINE_CHIPMUNK_H

@@ -151,8 +151,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H certainly decreases above theta_u (6; b2). The head loses height there, and its followers
- * lean more. */
+/* Returns true if H certainly decreases above theta_u (6; b2): the head loses height, and its followers lean
+ * more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -385,8 +385,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 
 /*
  * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The first
- * distance follows from H''. It is doubled until H' is certainly positive below and negative above theta.
- * Tilts outside the cycle need no test. *steepest is an upper bound on |H'| at the tilts that were tried.
+ * distance tried follows from H''. The distance is doubled until H' is certainly positive at this distance
+ * below theta, and negative above theta. Tilts outside the cycle need no test.
+ *
+ * *steepest is an upper bound on |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -61,13 +61,13 @@ KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns the friction coefficient |x| / z that a hinge needs for the force (x, z) of the floor. It is
- * infinite if the floor would have to pull. */
+/* Returns the friction coefficient |x| / z that a hinge needs for the force (x, z) of the floor. The result
+ * is infinite if the floor would have to pull. */
 KERNEL real friction_needed(real x, real z);
 
 /*
- * The friction coefficient that the floor needs so that no hinge slips. It is the largest |R_x| / R_z, where
- * R is the force at a hinge, or its impulse in the collision.
+ * The friction coefficient that the floor needs so that no hinge slips: the largest |R_x| / R_z, where R is
+ * the force at a hinge, or the impulse of the force in the collision.
  */
 struct required_friction {
     real motion, theta; /* largest ratio during the motion, and the tilt of the head at that moment */

@@ -27,14 +27,14 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) makes it
- * smooth: dt/du = 2 end u / (tau omega). Here u = `root` + `span` x with 0 <= x <= 1.
+ * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) gives the
+ * smooth integrand dt/du = 2 end u / (tau omega). Here u = `root` + `span` x with 0 <= x <= 1.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow. A larger u gives the same dt/du there. */
+    /* Very near the stop, the remaining energy would underflow, but a larger u gives the same dt/du. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -118,8 +118,8 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds an error bound on state->time. It is the tolerance of the integral plus the integral of the error
- * bound on the slowness. If the train stops, an error e in the tilt of the stop shifts times by at most e /
+ * Finds an error bound on state->time: the tolerance of the integral plus the integral of the error bound on
+ * the slowness. If the train stops, an error e in the tilt of the stop shifts times by at most e /
  * omega.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)

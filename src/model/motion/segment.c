@@ -113,7 +113,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* Up to a rounding error, the energy just suffices for the highest point. The row comes to rest there. */
+    /* Up to a rounding error, the energy just suffices for the highest point, and the row comes to rest. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;
         return DOM_OK;
