@@ -11,8 +11,8 @@
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-/* Chooses the largest size of the errors in the chart. It is well above the size at which half of the rows
- * fall, and above `now`, the size that 'effect placement' sets (NaN if this effect is off). */
+/* Chooses the largest size of the errors in the chart, well above the size at which half of the rows fall.
+ * `now` is the size that 'effect placement' sets, or NaN if the effect is off; the chart includes it. */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
 {

@@ -92,8 +92,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes entries such as "gap:98 gap@5:1" for each kind of error. In this example, 98 rows fall if the gaps
- * have no errors, and the errors in the gaps make 1 of these 98 rows stop at domino 5. */
+/* Writes entries such as "gap:98 gap@5:1" for each kind of error. Here 98 rows fall without errors in the
+ * gaps. With these errors, 1 of the 98 rows stops at domino 5. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
