@@ -49,7 +49,7 @@ void progress_show(double fraction);
 /* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores progress_show from now on. A thread that computes only a part of the
+/* If `mute` is true, this thread ignores progress_show from now on. A thread that computes only part of the
  * work is muted, because it knows only the progress of this part. Returns the previous setting. */
 bool progress_mute(bool mute);
 

@@ -20,7 +20,8 @@ static void free_find(struct fit *f)
     }
 }
 
-/* Returns how many numbers are fitted: the free unknowns and, for angles, the start time of each run. */
+/* Returns how many numbers are fitted: the free unknowns and, if the data are angles, the start time of each
+ * run. */
 static size_t numbers_of(const struct fit *f)
 {
     return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);

@@ -27,7 +27,7 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, up to the scene's friction, with which equal dominoes have this safety.
+/* Returns the largest friction, up to the scene's friction, at which equal dominoes have this safety.
  * Returns 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
