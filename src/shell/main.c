@@ -21,10 +21,10 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 
 static const char help[] =
     "\n"
-    "Calculates how large r can be if each domino of a row topples one that is r times as\n"
-    "large.  Without -e, -f or FILE, domino reads commands from standard input, at a prompt if\n"
-    "it is a terminal.  An error in -e, -f or FILE ends the run; after an error on standard\n"
-    "input, the next line is read.\n"
+    "Calculates how much larger each domino of a row can be than the one before it.  Without\n"
+    "-e, -f or FILE, domino reads commands from standard input, at a prompt if it is a\n"
+    "terminal.  An error in -e, -f or FILE ends the run; after an error on standard input, the\n"
+    "next line is read.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"

@@ -77,7 +77,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
         abort();
     command_registry(all_commands);
     session_init(&session, to);
-    session.means.safe = safe;
+    session.run_context.safe = safe;
     session.state.scene.compute.interrupt = &enough;
     enough = 0;
     setitimer(ITIMER_VIRTUAL, &limit, NULL);
