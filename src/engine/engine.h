@@ -57,8 +57,11 @@ struct engine_hit {
     /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a released
      * first box. */
     double time;
-    /* Time at which the box hits the next box. For the last box of the row, the time at which it has fallen
-     * to the floor. NaN if this does not happen, and for a released first box that hits the next box. */
+    /*
+     * Time at which the box hits the next box. For the last box of the row, this is the time at which it has
+     * fallen to the floor. NaN if the box does not get that far. If the first box was released and hits the
+     * next box, its time is NaN too.
+     */
     double until;
     double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes after the hit */

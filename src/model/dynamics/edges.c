@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges. geometry/rounded.h has the equations of one contact, and geometry/rolling.c the sums over
- * the chain. The inertia i(theta) of a rolling domino depends on its tilt. So the inertia of the chain, and
- * the angular velocity after the collision, follow from
+ * Rounded edges. The equations of one contact are in geometry/rounded.h, and the sums over the chain are in
+ * geometry/rolling.c. A domino with rounded edges rolls, so its moment of inertia depends on its tilt. Let
+ * I(theta) be the moment of inertia at the tilt theta. Then the inertia J of the chain, and the angular
+ * velocity omega(0) of the head after the collision, follow from
  *
- *     J = sum r^-(q+1)i i(theta_i) theta_i'^2,
- *     J(0) omega(0) = (J(0) - i(0)) omega_1.
+ *     J = sum over i of r^(-(q+1) i) I(theta_i) theta_i'^2,
+ *     J(0) omega(0) = (J(0) - I(0)) omega_1.
  */
 #include "geometry/law.h"
 

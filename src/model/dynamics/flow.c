@@ -84,8 +84,10 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 #define FLOW_FINER 64
 
 /*
- * Empties the solution and returns a copy of the geometry with a finer tolerance. Sums jump where they
- * include one domino fewer. The finer tolerance makes these jumps too small to disturb a Chebyshev series.
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain leaves
+ * out the last dominoes, whose terms are below the tolerance. How many dominoes it leaves out depends on the
+ * tilt, and the sum jumps where this number changes. With the finer tolerance, the jumps are too small to
+ * disturb a Chebyshev series.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -236,9 +238,11 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 /* ---- Functions of a law of motion ---- */
 
 /*
- * Finds the launch of a train whose cycles repeat. A cycle begins with w(0) and ends with w(theta_c) = G
- * (w(0) - u). The collision and the change of units multiply w(theta_c) by kappa = r (T / (1 + T))^2. The
- * result must again be w(0).
+ * Finds the launch of a train whose cycles repeat. Let w = tau^2 omega^2. A cycle begins with the value w(0),
+ * and by the solution in flow.h it ends with w(theta_c) = G (w(0) - u). The next cycle begins after the
+ * collision, and in units of a head that is r times as tall. Both changes together multiply w(theta_c) by
+ * kappa = r (T / (1 + T))^2, where T is the inertia ratio of the collision. The cycles repeat if the product
+ * kappa w(theta_c) equals w(0).
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                     struct launch *launch, struct launch *error)

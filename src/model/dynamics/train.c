@@ -56,8 +56,8 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
     return (train->s + train->d) * train->r * scale->h / seconds;
 }
 
-/* The smallest tolerance of each precision is about five rounding errors. The widest type may be a long
- * double with a 64-bit mantissa. */
+/* The smallest tolerance of each precision is about five rounding errors. On some machines, the widest type
+ * is a long double with a 64-bit mantissa. */
 #define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
 
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
@@ -83,8 +83,9 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
                       struct dom_domino *domino, size_t count)
 {
     /*
-     * In quad precision, computing a power takes as long as computing the motion of a domino. So each domino
-     * is computed from the one before. The rounding errors are too small to affect a row.
+     * In quad precision, one call of pow takes as long as computing the motion of a domino. So the height and
+     * the mass of each domino are computed from the height and the mass of the domino before, by
+     * multiplication. The rounding errors of the products are too small to affect a row.
      */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;

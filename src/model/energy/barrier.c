@@ -160,22 +160,24 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to have a single top. H is then concave from 0 to theta_u. Above theta_u, the
- * head and its followers lose height (6; b2).
+ * Returns true if H is proved to have a single top, that is, a single local maximum. In that case H is
+ * concave up to the tilt theta_u, and it decreases above theta_u, because there the head and its followers
+ * all lose height (6; b2). The proof that H is concave follows.
  *
- * Proof that H is concave. Let c = r L / cos theta_c. With rounded edges, (r L + (r + 1) rho) / l replaces
- * r L (rolling_here). Since Y_i >= Y_0 = cos theta_c, (12; b8) and (14; b10) give
+ * Let c = r L / cos theta_c. With rounded edges, the term r L in c is replaced by (r L + (r + 1) rho) / l, as
+ * in rolling_here. Since Y_i >= Y_0 = cos theta_c, equations (12; b8) and (14; b10) give
  *
  *     theta_(i+1)'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
  *
- * So -theta_i'' is at most c times the sum of theta_j'^2 over j < i. H'' is the sum of w^i (h_i'' theta_i'^2
- * + h_i' theta_i''), where w = r^-q. Let g be an upper bound on -h_i'. Then the terms of H'' with theta_j'^2
- * add up to at most
+ * So -theta_i'' is at most c times the sum of theta_j'^2 over j < i. The second derivative H'' is the sum of
+ * w^i (h_i'' theta_i'^2 + h_i' theta_i'') over all dominoes i, where w = r^-q. Let g be an upper bound on
+ * -h_i'. Then the terms of H'' that contain theta_j'^2 add up to at most
  *
  *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
  *
- * For the head, -h'' = h is at least h.y. For a follower, -h'' is at least `least`, and theta_j'^2 is at most
- * 1. A follower that has detached adds nothing to H''.
+ * For every domino, -h'' = h. For the head, h is at least h.y. For a follower, h is at least `least`, the
+ * smaller of h.y and the height h(theta_f), and theta_j'^2 is at most 1. A follower that has detached adds
+ * nothing to H''. The code below tests whether the sum of these bounds is negative.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {

@@ -78,9 +78,10 @@ KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*
- * Returns the width of the peak of 1/omega at a top inside a cycle. `margin` is the kinetic energy at the
- * top, and heights are relative to H at `from`. The kinetic energy near the top is (width^2 + (theta -
- * theta_m)^2) |H2| / 2. Returns NaN if the top is at an end of the cycle, or if H2 is unknown.
+ * Near the top of the barrier, the head is slow, so 1/omega has a peak there. Returns the width of this peak.
+ * If theta_m is the tilt of the top and w the width, the kinetic energy near the top is (w^2 + (theta -
+ * theta_m)^2) |H''| / 2. The argument `margin` is the kinetic energy at the top. Heights are relative to H at
+ * the tilt `from`. Returns NaN if the top is at an end of the cycle, or if H'' is unknown.
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);

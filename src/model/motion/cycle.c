@@ -101,7 +101,8 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
-        /* Near a stop, the remaining energy is a small difference. The sums must be more accurate. */
+        /* Near a stop, the remaining energy is the small difference of two large terms. Then both terms are
+         * computed again with a finer tolerance. */
         real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;

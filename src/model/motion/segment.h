@@ -67,8 +67,8 @@ KERNEL real slowness_error(real theta, void *context);
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
                                         real tol, real *sum, real *error);
 
-/* Finds the duration of the segment, in tau of the head. The duration grows like ln(1/margin), and is NaN if
- * the margin is 0 to within rounding errors. */
+/* Finds the duration of the segment. Its unit is the time scale tau of the head. If the train nearly stops,
+ * the duration grows like ln(1/margin). If the margin is 0 to within rounding errors, the duration is NaN. */
 KERNEL enum dom_status segment_time(struct segment *segment, real *time);
 
 #endif

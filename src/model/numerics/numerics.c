@@ -91,23 +91,26 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends when its terms are below this fraction of the sum. The terms decrease faster than a
-     * geometric series, so the remainder is negligible. */
+    /* A sum ends when its terms are smaller than this fraction of the sum. The terms that are left out are
+     * negligible, because they decrease faster than a geometric series. */
     real cut;
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
     real step, sum; /* only for the double exponential rule */
-    /* Only for the Clenshaw-Curtis rule. Unless width is NaN, the variable is u with x = peak + width sinh
-     * u. */
+    /* Only for the Clenshaw-Curtis rule. The rule integrates over a variable u, with x = peak + width sinh u.
+     * If the width is NaN, u equals x. */
     real peak, width, from, to, *value;
 };
 
 /* Computes the integral with the nodes of one level of the rule. */
 typedef real span_level(struct span *s, int level);
 
-/* Estimates the relative error of a level. `off` and `off_before` are the last two relative differences
- * between levels. The number of correct digits nearly doubles from each level to the next. */
+/*
+ * Estimates the relative error of a level. The last two levels differ by the fraction `off`, and the two
+ * levels before by the fraction `off_before`. From each level to the next, the number of correct digits
+ * nearly doubles.
+ */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -120,8 +123,8 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Levels may agree by chance although the nodes do not resolve f. So `unseen`, the error of the
-         * unresolved part, must also be small. */
+        /* Two levels can agree by chance, even if their nodes are too far apart to resolve f. So the error of
+         * the unresolved part of f, `unseen`, must be small too. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
@@ -143,8 +146,8 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Computes nodes from their
- * distance to the nearer end, so that no digits of this distance are lost. */
+/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Near an end of the interval,
+ * x itself would lose digits. So each node is computed from its distance to the nearer end. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */

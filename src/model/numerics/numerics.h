@@ -53,10 +53,10 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
 
 enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
 
-/* The integral of a function with a peak (see num_peak_integral) from lo to any x <= hi, as a Chebyshev
- * series in u. */
+/* The integral of a function with a peak, from lo to any x <= hi. It is stored as a Chebyshev series in the
+ * variable u of num_peak_integral. */
 struct num_series {
-    real lo, hi, peak, width; /* as in num_peak_integral; if the width is NaN, u is x */
+    real lo, hi, peak, width; /* as in num_peak_integral; if the width is NaN, u = x */
     real from, half;          /* u at lo, and half of the range of u */
     int terms;
     real term[CHEBYSHEV_MOST + 2];
