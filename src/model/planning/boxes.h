@@ -17,8 +17,9 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A solid domino must stay solid, and a box must stay a box. Returns the allowed height that is
- * nearest to `height`, for a domino whose height was `before`. */
+/* Returns the height nearest to `height` to which a domino may be changed. Its height so far is `before`. A
+ * domino taller than row->boxes_above is a box, and any other domino is solid. The change must not turn a
+ * solid domino into a box, or a box into a solid domino. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);
@@ -30,8 +31,8 @@ static inline dom_real height_of_kind(const struct dom_row *row, dom_real before
 /* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
 dom_real wood_volume(const struct dom_row *row, const struct dom_domino *domino);
 
-/* Returns the factor by which the mass changes if `before` is resized to `after` and the wood keeps its
- * density. Returns `solid` if the row has no boxes, or if the walls do not fit. */
+/* The domino `before` is resized to `after`, and its wood keeps its density. Returns the factor by which its
+ * mass changes. If the row has no boxes, or if the walls do not fit, returns `solid`. */
 dom_real wood_factor(const struct dom_row *row, const struct dom_domino *before,
                      const struct dom_domino *after, dom_real solid);
 

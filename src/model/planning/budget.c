@@ -17,15 +17,16 @@ struct budget {
     double lo, hi;
     /* true during the search for sigma itself, false for the ends of its confidence interval */
     bool of_answer;
-    /* a cache of the latest results, since the ends of the confidence interval need many of them again */
+    /* a cache of the latest results; the searches for the ends of the confidence interval try many of the
+     * same values of sigma again */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];
     int answers;
 };
 
-/* Finds the fraction of the rows that fall with errors of size `sigma`. Uses the same random numbers for
- * every sigma. */
+/* Runs the random rows with errors of size `sigma`, and stores in *share the fraction that falls. The random
+ * numbers are the same for every sigma, so that the fractions for two sigmas can be compared. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -56,8 +57,9 @@ static void known(struct budget *b, double lo, double hi)
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Bisects to a relative tolerance of 1e-3. The requested share of the rows must fall at `lo`, but not at
- * `hi`. */
+/* Finds the largest sigma between `lo` and `hi` at which the requested share of the rows falls. At `lo`, this
+ * share must fall, and at `hi`, it must not. The search is a bisection, which ends at a relative tolerance of
+ * 1e-3. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
@@ -74,8 +76,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma at which the requested share of the rows falls. Sets *sigma to infinity if this
- * share falls even at b->widest. */
+/* Finds the largest sigma at which the requested share of the rows falls. If this share falls even at
+ * b->widest, the largest sigma that is tried, sets *sigma to infinity. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes the probability that a row does not fall: the mean over a fixed sample of random rows. Each row
- * contributes a number between 0 and 1, which depends smoothly on its margins.
+ * Computes the probability that a row does not fall. The same sample of random rows is used in every
+ * computation. Each random row contributes a number between 0 and 1, which depends smoothly on its margins:
+ * the probability that this random row does not fall. The mean of these numbers is the result.
  *
- * A first-order reliability index would be cheaper, since it needs only derivatives at the row without
- * errors. But a gap can be too narrow or too wide. In between, the margin has a maximum, where its derivative
- * is 0. A search that minimized this index found a row that stopped in 54 % of all cases. With the present
- * function, the search found a row that stopped in 29 %.
+ * A first-order reliability index would be cheaper. It needs only the derivatives of the margins at the row
+ * without errors. But a gap can be too narrow, and it can be too wide. Somewhere in between, the margin has a
+ * maximum. There its derivative is 0, as if errors of the gap did not matter. A search with this index found
+ * a row that stopped in 54 % of all cases. With the function in this file, the search found a row that
+ * stopped in 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -21,7 +23,7 @@
 #include <string.h>
 
 /*
- * Bounds and special values of an energy margin:
+ * The energy margin of a domino lies between MARGIN_LEAST and MARGIN_MOST. Three cases have a fixed value:
  * - MARGIN_MOST: the domino needs no energy
  * - MARGIN_LEAST: friction locks the domino
  * - MARGIN_NONE: the fall ends at this domino in a way that the model does not describe
@@ -31,11 +33,13 @@
 #define MARGIN_LEAST (-3.0)
 #define UNSEEN       20.0 /* margin of a domino that is not hit because the fall ends earlier */
 
-/* A random row contributes no derivative if its probability of falling is below SURE or above 1 - SURE. */
+/* If a random row almost certainly falls, or almost certainly does not fall, its derivatives are nearly 0. So
+ * no derivatives are computed if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* A changed gap or size affects later dominoes less and less. A run ends when the changes of the margins are
- * below this fraction of the largest change. */
+/* After a change of a gap or a size, the margins of the dominoes behind it change less and less. The run of
+ * the changed row ends at the first domino whose margin changes by less than this fraction of the largest
+ * change so far. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -71,9 +75,11 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Finds the energy margin of each domino. If `base` is not NULL, it holds the margins before a change that
- * affects no domino before number `from`. The run then ends as soon as a margin almost equals its value in
- * `base`.
+ * Runs a row, and finds the energy margin of each domino.
+ *
+ * If `base` is not NULL, the row has been changed. The array `base` holds the margins before the change. The
+ * change affects no domino before number `from`. As soon as a later margin almost equals its value in `base`,
+ * the effect of the change has died out, and the run ends.
  */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)
@@ -109,8 +115,8 @@ struct totals {
     double fails, *by_gap, *by_size;
 };
 
-/* Data that all batches share. Sums are added in a fixed order, so that the timing of threads does not
- * matter. */
+/* Data that all batches share. Each batch has its own sums. They are added in a fixed order at the end, so
+ * that the timing of threads does not affect the result. */
 struct shared {
     const struct chance *chance;
     struct dom_row row;
@@ -124,8 +130,8 @@ struct weighed {
     double *margin, *changed, *weight;
 };
 
-/* Returns the probability that the row falls, a product with one factor for each margin. Writes the
- * derivatives of this probability to w->weight. */
+/* Returns the probability that the row falls. It is a product with one factor for each margin. Writes the
+ * derivatives of this probability, one for each margin, to w->weight. */
 static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
 {
     double before = 1, after = 1;
@@ -235,8 +241,9 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. If `margin` is not NULL, writes their margins to this array. Otherwise adds their
- * probabilities of failure to *total. Adds the derivatives too, unless total->by_gap is NULL. */
+/* Runs all random rows. If `margin` is not NULL, writes the margins of each random row to the array `margin`,
+ * and computes nothing else. If `margin` is NULL, adds the probabilities that the rows do not fall to
+ * total->fails. In this case, adds the derivatives too, unless total->by_gap is NULL. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

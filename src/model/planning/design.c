@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Designs a row between given first and last heights: finds a separation, a growth and a number of dominoes.
- * In the designed row, every cycle has at least `safety` times the energy that it needs. The search uses the
- * same computations as the public functions, so their results agree.
+ * Designs a row whose first and last heights are given. The search finds a separation, a growth and a number
+ * of dominoes. When a domino after the first is hit in the designed row, the moving dominoes have at least
+ * `safety` times the energy that they need. The search uses the same computations as the public functions, so
+ * their results agree.
  */
 #include "planning/planner.h"
 #include <string.h>
 
 /*
- * A search begins with the smallest number of dominoes that may suffice, and adds at most MORE dominoes. The
- * search for the shortest row stops after LONGER successive attempts without a shorter row. With an engine,
- * it stops after LONGER_IN_ENGINE attempts.
+ * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
+ * search for the shortest row can end earlier. It gives up after LONGER successive attempts that do not find
+ * a shorter row. With an engine, which is slow, it gives up after LONGER_IN_ENGINE such attempts.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
@@ -25,8 +26,8 @@ static bool enough(struct planner *p, struct choice c)
            (!p->limits || row_feet(p, c) + p->wish->height <= p->wish->hall);
 }
 
-/* Returns true if the row is safe enough in the model and falls in the engine. An undecided row does not
- * count as falling. */
+/* Returns true if the row is safe enough in the model and also falls in the engine. If the engine cannot
+ * decide whether the row falls, it counts as not falling. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -43,8 +44,8 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
-/* Returns the largest safe growth of the train, with a relative error of at most 1e-7. Returns 0 if r = 1 is
- * not safe. */
+/* Returns the largest growth r at which a train with the separation s is safe. Its relative error is at most
+ * 1e-7. If the train is not safe at r = 1, returns 0. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -59,8 +60,9 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Returns the largest safe growth of any train, or 0 if no train is safe. Sets *best to the separation of
- * this train. Takes coarse steps, and then halves the step repeatedly. */
+/* Compares trains with different separations. Returns the largest growth at which any of them is safe, and
+ * sets *best to the separation of this train. If no train is safe, returns 0. The search first takes coarse
+ * steps, and then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -85,8 +87,9 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Of all separations up to `most` at which the row passes the test, returns the one nearest to k. Returns 0
- * if there is none. Separations are in units of 1/GRID and are tried in steps of `step`. */
+/* Searches for a separation at which the row passes the test. Starts at k, or at `most` if k is larger. Moves
+ * away from there in both directions, in steps of `step`, but not beyond `most`. Returns the first separation
+ * at which the row passes, or 0 if there is none. Separations are in units of 1/GRID. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -99,8 +102,9 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation that can be reached from `good` through safe rows. The row must be safe at
- * `good`. Separations are in units of 1/GRID. */
+/* Narrows the gaps of a safe row. Starts at the separation `good`, at which the row must be safe, and reduces
+ * it as long as the row stays safe. Returns the smallest separation that is reached. Separations are in units
+ * of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -116,21 +120,21 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Step sizes of the search for a separation, in units of 1/GRID. An engine is hundreds of times slower than
- * the model. */
+/* Step sizes of the search for a separation, in units of 1/GRID. The steps are longer with an engine, because
+ * an engine is hundreds of times slower than the model. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the next number of steps (dominoes minus 1) to try. With an engine, which is slow, the increments
- * grow. */
+/* Returns the number of steps to try after n steps. (A row with n steps has n + 1 dominoes.) Without an
+ * engine, this number is n + 1. With an engine, which is slow, the increments grow. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row with the required safety and at least `fewest` steps. Returns false if none is
- * found. */
+/* Finds the shortest row that is safe enough. Only rows with at least `fewest` steps are tried. Returns false
+ * if no row is found. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
@@ -172,8 +176,8 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push that makes the row safe enough, with a relative error of at most 1e-4. Returns NaN
- * if no such push is found. */
+/* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
+ * most 1e-4. If no such push is found, returns NaN. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -190,7 +194,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier of any train. It occurs at r = 1. */
+/* Returns the largest ratio of kinetic energy to barrier that any train can have. It occurs at a growth of r
+ * = 1. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

@@ -28,7 +28,7 @@ struct planner {
     size_t room;
     enum dom_status status;
     dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
-    /* true to run all dominoes; false to end a run at the first domino with too little safety */
+    /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
     bool whole;
     /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */
     size_t weakest;

@@ -83,8 +83,8 @@ static struct range range_of(const struct trial *t)
 }
 
 /*
- * Changes the value step by step towards `end`. Returns the last value up to which the row falls. Stores
- * in *beyond how the fall ends past this value. Sets *others to true if the row falls again farther on.
+ * Changes the value step by step towards `end`. Returns the last value at which the row still falls. Stores
+ * in *beyond how the fall ends past this value. If the row falls again farther on, sets *others to true.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
