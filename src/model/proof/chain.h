@@ -29,8 +29,9 @@
  * given doubles. */
 struct shape {
     struct span s, d, L, q;
-    struct span v_inf; /* v of the tilt theta_inf, which is s/L because cos theta_inf = d/L (40; A16) */
-    /* v of the tilt theta_u at which the energy h of a domino is largest; tan theta_u = d */
+    /* v at the tilt theta_inf; it is s/L, because cos theta_inf = d/L (40; A16) */
+    struct span v_inf;
+    /* v at the tilt theta_u, at which the energy h of a domino is largest; tan theta_u = d */
     struct span v_top;
     struct span g_top; /* h(theta_u) - 1 */
     double steepest;   /* sqrt(1 + d^2), which is the largest |dh/dtheta| */

@@ -111,8 +111,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Computes the train with an upright head for the whole strip, and for its upper end. `rest` is the largest
- * acceptable remainder of a sum of energies. */
+/* Computes the train with an upright head twice: once for all growths of the strip, and once for the growth
+ * at its upper end. The sums of energies run over so many dominoes that the remainder is at most `rest`. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;

@@ -35,7 +35,8 @@ static double root_between(struct proof *proof, double low, double high, double 
     return low;
 }
 
-/* Proofs are tried for decimal numbers n / unit, where n is an integer and unit = 10^decimals. */
+/* A grid of decimal numbers n / unit, where n is an integer and unit = 10^decimals. The two ends of an
+ * enclosure are such numbers, so they can be printed exactly. */
 struct grid {
     double unit;
     int decimals;

@@ -280,8 +280,11 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         *most = INFINITY;
         return DOM_OK;
     }
-    /* If all products are exact, the result holds for exactly these arguments. Otherwise the bounds hold for
-     * all numbers that round to these arguments. */
+    /*
+     * If all products are exact, the number of dominoes is computed exactly, for these very arguments.
+     * Otherwise only bounds are found. The bounds hold not only for these arguments, but for all numbers that
+     * round to them.
+     */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
     struct span last = exact;

@@ -31,7 +31,11 @@ struct span {
     double lo, hi;
 };
 
-/* up and down return doubles above and below every real number that rounds to z. DBL_MIN covers underflow. */
+/*
+ * Let z be the rounded result of an operation. The function up(z) returns a double above every real number
+ * that rounds to z, and down(z) returns a double below them all. The term DBL_MIN is needed if z is so small
+ * that it has lost digits (underflow).
+ */
 static inline double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);

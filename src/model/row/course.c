@@ -1,27 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with a change of a few neighbouring dominoes. Each run (trial)
- * begins at the first head that the change can affect. Effects of the change decrease from head to head, so a
- * trial may also end early. There are two effects.
+ * Runs a row many times, each time with a change of a few neighbouring dominoes. Such a run is called a
+ * trial. A trial is fast because it leaves out most of the row. It begins at the first head that the change
+ * can affect. It ends as soon as the change can no longer affect the verdict, since the effects of the change
+ * decrease from head to head. There are two effects.
  *
- * First, omegasq has a relative deviation D from its value in the unchanged row. The equation of motion is
- * linear in omegasq. So for a head whose geometry is unchanged,
+ * First, the head's omegasq deviates from its value in the unchanged row. Let D be the relative deviation.
+ * The equation of motion is linear in omegasq. So for a head whose geometry is unchanged,
  *
  *     omegasq of the next head = gain * omegasq + offset.
  *
- * The deviation at the next head is lambda D, with lambda = gain * omegasq / (omegasq of the next head). If a
- * fall releases energy, lambda < 1.
+ * At the next head, the relative deviation is lambda D, where lambda = gain * omegasq / (omegasq of the next
+ * head). If a fall releases energy, lambda < 1.
  *
- * Second, the changed dominoes lean on the next heads, and change the `need`, `gain` and `offset` of these
- * heads. This change (`off`) is computed at each head. It decays like a geometric series. So the sum of all
- * further changes is estimated from two successive values.
+ * Second, the changed dominoes lean on the next heads, and so they change the numbers `need`, `gain` and
+ * `offset` of these heads. This change (`off`) is computed at each head. It decays like a geometric series
+ * from head to head. So its values at two successive heads give an estimate of the sum of all further
+ * changes.
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
- * omegasq. So if no force is negative at two values of omegasq, none is negative between these values. Each
- * head is therefore run twice more: once barely fast enough, and once with omegasq FAST times as large.
+ * omegasq. So if no force is negative at two values of omegasq, none is negative between these two values.
+ * For this reason, each head is run twice more when its mark is made: once barely fast enough, and once with
+ * omegasq FAST times as large.
  *
- * The verdict does not change as long as omegasq deviates by less than the limits `below` and `above`. These
- * limits are found from the last head to the first:
+ * From these runs follow the limits `below` and `above`. As long as omegasq deviates by less than these
+ * limits, the verdict does not change. The limits are found from the last head to the first, as
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
@@ -31,8 +34,8 @@
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The state of the unchanged row when a head is hit, and how far this state may deviate without changing the
- * verdict. */
+/* Describes the unchanged row at the instant when a head is hit: its state, and how far this state may
+ * deviate without changing the verdict. */
 struct mark {
     real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
@@ -40,7 +43,8 @@ struct mark {
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
     /* the smallest contact force of this and all later heads, divided by the weight of the pushed domino */
     real pushes;
-    /* true if this domino and all later ones fall, false if the fall ends as in the unchanged row */
+    /* true if this domino and all later ones fall; false if the fall stops where it stops in the unchanged
+     * row */
     bool falls;
 };
 
@@ -53,14 +57,18 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Contact forces are checked at FAST times the omegasq of a head. They are also checked at a value that
- * exceeds `need` by only 1/FAST of the actual excess. */
+/*
+ * The contact forces of a head are checked at two values of omegasq, one far above and one just above `need`.
+ * The upper value is FAST times the actual omegasq. The lower value exceeds `need` by 1/FAST of the actual
+ * excess.
+ */
 #define FAST 1000
 
 /*
- * A trial may end early only if the sum of all further changes is below two limits: LEFT_MOST, and LEFT_FORCE
- * times the smallest contact force. With friction, no number tells how close a row is to locking. The tiny
- * LEFT_MOST_LOCKING then replaces LEFT_MOST.
+ * A trial may end early only if the changes that are still to come are small. Their sum must be below
+ * LEFT_MOST, and also below LEFT_FORCE times the smallest contact force. With friction, the program does not
+ * measure how close the row is to locking. So with friction, the sum must be below the tiny LEFT_MOST_LOCKING
+ * instead of LEFT_MOST.
  */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
@@ -108,7 +116,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq may deviate before head k itself no longer falls, whatever happens to later heads. */
+/* Finds how far omegasq may deviate so that head k itself still falls. Later heads are not
+ * considered here. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -121,8 +130,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Goes from mark[to - 1] back to mark[from], and limits the deviations of each mark to those that all later
- * heads allow. */
+/* Goes back from mark[to - 1] to mark[from]. At each head, narrows the limits `below` and `above`, so that no
+ * deviation within these limits exceeds the limits of a later head. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -137,8 +146,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets the limits `below` and `above` in the mark of the last head. As long as omegasq is within these
- * limits, the fall ends at this head, in the same way as in the unchanged row. */
+/* Sets the limits `below` and `above` for the head at which the unchanged row stops falling. As long as
+ * omegasq is within these limits, a changed row stops falling at the same head, and for the same reason. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
@@ -147,8 +156,11 @@ static void mark_end(struct mark *m, enum dom_row_end end)
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
 
-/* Returns true if no head after k can change the verdict. On entry, *off is the relative change of `need`,
- * `gain` and `offset` at the previous head, or NaN if unknown. On return, it is the change at head k. */
+/*
+ * Returns true if the heads after k can no longer change the verdict. On entry, *off tells by how much the
+ * change affected `need`, `gain` and `offset` of the previous head, as a fraction; it is NaN if that is
+ * unknown. On return, *off is the same number for head k.
+ */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
@@ -167,7 +179,7 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from`, and makes the marks that are missing. Dominoes after `last` are
+/* Runs the row from head `from`. Fills in the marks of heads that have none yet. Dominoes after `last` are
  * unchanged. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {

@@ -207,8 +207,9 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    real end;  /* p = ln tan(phi / 4) at the hit */
-    real left; /* the time before the hit at which p is to be found, in tau */
+    real end; /* p = ln tan(phi / 4) at the hit */
+    /* how long before the hit the state is wanted, in tau */
+    real left;
 };
 
 /* Returns the angle phi beyond theta_u, given p = ln tan(phi / 4). */

@@ -113,8 +113,11 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* Returns true if head k certainly keeps falling. Sets *at to the state of the head when it hits the next
- * domino, and stores the chain in s->link. Dominoes must be plumb and have sharp edges. */
+/*
+ * Returns true if it is certain that head k falls until it hits the next domino, or until it lies on the
+ * floor if it is the last one. Sets *at to the state of the head at that moment, and stores the chain in
+ * s->link. All dominoes must be plumb and have sharp edges.
+ */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -177,7 +180,7 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
     return rough_descend(&s->motion, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Returns true if head_goes or head_rolls finds that head k certainly keeps falling. */
+/* Returns true if head_goes or head_rolls finds it certain that head k keeps falling. */
 static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     return run->omegasq > 0 &&

@@ -32,9 +32,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row after a repeated motion. The skipped heads have no geometry. So an equal domino
- * is run instead: the last one that has a geometry, as if the row ended there. Returns false if too few equal
- * dominoes precede this domino.
+ * Runs the last head of a row, head k, after a repeated motion. The repetition has skipped the heads before
+ * head k, so head k has no geometry. An equal domino is run in its place, as if the row ended there. That
+ * domino is the last one with a geometry. Returns false if too few equal dominoes precede that domino.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
