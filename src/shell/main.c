@@ -65,7 +65,8 @@ struct plan {
 
 /* ---- Signals: before a script ends, it writes what it has found ---- */
 
-/* The signal that ended the running command, and the signal that ended the whole script, or 0. */
+/* Signals that have arrived, or 0. The signal `interrupted` ends the running command, and the signal `ended`
+ * ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
 /* True after --interruptible: SIGINT ends only the running command. */
@@ -209,9 +210,9 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
-/* Closes standard output. If output was lost, prints a message and returns false. If a pipe has lost its
- * reader, as in 'domino | head', SIGPIPE ends the program without a message. If the parent process ignores
- * SIGPIPE, there is a message. */
+/* Closes standard output. If output was lost, prints a message and returns false. If standard output is a
+ * pipe whose reader has gone, as in 'domino | head', SIGPIPE normally ends the program without a message. If
+ * the program was started with SIGPIPE ignored, it prints the message instead. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;

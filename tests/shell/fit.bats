@@ -67,7 +67,7 @@ END
     wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; each line after the first must describe one measured row, and the first line must name gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
     wrong 'fit friction one.csv' 'one.csv has only one gap, .*add a second gap'
-    wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would be 9 m; write 'gap \(mm\)'"
+    wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would mean 9 m; write 'gap \(mm\)'"
     wrong 'fit friction unit.csv' "unit.csv:1:11: '\(m\)' is not a unit of speed; its units are: m/s"
     wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
     wrong 'fit friction wide.csv' 'the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'

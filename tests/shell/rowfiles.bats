@@ -78,12 +78,12 @@ END
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $name.csv" "$name\\.csv:$pattern"
     done <<'END'
-height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell$
-gap|height (mm),thickness (mm),gap\n48,7,-\n48,7,20\n|3:6: gap has no unit: '20' would be 20 m; write 'gap \(mm\)' in the first line, or '20 mm' in the cell$
-cell|height,thickness (mm),gap (mm)\n48 mm,7,-\n4*12,7,20\n|3:1: height has no unit: '4\*12' would be
-mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit: '10' would be 10 kg; write 'mass \(g\)' in the first line$
-density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would be 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
-width|height (mm);thickness (mm);gap (mm);width\n48;7;-;24\n|2:8: width has no unit: '24' would be 24 m;
+height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would mean 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell$
+gap|height (mm),thickness (mm),gap\n48,7,-\n48,7,20\n|3:6: gap has no unit: '20' would mean 20 m; write 'gap \(mm\)' in the first line, or '20 mm' in the cell$
+cell|height,thickness (mm),gap (mm)\n48 mm,7,-\n4*12,7,20\n|3:1: height has no unit: '4\*12' would mean
+mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit: '10' would mean 10 kg; write 'mass \(g\)' in the first line$
+density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would mean 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
+width|height (mm);thickness (mm);gap (mm);width\n48;7;-;24\n|2:8: width has no unit: '24' would mean 24 m;
 END
     # Units may be in every cell, and 0 needs no unit.
     printf 'domino,height,thickness,gap,relative\n1,48 mm,7 mm,0,1\n2,4.8 cm,0.7 cm,0,2\n3,48 mm,7 mm,2 cm,1' | file cells.csv
@@ -122,7 +122,7 @@ END
     printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
     wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
     printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv
-    wrong 'effect row twice.csv' "'length' means the height, which is also in column 1; rename one of these columns"
+    wrong 'effect row twice.csv' "column name 'length' stands for the height, but so does column 1; rename one of the two"
 }
 
 @test "numbers without units, without names, and with decimal commas are explained" {

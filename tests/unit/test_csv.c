@@ -150,8 +150,9 @@ TEST(decimal_marks)
 TEST(units)
 {
     static const struct reading cases[] = {
-        {"size,gap\n1,2", "2:1: size has no unit: '1' would be 1 m; write 'size (mm)' in the first line, or "
-                          "'1 mm' in the cell"},
+        {"size,gap\n1,2",
+         "2:1: size has no unit: '1' would mean 1 m; write 'size (mm)' in the first line, or '1 mm' "
+         "in the cell"},
         {"size,gap\n1 mm,0", "0.001 0 - ; "},
         {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
         {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
@@ -178,7 +179,7 @@ TEST(names)
         {"size,gap,é,coun", "1:12: unknown column 'coun'; did you mean 'count'?"},
         {"size,other", "1:1: the column 'gap' is missing; the first line must name size, gap"},
         {"size,gap,length",
-         "1:10: 'length' means the size, which is also in column 1; rename one of these columns"},
+         "1:10: column name 'length' stands for the size, but so does column 1; rename one of the two"},
         {"1,2",
          "1:1: the first line has a number, but must name the columns: write 'size (mm), gap (mm)' above it"},
         {"size m,gap m,count\n1,2,0", "2:5: count = 0 is too small; the range of count is 1 .. 9"},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An arena is memory that is allocated in pieces and freed at once. A parsed command lives in an arena until
- * it has run. `struct arena arena = {.block = NULL}` is an empty arena. */
+/* An arena hands out pieces of memory, and frees all of them at once. A parsed command lives in an arena
+ * until the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 

@@ -87,7 +87,8 @@ static bool at_end(const struct csv_file *file)
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell, and the separator or the rest of the line. Sets *more to true if another cell follows. */
+/* Reads a cell. Also skips the separator after the cell or, if there is none, the rest of the line. Sets
+ * *more to true if another cell follows. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);

@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Splits csv files into lines and cells, which csv_table.h interprets.
- * - The first line, or a line "sep=;" above it, determines the separator: ',', ';' or a tab.
- * - A quoted cell may contain separators, newlines, and '""' for one quote.
+ * - The separator is ',', ';' or a tab. The first line of the table shows which one. A line "sep=;" above it
+ *   may also name the separator.
+ * - A quoted cell may contain separators and newlines. Within the quotes, '""' stands for one quote.
  * - Lines end with LF, CRLF or CR.
  * - A byte order mark, empty lines, and blanks around a cell are skipped.
  * - A '#' at the beginning of a line or after a blank begins a comment.
  *
- * Numbers have a decimal point or a decimal comma. The ambiguous "1,234" is read as 1.234 in these cases:
+ * Numbers have a decimal point or a decimal comma. The number "1,234" is ambiguous, because its comma could
+ * be a thousands separator. It is read as 1.234 if no number in the file has a decimal point, and if one of
+ * these conditions holds:
  * - The separator is ';'.
  * - The locale has decimal commas.
- * - Another number can only be read with a decimal comma.
- * In other files "1,234" is an error. In a file with decimal commas, "1.234" is an error.
+ * - Some other number in the file makes sense only with a decimal comma.
+ * Otherwise "1,234" is an error. In a file with decimal commas, "1.234" is an error.
  */
 #ifndef SHELL_CSV_H
 #define SHELL_CSV_H
@@ -60,8 +63,8 @@ struct csv_file {
         bool is_used;
         /* true if at least one number makes sense only if this character is its decimal mark */
         bool is_clear;
-        /* The place of the first ambiguous number: its decimal mark could be a thousands separator.
-         * at.line is 0 if there is no such number. */
+        /* The place of the first ambiguous number. A number is ambiguous if its decimal mark could be a
+         * thousands separator. If there is no such number, at.line is 0. */
         struct csv_place at;
         char before[4], after[4]; /* the digits of the ambiguous number before and after its decimal mark */
     } point, comma;
@@ -82,15 +85,16 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Replaces decimal commas in the text of a cell by points, and records the decimal marks for csv_marks_check.
- * `at` is the position of the cell. */
+/* Converts the numbers in the text of a cell, so that they can be read: replaces decimal commas by points.
+ * Records which decimal marks the numbers use, so that csv_marks_check can find ambiguous numbers. `at` is
+ * the position of the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
 /* Must be called after the last number. An ambiguous number, such as "1,234", is an error. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell, quoted if it contains one of the characters `quoted`. Escapes control characters except
- * newlines and tabs. */
+/* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. Control
+ * characters, except newlines and tabs, are escaped. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -82,8 +82,8 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Splits a heading into a name, in lower case, and a unit. Returns the unit, which follows a bracket or
- * comma, or is the last word. */
+/* Splits the heading of a column into a name and a unit. Copies the name in lower case, and returns the unit.
+ * The unit follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height mm". */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
@@ -101,8 +101,8 @@ static const char *name_split(const char *text, char name[NAMES_SHOWN])
     return unit;
 }
 
-/* Returns the index in kind->column of the column with this name, or kind->columns if there is no such
- * column. */
+/* Returns the index of the column with this name in the array kind->column. If there is no such column,
+ * returns kind->columns. */
 static int column_find(const struct csv_kind *kind, const char *name)
 {
     int k = 0;
@@ -148,8 +148,8 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
         return true;
     if (csv->column[k] > 0)
         return csv_wrong(&csv->file, at,
-                         "'%s' means the %s, which is also in column %d; rename one of these columns", name,
-                         kind->column[k].name, csv->column[k]);
+                         "column name '%s' stands for the %s, but so does column %d; rename one of the two",
+                         name, kind->column[k].name, csv->column[k]);
     csv->column[k] = i + 1;
     return *unit == '\0' || unit_read(csv, k, unit, at);
 }
@@ -222,7 +222,8 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Reports a missing unit, because dominoes of 48 mm must not be read as 48 m. Returns false. */
+/* Reports that a number has no unit. The number cannot be read as if it were in m, because a file with
+ * heights of 48 is probably in mm. Returns false. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -231,12 +232,12 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
     if (*c->unit == 'm')
         snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
     return csv_wrong(&csv->file, csv_cell(csv, k).at,
-                     "%s has no unit: '%s' would be %s %s; write '%s (%s)' in the first line%s", c->name,
+                     "%s has no unit: '%s' would mean %s %s; write '%s (%s)' in the first line%s", c->name,
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a single expression without names. After an error, returns false. If the error is that more text
- * follows the expression, the message is empty. */
+/* Evaluates a text that must be a single expression without names. Returns false if there is an error, or if
+ * more text follows the expression. In the second case, error->message is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};
@@ -250,7 +251,8 @@ static bool constant_read(const char *text, struct quantity *q, struct expressio
     return good && *error->at == '\0';
 }
 
-/* Stores the number in cell k of the current row in csv->value[k], in SI units. Does not check the range. */
+/* Reads the number in column k of the current row. Stores the number in csv->value[k], in SI units. Does not
+ * check whether the number is in the range of the column. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -279,7 +281,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 
 bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    /* A bound such as 1e-9 is rounded to double, so the value is compared as a double too. */
+    /* The bounds are doubles. If the value were not rounded to double, too, a value of 1e-9 could be outside
+     * a range that ends at 1e-9. */
     double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
@@ -326,8 +329,8 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Reports that a row has more cells than the first line, perhaps because of an unquoted decimal comma.
- * Returns false. */
+/* Reports that a row has more cells than the first line, and returns false. If a decimal comma without quotes
+ * may have split a number into two cells, the message says so. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Tables in csv files.
- * - The first line names the columns, in any order and case. It may give units: "height (mm)", "height [mm]",
- *   "height, mm", "height mm" or "height_mm". Otherwise the second line may give them.
- * - A cell is an expression. A '-' counts as empty. A unit in a cell takes precedence over the column's unit.
+ * - The first line names the columns. Their order does not matter, and neither do upper and lower case.
+ * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". If
+ *   it gives none, the second line may give them.
+ * - A cell is an expression. A cell with a '-' counts as empty. If a cell has a unit, the unit of the column
+ *   does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
  */
@@ -13,8 +15,9 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* The maximum number of columns of a kind of table, and of unknown columns in a file. A saved row has at most
- * CSV_CELLS_MOST columns, known and unknown. */
+/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. CSV_OTHERS_MOST is the
+ * maximum number of unknown columns in a file. A saved row has both, and together they are at most
+ * CSV_CELLS_MOST. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */
@@ -54,8 +57,8 @@ struct csv_kind {
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* The next kind to try, or NULL. The first kind whose required columns are all in the file is used. If no
-     * kind fits, messages are about the first kind. */
+    /* The kind to try if a required column of this kind is missing in the file, or NULL. If no kind fits,
+     * messages are about the first kind that was tried. */
     const struct csv_kind *otherwise;
 };
 
@@ -81,8 +84,8 @@ struct csv_table {
     char unused[200];
 };
 
-/* Reads a file and the first line of its table. After an error, the table holds the problem. If memory runs
- * out, returns NULL and sets errno. Otherwise the table owns the path. */
+/* Reads a file, and interprets the first line of its table. The table then owns the path. If there is an
+ * error in the file, the table holds the problem. If memory runs out, returns NULL and sets errno. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */
@@ -102,8 +105,8 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 /* Returns true if a value is in the range of column k. Otherwise sets the file's problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes the unknown columns of the file, each after a comma. If `names` is true, writes their names and
- * units, otherwise their cells in the current row. */
+/* Writes the unknown columns of the file. Each of them is preceded by a comma. If `names` is true, writes the
+ * names and units of the columns. Otherwise writes their cells in the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

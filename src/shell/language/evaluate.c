@@ -127,8 +127,9 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* Turns a number without a unit into an angle if the other value is an angle, as in "thetac - 1". Returns
- * true if both values then have the same unit. */
+/* Prepares two values for a sum or a comparison. If one of them is an angle and the other is a number without
+ * a unit, as in "thetac - 1", the number becomes an angle in the session's unit. Returns true if both values
+ * then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_is_number(*a) && quantity_is_dimensionless(*b) && b->angle == 1)
@@ -187,7 +188,8 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Combines *q, the value of the operands so far, with the next operand `value` of the chain t. */
+/* Applies an operator of the chain t. At first, *q is the value of all operands before the operator. The
+ * function combines *q with the next operand `value`. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;

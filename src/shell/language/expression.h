@@ -2,12 +2,13 @@
 /*
  * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
  *
- * The parser makes a tree. Evaluation does not change the tree, so threads can share it. Operators of the
- * same precedence share one node, a chain. Its children are the operands. Each operand except the first
- * stores the operator before it.
+ * The parser turns an expression into a tree. Evaluation does not change the tree, so threads can share it.
  *
- * An expression ends at a blank if what follows the blank cannot continue it: "1 - 2" is one expression, and
- * "1 -2" is two.
+ * A chain is a node for several operators of the same precedence, as in "a - b + c". Its children are the
+ * operands a, b and c. Each operand except the first stores the operator before it.
+ *
+ * A blank may end an expression. If the text after the blank cannot continue the expression, it begins
+ * another one: "1 - 2" is one expression, but "1 -2" is two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
@@ -17,8 +18,9 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
-/* The parser makes a TREE_NAME for each name that is not built in. Resolving a name makes it a TREE_NUMBER or
- * TREE_SYMBOL. Only resolved trees can be evaluated. */
+/* The parser makes a TREE_NAME for each name that is not built in. Another part of the program then resolves
+ * the name, and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
+ * names have been resolved. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -54,9 +56,10 @@ struct tree {
     enum tree_operator op; /* for an operand of a chain: the operator before the operand */
     /* Where an error in the operation `op` is reported: at the operator or, for '^', at the exponent. */
     const char *op_at;
-    const char *at;            /* where an error in this node is reported */
-    struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
-    const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
+    const char *at;        /* where an error in this node is reported */
+    struct quantity value; /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
+    /* TREE_NAME: in "ans.margin", the name is "ans" and the key is "margin". Without '.', the key is NULL. */
+    const char *name, *key;
     bool called;               /* TREE_NAME: the name is followed by arguments in parentheses */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
     struct tree *child, *next; /* the first child and the next sibling of this node */
@@ -75,7 +78,8 @@ struct expression_error {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. The macros below also evaluate to false, for `return expression_wrong(...)`. */
+/* Stores an error. The two macros below also store an error. Their value is false, so that a function that
+ * fails can end with `return expression_wrong(...)`. */
 void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 #define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
@@ -88,8 +92,9 @@ struct parse {
     struct arena *arena;
     /* letters that are names, not units, when they stand alone after a blank; may be NULL */
     const char *no_unit;
-    /* Parses "with NAME VALUE ..." at parse->end, after `value`. Returns a tree for the value and its
-     * "with", or NULL after an error. If this pointer is NULL, "with" is not accepted. */
+    /* Parses a "with" after a value, as in "rmax with q hollow d 0.1". The "with" begins at parse->end.
+     * Returns a tree for the value and its "with", or NULL after an error. If the pointer `with` itself is
+     * NULL, the parser does not accept "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */

@@ -26,8 +26,8 @@ int names_index(const char *list, char separator, const char *name)
     return -1;
 }
 
-/* Returns the edit distance between two words. A swap of neighbouring letters counts as one edit. Returns 32
- * if a word has more than 32 letters. */
+/* Returns the edit distance between two words: the number of letters to insert, delete or replace. A swap of
+ * neighbouring letters counts as one edit. If one of the words has more than 32 letters, returns 32. */
 static size_t distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Looks up names in lists. An unambiguous prefix stands for a name. If a name has a typo, messages suggest
- * the right name. */
+/* Looks up names in lists. A name can be shortened if no other name in the list begins with the typed
+ * letters. If no name begins with them, the message suggests a name with a similar spelling. */
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
@@ -14,8 +14,9 @@ typedef const char *names_list(const void *context, int k);
 /* Returns the index of the name that equals the text, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
 
-/* Returns the index of a name in a text such as "gap separation spacing", or -1. `separator` is the character
- * between names. The text may be NULL. */
+/* Finds a name in a list that is written as one text, such as "gap separation spacing". `separator` is the
+ * character between the names. Returns the index of the name, or -1 if the list does not contain it. The list
+ * may be NULL. */
 int names_index(const char *list, char separator, const char *name);
 
 enum { NAMES_MESSAGE = 256 };
@@ -28,9 +29,9 @@ enum {
 };
 
 /*
- * Returns the index of the name that equals the text, or of the only one that begins with the text. Otherwise
- * returns one of the negative results above, and writes a message. `what` is the noun in the message, such as
- * "command".
+ * Finds the name that a user means. Returns the index of the name that equals the text. If there is none, but
+ * exactly one name begins with the text, returns the index of that name. Otherwise writes a message, and
+ * returns one of the negative results above. `what` is the noun in the message, such as "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);

@@ -235,8 +235,9 @@ static const struct op {
     {"and", OPERATOR_AND, LEVEL_AND},        {"or", OPERATOR_OR, LEVEL_OR},
 };
 
-/* Returns the operator at `at`, the position after a value and blanks, or NULL if there is none. Outside
- * parentheses, '>' redirects the answer. In "1 -2", the sign begins a second value. */
+/* Returns the operator that continues an expression, or NULL if there is none. `at` is the first position
+ * after a value and the blanks that follow it. Outside parentheses, '>' is not an operator, because it
+ * redirects the answer. A sign as in "1 -2" is not an operator either, because it begins a second value. */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
     const struct op *op = NULL;
@@ -252,7 +253,8 @@ static const struct op *op_at(const struct parse *p, const char *at)
     return is_sign || redirects ? NULL : op;
 }
 
-/* Parses a value with its exponent, and with the signs or the 'not' before it. -2^2 is -(2^2). */
+/* Parses a value. It may have an exponent after it, and signs or a 'not' before it. An exponent binds more
+ * tightly than a sign, so -2^2 is -(2^2). */
 static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
@@ -282,7 +284,8 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
-/* Parses values that are joined by operators of the level `least` or of levels that bind more tightly. */
+/* Parses a chain of values. The operators between the values are of the level `least`, or of levels that bind
+ * more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
 {
     struct tree *left = parse_factor(p), *last = NULL;

@@ -15,9 +15,9 @@ static const struct {
 
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
-/* Returns the ASCII text for the first character of `typed`, a text of `size` bytes. Stores the length of the
- * character. If the character is not in `letters`, copies its first byte to `byte`, returns `byte`, and
- * stores the length 1. */
+/* Converts the first character of the text `typed`, which has `size` bytes. If the character is in the table
+ * `letters`, returns its ASCII text. Otherwise copies only the first byte of the character to `byte`, and
+ * returns `byte`. In both cases, stores in *length how many bytes of `typed` have been converted. */
 static const char *plain_form(const char *typed, size_t size, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {
@@ -74,7 +74,8 @@ ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
 {
     size_t n = 0, begin = 0; /* the last of the joined lines begins at the offset `begin` */
     int c = 0;
-    /* A long line with a NUL byte is not read to its end, because the input from a device may be endless. */
+    /* If a line is too long and contains a NUL byte, the remainder of the line is not read. The input may
+     * come from a device such as /dev/zero, which never ends. */
     for (bool has_nul = false; !(has_nul && n > TEXT_MOST);) {
         if (n + 1 >= *size) {
             size_t larger = *size ? 2 * *size : 256;

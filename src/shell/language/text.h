@@ -12,8 +12,8 @@
 struct text {
     const char *typed;
     char *line;
-    /* The origin of each byte of `line`, including the terminating NUL byte. NULL if all characters are
-     * ASCII. */
+    /* For each byte of `line`, including the terminating NUL byte: the typed character from which the byte
+     * comes. The pointer is NULL if all characters are ASCII, because nothing has been converted then. */
     struct origin {
         int column; /* the column of the character in `typed`, counted from 1 */
         int offset; /* the offset of the character in `typed`, in bytes */
@@ -28,12 +28,13 @@ bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
 
 /*
- * Reads the next line into the buffer *line of *size bytes, without its newline. As with getline, the buffer
- * grows and the caller frees it. Returns the length of the line, or -1 at the end. After an error, returns -1
- * and sets errno.
- * - If `joined` is not NULL, a line that ends with a backslash is joined with the next, and *joined is
- *   increased by 1.
- * - Of a line longer than TEXT_MOST, only the first TEXT_MOST + 1 bytes are kept.
+ * Reads the next line, without its newline, into the buffer *line of *size bytes. As with getline, the buffer
+ * grows if necessary, and the caller frees it. Returns the length of the line, or -1 at the end of the file.
+ * If there is an error, returns -1 and sets errno.
+ * - If `joined` is not NULL, a line that ends with a backslash is joined with the next line. *joined then
+ *   increases by 1.
+ * - If a line is longer than TEXT_MOST bytes, only its first TEXT_MOST + 1 bytes are kept. The caller can
+ *   tell by the length that the line was too long.
  */
 ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
 
@@ -43,12 +44,13 @@ void text_add(char *text, size_t size, const char *format, ...) __attribute__((f
 /* Returns the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);
 
-/* Returns the character after the closing quote of the quoted text that begins at c. Returns NULL if no quote
- * closes the text. '""' inside the text stands for one quote. */
+/* `c` is the opening quote of a quoted text. Returns the character after its closing quote, or NULL if the
+ * quote is never closed. Inside the text, '""' stands for one quote and does not close it. */
 const char *text_quote(const char *c);
 
-/* Returns the first character at or after c that is in `ends` or begins a comment. Characters in quotes do
- * not count. If there is no such character, or if a quote is never closed, returns the end of the text. */
+/* Finds the first character at or after c that is in the list `ends`, or that begins a comment. Characters
+ * within quotes are skipped. Returns the end of the text if there is no such character, or if a quote is
+ * never closed. */
 const char *text_end(const char *c, const char *ends);
 
 /* If a backslash continues the line, removes the backslash and returns true. */

@@ -14,7 +14,8 @@ struct unit {
     struct quantity is;
 };
 
-/* A decimal constant would be rounded to a double, but a quotient of integers has all digits of domq_real. */
+/* A unit as a quotient of integers, such as 254/10000 m for an inch. The quotient has all digits of
+ * domq_real, while the constant 0.0254 would have only those of a double. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
@@ -124,7 +125,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit that a word in the singular or plural stands for, or NULL. */
+/* Returns the unit that a word such as "metre" or "metres" stands for, or NULL if the word is not a unit. */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;

@@ -35,12 +35,13 @@ static inline bool quantity_alike(struct quantity a, struct quantity b)
 /* Multiplies *quantity by a power of `by`. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
 
-/* Returns a unit such as "m/s^2" as a quantity. For units of columns that cannot be typed, such as "h" or
- * "mgh/2", returns the plain number 1. */
+/* Returns a unit such as "m/s^2" as a quantity. Some columns have a unit that cannot be typed, such as "h" or
+ * "mgh/2". For such a unit, returns the plain number 1. */
 struct quantity expression_unit(const char *unit);
 
-/* Writes the unit of a quantity, or "" for a plain number. Returns `text`. Between base units, " " gives "m^2
- * s^-1" for messages, and "*" gives "m^2*s^-1", which can be typed. */
+/* Writes the unit of a quantity, or "" for a plain number. Returns `text`. The string `between` separates
+ * base units. Messages use " ", which gives "m^2 s^-1". If the user must be able to type the unit, "*" gives
+ * "m^2*s^-1". */
 enum { UNIT_TEXT = 64 };
 const char *unit_write(struct quantity quantity, const char *between, char text[UNIT_TEXT]);
 
@@ -70,12 +71,12 @@ static inline bool name_start(char c)
 /* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
 size_t name_length(const char *text);
 
-/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If the name is too long, copies what
- * fits and returns false. */
+/* Copies a name of `length` bytes into the buffer `name`, which has `size` bytes. If the name does not fit,
+ * copies as much as fits and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
-/* Multiplies *quantity by the unit at the beginning of a text. Returns the end of the unit, or NULL. The unit
- * in "4.8 cm/h" is cm, because h is not a unit. */
+/* Reads the unit at the beginning of a text, and multiplies *quantity by it. Returns the end of the unit, or
+ * NULL if there is no unit. In "4.8 cm/h", the unit is only cm, because h is not a unit. */
 const char *unit_scan(const char *text, struct quantity *quantity);
 
 #endif

@@ -12,8 +12,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a worker's next block is at most this many times as large as its last one, because later points may be
-     * slower */
+    /* The next block of a worker has at most this many times as many points as its last block. The limit is
+     * low, because later points may take more time. */
     GROWTH = 4,
     WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
     BLOCK_MOST = 4096,
@@ -110,8 +110,9 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker the next block: sets *block to its number, *from to the index of its first point, and
- * me->points to its number of points. Returns false if there are no more blocks. */
+/* Gives a worker the next block of points. Sets *block to the number of the block, and *from to the index of
+ * its first point. Sets me->points to the number of points in the block. Returns false if there are no more
+ * blocks. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)
@@ -167,7 +168,8 @@ static void *thread_run(void *worker)
 static void pool_run(struct pool *p, struct worker *worker)
 {
     unsigned begun = 1;
-    /* new threads inherit the blocked signals, so handlers run only in the caller's thread */
+    /* New threads inherit the signal mask. Signals are blocked until all threads have begun, so that signal
+     * handlers run only in the caller's thread. */
     sigset_t before = io_block();
     while (begun < p->job->count &&
            pthread_create(&worker[begun].thread, NULL, thread_run, &worker[begun]) == 0)

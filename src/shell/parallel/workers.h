@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The thread pool, which computes points of curves and sweeps, and runs tasks of the library. Each worker
- * takes blocks of consecutive points, one block at a time. A block takes about a millisecond, so workers
- * seldom wait for the single lock. Blocks are written in order, so the output does not depend on the number
- * of workers. */
+/* The thread pool. It computes the points of curves and sweeps, and runs tasks of the library. Each worker
+ * takes a block of consecutive points, computes it, and then takes another block. All workers share one lock.
+ * They seldom wait for it, because a block takes about a millisecond. Blocks are written in order, so the
+ * output does not depend on the number of workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
@@ -11,11 +11,12 @@
 
 struct workers {
     size_t first, points; /* the index of the first point, and the number of points */
-    /* Computes a point, and writes its rows to `out`. May change only `context`, the worker's own copy.
-     * Returns false to stop the computation after this point. */
+    /* Computes a point, and writes its rows to `out`. Other threads run at the same time, so the function may
+     * change only `context`, which is the worker's own copy. Returns false to stop the computation after this
+     * point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* Each worker has a copy of this context. If `point` returns false, the copy that it received is copied
-     * back into `context`. */
+    /* The context for `point`. Each worker has a copy of it. If `point` returns false in one of the workers,
+     * the copy of this worker is copied back into `context`. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */

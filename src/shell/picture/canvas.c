@@ -104,7 +104,8 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille, no line is dashed. */
+/* Returns true if a dot of a dashed line is drawn. `phase` is the position of the dot in the dash pattern. On
+ * terminals without braille, all lines are unbroken. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {

@@ -136,8 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Chooses each end of an axis that is still NaN, for data from `low` to `high`. The margin is `pad` times the
- * range of the data. */
+/* Chooses those ends of an axis that are still NaN. The data reach from `low` to `high`. The axis is longer
+ * than the data by `pad` times the range of the data, at each end. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -161,8 +161,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Returns an end of the axis for an infinite value, or for 0 on a logarithmic axis. Returns other values
- * unchanged. */
+/* Moves a value that has no place on the axis to an end of the axis: an infinite value, or 0 on a logarithmic
+ * axis. Returns other values unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high
@@ -170,7 +170,8 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Moves the ends of a map's axis from the centres of the outermost cells to their outer edges. */
+/* Lengthens the axis of a map. At first, the axis ends at the centres of the outermost cells. Afterwards it
+ * ends at their outer edges, so that whole cells are visible. */
 static void cells_fit(struct chart_axis *a, int cells)
 {
     double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
@@ -203,7 +204,8 @@ static bool range_choose(struct chart *c, int k)
     return overlaps || !c->map.value;
 }
 
-/* Returns true if a value is infinite, or within the range that the user has chosen, if any. */
+/* Returns true if a value can be shown on axis k (0 for x, 1 for y). If the user has chosen a range for the
+ * axis, the value must be in the range, or infinite. */
 static bool is_within(const struct chart *c, int k, double value)
 {
     const struct chart_look *look = &c->look;

@@ -35,8 +35,9 @@ struct chart_axis {
     double low, high; /* the ends of the axis; if an end is NaN, chart_prepare chooses it from the data */
 };
 
-/* The values of a map, one for each cell, row by row from the lowest row up. The axes end at the centres of
- * the outermost cells until chart_prepare moves them to the outer edges. */
+/* The values of a map, one for each cell. The cells are listed row by row, beginning with the lowest row. At
+ * first, the axes end at the centres of the outermost cells. chart_prepare moves the ends to the outer edges
+ * of these cells. */
 struct chart_map {
     double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
     int across, down;
@@ -109,9 +110,9 @@ void chart_convert(struct chart *chart, double x, double y);
 
 /*
  * Makes a chart ready to be drawn:
- * - chooses the ends of axes that are NaN
- * - moves points at infinity, or at 0 on a logarithmic axis, to an end of the axis
- * - removes curves without points, and events outside the x axis
+ * - The ends of axes that are NaN are chosen.
+ * - Points at infinity, or at 0 on a logarithmic axis, are moved to an end of the axis.
+ * - Curves without points, and events outside the x axis, are removed.
  * Returns false if nothing is left to show.
  */
 bool chart_prepare(struct chart *chart);
@@ -142,8 +143,8 @@ struct ticks {
 /* Chooses up to about `most` ticks for an axis. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
-/* Returns where to write the name of an event, so that names do not overlap. `letter` is the width of a
- * character, as a fraction of the x axis. */
+/* Returns where to write the name of an event. Names that would overlap are put into different rows. `letter`
+ * is the width of a character, as a fraction of the x axis. */
 struct event_spot {
     double from; /* where the name begins, as a fraction of the x axis */
     int row;     /* the row above the chart, counted from 0 */

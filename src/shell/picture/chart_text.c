@@ -36,8 +36,9 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Clips a line in one direction: narrows the interval [*from, *to] of f so that start + f * change is in
- * [low, high]. */
+/* Clips a line to a strip of the canvas. A point of the line has the coordinate start + f * change, where f
+ * goes from 0 at one end of the line to 1 at the other end. Narrows the interval [*from, *to] of f to those
+ * points whose coordinate is in [low, high]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;
@@ -126,8 +127,8 @@ static void map_ends(const struct chart_map *m, double *low, double *high)
         }
 }
 
-/* Returns the shade of a map at (x, y), given as fractions of the axes, or NaN if the map has no value
- * there. */
+/* Returns the shade of a map at the point (x, y), or NaN if the map has no value there. x and y are fractions
+ * of the axes. */
 static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
 {
     int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
@@ -152,8 +153,9 @@ static void map_draw(const struct frame *f)
 
 /* ---- Texts and axes ---- */
 
-/* Writes `text` between two columns, cut off after `most` rows. Returns the number of rows. If the canvas is
- * NULL, only counts the rows. */
+/* Writes a text between the columns `left` and `right`, in several rows if necessary. After `most` rows, the
+ * text is cut off. Returns the number of rows. If the canvas is NULL, writes nothing and only counts the
+ * rows. */
 static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
     int rows = 0;
@@ -224,8 +226,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves, beginning in row `row`. If `row` is negative, only counts the rows.
- * Returns the number of rows. */
+/* Writes the legend: the titles of the curves. `row` is its first row. If `row` is negative, writes nothing
+ * and only counts the rows. Returns the number of rows. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;

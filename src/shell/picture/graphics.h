@@ -8,9 +8,10 @@
 
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
-/* Returns the protocol with which the terminal of a stream shows pictures. DOMINO_GRAPHICS may be none, sixel
- * or kitty. If the variable is not set, kitty is recognised by name, and other terminals are asked whether
- * they support sixel. A terminal without colours shows no pictures. */
+/* Finds out how the terminal of a stream can show pictures. The environment variable DOMINO_GRAPHICS may name
+ * the protocol: none, sixel or kitty. If it is not set, the terminal kitty is recognised by its name, and
+ * other terminals are asked whether they support sixel. On a terminal without colours, the result is always
+ * GRAPHICS_NONE. */
 enum graphics graphics_of(FILE *stream);
 
 /* Computes the size of a picture in pixels, with room for the prompt. The height is at most 2/3 of the

@@ -22,8 +22,9 @@ struct movie {
 /* Returns true if the extension is known, and ffmpeg is installed if needed. Otherwise reports a problem. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation whose frames are `delay` hundredths of a second apart. The caption of `stage` must have
- * as many lines as the captions of the frames. On failure, sets *problem and returns false. */
+/* Begins an animation. `delay` is the time between two frames, in hundredths of a second. All frames have the
+ * same size, so the caption of `stage` must have as many lines as the captions of the frames. On failure,
+ * sets *problem and returns false. */
 bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -92,7 +92,8 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
-/* Writes the gnuplot terminal setting for a chart in the file `path`. */
+/* Writes the arguments of gnuplot's 'set terminal' to the buffer `terminal`. They fit a chart that is drawn
+ * into the file `path`. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look *chosen = &chart->look;

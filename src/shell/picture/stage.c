@@ -31,8 +31,8 @@ void drawn_corners(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
-/* The right half of a silhouette, from the ground up. x is 0 on the axis. x and y are relative to the width
- * and the height. */
+/* The right half of a silhouette, from the ground up. The axis of the silhouette is at x = 0. x is a fraction
+ * of the width of the silhouette, and y is a fraction of its height. */
 enum { SILHOUETTE = 8 };
 typedef struct point silhouette[SILHOUETTE];
 

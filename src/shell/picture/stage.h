@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A picture of dominoes. A stage holds the dominoes at one moment, with a caption and a ruler. For a row,
- * lengths are in m. For the endless train, they are in heights of the head, domino 0. A stage is drawn with
- * characters, or written as a gnuplot script. */
+/* A stage is a picture of dominoes at one moment, with a caption and a ruler. If it shows a row, lengths are
+ * in m. If it shows the endless train, the unit of length is the height of the head, which is domino 0. A
+ * stage can be drawn with characters, or written as a gnuplot script. */
 #ifndef SHELL_STAGE_H
 #define SHELL_STAGE_H
 
@@ -52,7 +52,8 @@ struct stage {
     struct drawn *domino; /* the dominoes, each of which is drawn over all later ones */
     size_t count;
     double left, right, top; /* the limits of the visible part */
-    /* the unit of lengths: "h" for a train; NULL for m, which the ruler shows as mm, cm or m */
+    /* The unit of all lengths. For a train, it is "h". For a row, the pointer is NULL: lengths are in m, and
+     * the ruler shows them in mm, cm or m. */
     const char *unit;
     const char *ruler; /* what the ruler measures */
     /* the dominoes whose sizes are written where there is room; may be NULL */
@@ -81,8 +82,8 @@ void drawn_corners(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Returns true if a domino, or the silhouette drawn for it, covers a point. The point is `up` heights above
- * the foot and `back` thicknesses behind the front. */
+/* Returns true if a domino covers a point. If a silhouette is drawn for the domino, the silhouette must cover
+ * the point. The point is `up` heights above the foot and `back` thicknesses behind the front. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
 /* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
@@ -101,9 +102,9 @@ static inline bool drawn_marked(const struct drawn *domino)
 /* Returns domino k, counted from 0 at the end towards which the dominoes fall. */
 const struct drawn *stage_front(const struct stage *stage, size_t k);
 
-/* Makes a stage with the train at the tilt `theta`, 0 <= theta <= theta_c, and room for 32 more dominoes.
- * `behind` is the visible length behind the head, in heights of the head; 0 shows all followers that fit.
- * Free the stage even after an error. */
+/* Makes a stage that shows the train when its head is at the tilt `theta`, 0 <= theta <= theta_c. The caller
+ * can add 32 more dominoes. `behind` is the visible length behind the head, in heights of the head. If it is
+ * 0, all followers that fit are visible. Even after an error, the caller must free the stage. */
 enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
                             const struct domq_compute *compute, domq_real theta, double behind);
 
@@ -143,16 +144,17 @@ extern const struct marks script_marks;
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
 
-/* Moves the sheet to another part of the stage. The position `at` is shown near the middle of the sheet,
- * with room for heights up to `tall`. */
+/* Moves the sheet to another part of the stage. The position `at` is then near the middle of the sheet, and
+ * dominoes of the height `tall` fit on it. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
 
 /* Writes the gnuplot terminal setting for a file with this extension. */
 void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
 
-/* Draws a dot in each colour, and finally in white, because a gif has only the colours of its first frame.
- * `shift` changes the white slightly. It must alternate between 0 and 1, because gnuplot omits a frame that
- * equals the previous one. */
+/* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so all colours must
+ * be there. The last dot is white and covers the others. `shift` changes this white slightly. It must
+ * alternate between 0 and 1 from frame to frame, because gnuplot omits a frame that equals the previous one.
+ * */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */

@@ -86,8 +86,9 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes the tics of an axis, labelled in a unit such as cm. `step` is the distance between two tics in this
- * unit. `unit` is the length of one such unit on the stage. */
+/* Writes the tics of an axis, from the position `from` to the position `to`. The tics are labelled in a unit
+ * such as cm. `step` is the distance between two tics in this unit, and `unit` is the length of the unit on
+ * the stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";
@@ -152,9 +153,9 @@ struct labels {
     int count;
 };
 
-/* Writes a label at the position x on the ruler. If `upright` is true, turns the label by 90 degrees.
- * `height` is the height of the label's centre in dots or, for an upright label, of its lower end. Returns
- * false if the label would overlap another one. */
+/* Writes a label at the position x on the ruler. If `upright` is true, the label is turned by 90 degrees.
+ * `height` is a height above the ruler, in dots: of the label's centre or, if the label is upright, of its
+ * lower end. If the label would overlap another one, writes nothing and returns false. */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
 {
@@ -193,8 +194,8 @@ static struct measured height_of(const struct stage *stage, size_t k)
     return measured(stage->row[k].height, "m", 3);
 }
 
-/* Writes the height of a domino and, for a marked domino, why it is marked. Returns false if the neighbours
- * leave no room. */
+/* Stores the text above a domino: its height and, if the domino is marked, the reason. Returns false if the
+ * neighbours of the domino leave no room for the text. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -217,8 +218,8 @@ static bool height_repeats(const struct stage *stage, size_t k)
            strcmp(height_of(stage, k - 1).text, height_of(stage, k).text) == 0;
 }
 
-/* Writes the number of a domino below it, and the height above it. Returns false if one of the two does not
- * fit. */
+/* Writes the number of a domino below it, and its height above it. If the previous domino has the same
+ * height, the height is not repeated. Returns false if one of the two does not fit. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -236,7 +237,7 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* Labels the gap before a domino with its size, if there is room in the gap. */
+/* Writes the size of the gap before domino k into the gap, if there is room. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -306,8 +307,8 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push as an arrow perpendicular to the back of a domino. Writes the size of the push at the
- * tail. */
+/* Draws the push on a domino as an arrow perpendicular to its back. Writes the size of the push at the tail
+ * of the arrow. */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,

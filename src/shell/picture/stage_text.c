@@ -47,7 +47,8 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
                                  : k->part == WEAKEST ? '*'
                                  : k->number < 0      ? '#'
                                                       : '0' + k->number % 10)};
-    /* Only one domino can be too tall for the picture: the upright domino in front of a train. */
+    /* A domino that is taller than the picture is cut off. Only one domino can be too tall: the upright
+     * domino in front of a train. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;

@@ -18,7 +18,8 @@
 
 /* ---- Signals ---- */
 
-/* The signal handler sets these flags. Threads that compute read `interrupted` in dom_raised. */
+/* The signal handler sets these flags. While a command runs, its threads check the flag `interrupted` in
+ * dom_raised. */
 static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)

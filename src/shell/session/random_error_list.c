@@ -10,7 +10,8 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 
-/* Initialises the source, the plan and the two arguments, which all kinds of random error have. */
+/* Initialises the members that all kinds of random error have: the source, the plan and the two arguments
+ * SIZE and LIMITS. */
 #define SIZED(unit_, meaning_, highest_, usual_)                                                             \
     .source = SOURCE, .plan = PLAN,                                                                          \
     .argument = {{.name = "SIZE",                                                                            \
@@ -83,9 +84,9 @@ const struct domq_effect error_effect_friction = {
     .name = "error_friction",
     .synonyms = "unknown",
     .adds = "an unknown friction between dominoes, the same for all",
-    .help = "The friction between dominoes is never known well. One error is drawn for each row. It is added "
-            "to the coefficient of 'effect friction', for all dominoes of the row. If the sum is negative, "
-            "the coefficient is 0.",
+    .help = "The friction between dominoes is never known precisely. One error is drawn for each row. It is "
+            "added to the coefficient of 'effect friction', for all dominoes of the row. If the sum is "
+            "negative, the coefficient is 0.",
     SIZED("", "error in the friction coefficient", 100, 0.05),
 };
 

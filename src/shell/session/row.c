@@ -40,7 +40,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, count);
     for (size_t k = 0; k < count; k++)
         row_changes_apply(scene, k, &domino[k]);
-    /* a change may have affected m g h/2 of the first domino, which must be 1 */
+    /* If the masses are not known, m g h/2 of the first domino must be 1. A change may have altered it. */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }

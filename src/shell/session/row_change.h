@@ -23,7 +23,8 @@ struct row_change {
  * listed_row.change. */
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
-/* Returns true for a size. When it changes, the domino keeps its density. */
+/* Returns true if the measurement is a size: the height, the thickness or the width. When a size changes, the
+ * domino keeps its density. */
 static inline bool row_measure_is_size(enum row_measure measure)
 {
     return measure == MEASURE_HEIGHT || measure == MEASURE_THICKNESS || measure == MEASURE_WIDTH;
