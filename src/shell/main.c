@@ -80,8 +80,9 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Installs the signal handler. After a signal that ends the script, a second one ends the program at once.
- * Signals that were ignored stay ignored, except SIGINT after --interruptible. */
+/* Installs the signal handler. The first signal that ends the script lets the script end in order. A second
+ * one ends the program at once. If a signal was ignored when the program started, it stays ignored. With
+ * --interruptible, however, SIGINT is always handled. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};

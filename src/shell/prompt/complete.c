@@ -27,8 +27,9 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* Emits the last word, completed with `name` and `more`, if `name` begins with the typed letters. If
- * `is_checked` is true, the parser must also accept the word, alone or in a list. */
+/* Emits a candidate for the last word: the word up to the name that is being typed, then `name` and `more`.
+ * Emits nothing if `name` does not begin with the typed letters. If `is_checked` is true, the parser must
+ * also accept the candidate, alone or at the beginning of a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -73,8 +74,8 @@ static void emit_values(const struct completion *c)
         if (command_arity(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* The parser checks a candidate by computing its value. This can take a long time for a row, so only
-         * commands about the train are checked. */
+        /* The parser checks a candidate by computing its value. For a command about the row, this can take a
+         * long time. Therefore only commands about the train are checked. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
@@ -88,7 +89,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The callback of is_unasked. Sets *context to the only candidate if it is a command, and otherwise to "". */
+/* The callback of is_unasked, which emits all candidates. Afterwards, *context is the name of a command if
+ * there was only one candidate and it is a command. If there was another candidate, *context is "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -96,8 +98,9 @@ static void keep_only(const char *candidate, void *context)
     *only = !*only && command ? command->name : "";
 }
 
-/* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. Completion
- * would insert it, although the user has not typed anything. */
+/* Returns true if the user has typed no letter of a word and there is only one candidate for it, which is a
+ * command. An example is 'best' after 'set s'. Completion must not insert such a command, because the user
+ * has not asked for it. */
 static bool is_unasked(const struct completion *c)
 {
     const char *only = NULL;
@@ -109,7 +112,8 @@ static bool is_unasked(const struct completion *c)
     return only && *only;
 }
 
-/* Emits the units that may follow a number, except s and g where these letters are names of parameters. */
+/* Emits the units that may follow a number. If names may follow, too, a unit that is one of these names is
+ * not emitted. The parameters s and g are examples. */
 static void emit_units(const struct completion *c)
 {
     const struct offer *o = &c->offer;

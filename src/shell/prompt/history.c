@@ -32,8 +32,8 @@ static void history_fails(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Returns true if the history file is a regular file. If the file is anything else, no history is kept. A
- * message says so, unless the file is a device. */
+/* Returns true if the history file is a regular file. If it is not, no history is kept from now on. A message
+ * tells the user so, except for a device such as /dev/null. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))

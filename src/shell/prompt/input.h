@@ -19,8 +19,8 @@ char **complete_word(const char *text, int start, int end);
 
 /*
  * Writes the path of one of the user's files:
- * - $variable/domino/name if this environment variable is an absolute path
- * - $HOME/fallback/domino/name otherwise
+ * - If the environment variable `variable` is an absolute path, the file is $variable/domino/name.
+ * - Otherwise the file is $HOME/fallback/domino/name.
  * Returns false if neither variable is set, or if the path does not fit into `size` bytes.
  */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
@@ -29,8 +29,9 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
  * DOMINO_HISTORY is empty or a device, no history is kept. */
 void history_load(struct session *session);
 
-/* Adds a line to the history and to its file, unless it is blank or repeats the previous line. After an
- * error, which is reported, nothing more is written to the file. */
+/* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,
+ * are not added. If the file cannot be written, reports the error once, and writes nothing more to the file.
+ * */
 void history_keep(struct session *session, const char *text);
 
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */

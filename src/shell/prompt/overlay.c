@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws over the typed line while Readline waits for a key. Names of commands get a colour. A faint hint
- * after the cursor suggests how the line may continue. The cursor ends up where Readline expects it. */
+/* Decorates the typed line while Readline waits for a key. Names of commands get a colour. After the cursor,
+ * a faint hint suggests how the line may continue. Readline does not know of the decoration, so the cursor
+ * must return to the place where Readline left it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -20,8 +21,8 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint from the history, which some keys insert: the remainder of an earlier line, or "" if there is
- * none. */
+/* The hint that comes from the history: the remainder of an earlier line, which some keys insert. If there is
+ * no such hint, it is "". */
 static char rest[HINT];
 
 /* Returns true if the terminal has colours, and the screen shows only the typed line. */
@@ -56,7 +57,7 @@ static bool is_mapped(const struct session *session, int width, int height)
            (begin + rl_point) % width != 0;
 }
 
-/* Rewrites a part of the typed line that has one colour and lies within one row of the screen. */
+/* Rewrites a part of the typed line in one colour. The whole part must be in one row of the screen. */
 static void part_write(int begin, int width, int from, int length, bool is_command)
 {
     int at = begin + from, up = (begin + rl_point) / width - at / width;
@@ -107,7 +108,8 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow, in the form of the command's usage, or "" if there are none. */
+/* Writes the arguments that may still follow on the line. They are written as in the usage of the command. If
+ * there are none, writes "". */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};
@@ -159,7 +161,8 @@ static void hint_show(struct session *session)
 void overlay_show(struct session *session)
 {
     bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    /* The hint is kept until all bytes of a key have been read, since the key may accept it. */
+    /* A key may send several bytes. The hint is kept until all of them have been read, because the key may be
+     * one that accepts the hint. */
     if (!RL_ISSTATE(RL_STATE_MULTIKEY))
         *rest = '\0';
     if (!is_plain(session))

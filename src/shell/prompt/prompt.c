@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt. Readline runs through its callback interface, and pselect waits for a key. Signals are only
- * delivered in pselect and while a command runs, so that none is missed. */
+/* The prompt. Readline runs through its callback interface, and pselect waits for a key. Signals are blocked,
+ * except in pselect and while a command runs, so that none is missed between two checks. */
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
@@ -34,8 +34,8 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. A signal that would kill the program ends the session first, so that the
- * terminal is restored. */
+/* The signals that are caught. If a signal would kill the program, the session ends first. Otherwise the
+ * terminal would be left in the mode that Readline uses. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
@@ -86,8 +86,9 @@ static void prompt_suspend(const sigset_t *awake)
 
 /* ---- Lines ---- */
 
-/* Returns the command that ends with the typed line, or NULL if the command is not complete yet. Takes
- * ownership of `text`. */
+/* Adds a typed line to the unfinished command, if there is one. Returns the whole command. If the line ends
+ * with a backslash, the command is not complete yet, and the function returns NULL. Takes ownership of
+ * `text`. */
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The names and numbers of the effects that the library does not have, and the declarations of their
- * descriptions. */
+/* The effects that only the shell has, in addition to the effects of the library: their names, their numbers,
+ * and declarations of their descriptions. */
 #ifndef SHELL_EFFECT_KINDS_H
 #define SHELL_EFFECT_KINDS_H
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Descriptions of all effects: first the effects of the library, then the effects of the rigid-body engine,
- * and then random errors. To add an effect of the model, follow src/model/dynamics/README.md. To add an
- * effect of the engine, add
+ * and then random errors.
+ *
+ * To add an effect of the model, follow src/model/dynamics/README.md. To add an effect of the engine, add
  * - its name to effect_kinds.h
  * - its description to effect_list.c
  * - its value to scene_engine_make (engine.c)
@@ -15,8 +16,8 @@
 #include "session/effect_kinds.h"
 #include <math.h>
 
-/* Values that stand for the words "off" and "on". EFFECT_ON gives an effect its usual values, unless the
- * effect is already on. */
+/* Values of an effect that stand for the words "off" and "on". EFFECT_ON turns an effect on with its usual
+ * values. If the effect is already on, its values do not change. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 

@@ -44,7 +44,8 @@ static bool needs(int effect, int other)
     return effect_at(effect)->needs >> other & 1;
 }
 
-/* Writes the names of the active effects that need the row, as in ", together with push and placement". */
+/* Writes the names of the effects that are on and cannot be on without the row. A message can be continued
+ * with the text, as in ", together with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';
@@ -174,8 +175,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes a path in double quotes. A path below `folder` begins with "./", so that the script and the file can
- * be moved together. */
+/* Writes a path in double quotes. If the file is below the directory `folder` of the script, the path is
+ * written relative to the script, beginning with "./". The script and the file can then be moved together. */
 static void save_name(const char *path, const char *folder, FILE *out)
 {
     size_t length = folder ? strlen(folder) : 0;

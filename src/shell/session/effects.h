@@ -16,31 +16,35 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
 /* Returns the path of the effect's file, or NULL if the user gave none. */
 const char *effect_file(const struct scene *scene, int effect);
 
-/* Fills `all` with the values of an effect. The first `given` values come from `value`; the rest are the
- * usual values. value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem and returns false if a required value
- * is missing, or if the effect cannot be turned off because another effect needs it. */
+/* Fills the array `all` with the values of an effect. The user has given the first `given` values, in the
+ * array `value`. The other values are the usual ones. value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem
+ * and returns false if a required value is missing. Does the same if the effect cannot be turned off, because
+ * another effect needs it. */
 bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
-/* Sets value[0] of an effect to `value`, which may be EFFECT_OFF, and the other values to `others`. If
- * `others` is NULL, the other values of an active effect do not change, and an inactive effect gets the usual
- * ones. The row is not freed, so the scene must not own it. */
+/* Sets the values of an effect: value[0] to `value`, which may be EFFECT_OFF, and the other values to
+ * `others`. If `others` is NULL, an effect that is already on keeps its other values, and an effect that is
+ * off gets the usual ones. If the effect is 'row', the memory of the row is not freed, so the scene must not
+ * own this memory. */
 void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
 
-/* Returns true if all effects that `effect` needs are on, and if `effect` can be combined with the current
- * 'fuel'. Otherwise reports the problem. */
+/* Returns true if an effect can be on: all effects that it needs must be on, and the current 'fuel' must not
+ * exclude it. Otherwise reports the problem. */
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
-/* Reports a problem and returns false if the path of the row's file contains a control character. In a saved
- * script, the text after a newline would be another command. */
+/* Returns true if the effects can be saved as a script. A saved script names the file of the row. If the path
+ * contains a control character, the text after it might be read as another command, so this is reported as a
+ * problem. */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
-/* Writes the commands that give an effect its current values. `folder` is the directory of the script, or
- * NULL. For the effect 'row', also writes the 'change' commands. */
+/* Writes the commands that give an effect its current values. If the effect is 'row', also writes the
+ * 'change' commands. `folder` is the directory of the script, or NULL. */
 void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
 
-/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. An
- * earlier row is then turned off, so that later answers are not silently about the earlier row. */
+/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. If
+ * there was an earlier row, it is then turned off. Otherwise later answers would silently be about the
+ * earlier row. */
 bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
                     struct problem *problem);
 

@@ -25,8 +25,8 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the library's and the engine's rows and units ---- */
 
-/* The engine's units: the height h and the mass of the first domino, and the time sqrt(h/g). With these
- * units, rounding errors do not depend on the size of the row. */
+/* The units in which the engine computes: the height h and the mass of the first domino, and the time
+ * sqrt(h/g). With these units, rounding errors do not depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };
@@ -37,8 +37,8 @@ static struct unit unit_of(const struct domq_row *row)
     return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
 }
 
-/* Returns the moment of inertia of a box about its centre, relative to an equally heavy solid block. Returns
- * 0 for a solid domino. */
+/* Returns the moment of inertia of a box about its centre. The unit is the moment of inertia of a solid block
+ * with the same size and mass. For a solid domino, returns 0. */
 static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
 {
     struct domq_box box;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine, after 'set method engine' or if the model lacks an effect that is on.
- * The library's searches and studies call the engine through struct dom_engine. */
+/* Runs rows in the rigid-body engine. The engine is used after 'set method engine', and also if an effect is
+ * on that the model does not have. The library's searches and studies call the engine through struct
+ * dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
@@ -38,8 +39,9 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
 /* Runs a row once with coarse steps. The caller measures how long this takes. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
-/* Like domq_row_watch, but in the engine, with the step size from the report of an earlier run. Before each
- * call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. The first k is 0. */
+/* Does the same as domq_row_watch, but in the engine. The step size comes from the report of an earlier run.
+ * Before each call of `visit`, stores in feet[k] how far the foot of domino k has slid, in m. k is counted
+ * from 0. */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,
                                    void *context, double *feet);

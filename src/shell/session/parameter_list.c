@@ -72,8 +72,9 @@ static bool precision_check(const struct state *state, domq_real precision, stru
            problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
 }
 
-/* If tol has its default, gives it the default of the new precision. Otherwise raises it to the new lower
- * bound if necessary. */
+/* The default of tol and its lower bound depend on the precision. If tol has its default, it gets the default
+ * of the new precision. Otherwise it changes only if it is below the new lower bound: it is then raised to
+ * this bound. */
 static void precision_before(struct state *state, domq_real precision)
 {
     struct domq_compute *compute = &state->scene.compute;

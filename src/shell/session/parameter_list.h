@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of all parameters: the parameters of the model, the settings of the calculator, and the effects.
- * Completion and commands such as set, show and save work from this list. An entry has hooks for code that
- * only this parameter needs. */
+ * Completion, and commands such as set, show and save, work from this list. If a parameter needs code of its
+ * own, its entry in the list has a pointer to this code. */
 #ifndef SHELL_PARAMETER_LIST_H
 #define SHELL_PARAMETER_LIST_H
 
@@ -34,8 +34,8 @@ struct parameter {
     size_t offset; /* the offset of the value in struct state; not used for effects */
 
     /* Hooks; each may be NULL. */
-    /* Checks whether a value in the range fits the other parameters. If not, sets *problem and returns
-     * false. */
+    /* Checks whether a value fits the other parameters. The value is known to be in the range of the
+     * parameter. If it does not fit, sets *problem and returns false. */
     bool (*check)(const struct state *state, domq_real value, struct problem *problem);
     /* Changes other members of the state before the value is stored. */
     void (*before)(struct state *state, domq_real value);

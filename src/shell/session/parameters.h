@@ -20,8 +20,9 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter whose first synonym is the word, or NULL. If `any` is true, later synonyms count,
- * too; the parameter that lists the word earliest is returned. */
+/* Finds a parameter by a synonym. If `any` is false, only the first synonym of each parameter counts. If
+ * `any` is true, all synonyms count; if several parameters have the synonym, the parameter that lists it
+ * earliest is returned. Returns NULL if no parameter has the synonym. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
 /* Like names_find, but the message also suggests names that have the word as a synonym. */
@@ -78,17 +79,19 @@ struct assigned {
 };
 enum { ASSIGNED_MAX = 8 };
 
-/* Sets parameters in a copy of a state. The copy shares the memory of the original, and must not be closed.
- * Sets *problem and returns false if a value is out of range, or cannot be combined with the other values. */
+/* Sets parameters in a state that is a copy of another state. The copy shares the memory of the original, so
+ * it must not be closed. Sets *problem and returns false if a value is out of range, or cannot be combined
+ * with the other values. */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to `value`, an array with `given` elements; only effects take more than one. The state
- * must own its memory. On failure, sets *problem, changes nothing and returns false. */
+/* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. The
+ * state must own its memory. On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Lists the parameters in the order in which 'set' and 'effect' commands must restore them. Returns
- * parameter k, counted from 0, or NULL after the last one. */
+/* Lists the parameters for a saved script. If 'set' and 'effect' commands restore them in this order, no
+ * command fails because another parameter does not have its value yet. Returns parameter k, counted from 0,
+ * or NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors as values: a function that fails stores a message in a struct problem, and returns false. The caller
- * decides what happens to the message. */
+/* Errors are values here. A function that fails stores a message in a struct problem, and returns false. The
+ * caller decides what happens to the message. */
 #ifndef SHELL_PROBLEM_H
 #define SHELL_PROBLEM_H
 

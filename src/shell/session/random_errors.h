@@ -8,21 +8,21 @@
 /* A names_list (see names.h) of the kinds of random error, with "all" as its last name. */
 const char *error_names(const void *context, int k);
 
-/* Returns the unit of a kind of random error. For DOM_ERROR_COUNT ("all"), returns "", because the value is a
- * factor. */
+/* Returns the unit of a kind of random error. The kind DOM_ERROR_COUNT stands for "all". Its value is a
+ * factor, so its unit is "". */
 const char *error_unit(int kind);
 
 /* Returns the effect that describes a kind of random error. Gaps and heights share 'placement'. */
 int error_effect(int kind);
 
-/* Fills `error` with the random errors of a scene; the size 0 means none. Returns true if any effect is
- * on. */
+/* Fills the array `error` with the random errors of a scene. If a kind of error is off, its size is 0.
+ * Returns true if any of the effects for random errors is on. */
 bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_ERROR_COUNT]);
 
 /* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
 
-/* Turns all random errors off in a scene that does not own the memory of its row; see effect_put. */
+/* Turns all random errors off in a scene. The scene must not own the memory of its row; see effect_put. */
 void errors_off(struct scene *scene);
 
 /* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */

@@ -11,8 +11,9 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses that are known only up to a common factor. The first domino gets the mass that 'mass' or
- * 'density' gives. If neither is known, its mass is chosen so that m g h/2 = 1. */
+/* Scales the masses of a row. Before the call, only their ratios are correct. The first domino gets the mass
+ * that 'mass' or 'density' gives, and the other masses change by the same factor. If neither is known, the
+ * mass of the first domino is chosen so that m g h/2 = 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -128,11 +129,11 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* ---- Changes ---- */
 
-/* A value without a unit is probably a mistake if it is this many times the current value. */
+/* A value without a unit is probably a mistake if it is this many times as large as the current value. */
 #define SLIP_OF_UNIT 50
 
-/* Checks a value that was typed without a unit, and is therefore in m or kg. If the value is not plausible,
- * reports the problem and returns false: a height of 25 is probably meant in mm. */
+/* Checks a value that was typed without a unit. Such a value is in m or kg, but the user may have meant mm or
+ * g: a height of 25 would be 25 m. If the value is not plausible, reports the problem and returns false. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -170,8 +171,9 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes a measurement of domino k, counted from 0, and stores it in *kept in the form of
- * listed_row.change. Sets *problem and returns false if the domino cannot have this measurement. */
+/* Computes what a measurement of domino k, counted from 0, becomes after a change. Stores it in *kept, in the
+ * form in which listed_row.change stores it. If the domino cannot have this measurement, sets *problem and
+ * returns false. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {

@@ -16,28 +16,30 @@ struct scene_row {
     struct scene_engine engine;
 };
 
-/* Makes the row, and prepares it for a run in the model or in the engine. Sets *problem and returns false if
- * there is no row, or if it cannot be run. */
+/* Makes the row of a scene, and prepares it for a run in the model or in the engine. If there is no row, or
+ * if the row cannot be run, sets *problem and returns false. */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Like scene_row_make, but does not check whether the row can be run. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Fills in the first `count` dominoes of the row, with their masses and changes. The width is half the
- * height, unless the file or 'change' gives it. A change of the height does not change the width. */
+/* Fills in the first `count` dominoes of the row. Their masses, and the changes that the user has made, are
+ * included. The width of a domino is half its height, unless the file or 'change' gives the width. If
+ * 'change' changes the height, the width stays as it was. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
 /* Returns true if the masses of the row are known. If they are, energies are in J; otherwise they are in
  * units of m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is the distance of the top from plumb. A domino
- * without a radius of its own has the radius of 'effect edges'. */
+/* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
+ * has no radius of its own, its radius is the radius of 'effect edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 
-/* Changes one measurement of all dominoes in the ranges. A new size keeps the density. The changes are
- * lost when the row is replaced. On failure, sets *problem, changes nothing and returns false. */
+/* Changes one measurement of all dominoes in the ranges. If the measurement is a size, the domino keeps its
+ * density. The changes are lost when the row is replaced. On failure, sets *problem, changes nothing and
+ * returns false. */
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem);
 

@@ -38,7 +38,8 @@ void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *
         if (isnan(value))
             continue;
         if (row_measure_is_size(m)) {
-            /* A new size may turn a solid domino into a box, or a box into a solid domino. */
+            /* Dominoes above a certain height can be boxes. With its new size, a solid domino may become a
+             * box, or a box may become a solid domino. */
             d->mass *= value / *member / scene_filled(scene, d);
             *member = value;
             d->mass *= scene_filled(scene, d);

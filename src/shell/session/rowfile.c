@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the path of a file beside the running script, or a copy of `name` if there is no such file. The
- * caller frees the path. */
+/* Finds a file that a script names. If there is such a file beside the running script, returns its path.
+ * Otherwise returns a copy of `name`. The caller frees the path. */
 static char *path_beside(const struct run_context *run_context, const char *name)
 {
     const char *slash = run_context->script && *name != '/' ? strrchr(run_context->script, '/') : NULL;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The scene is everything on which the numbers in an answer depend. The state consists of the scene, the
- * settings, and the variables of 'let'. The parameters of parameter_list.c are members of the state. */
+/* The scene contains everything on which the numbers in an answer depend. The state contains the scene, the
+ * settings, and the variables that 'let' has defined. The parameters in parameter_list.c are members of the
+ * state. */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
@@ -34,11 +35,12 @@ struct listed_row {
     bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
     char *path;
-    /* The unknown columns of the file as csv: a line of names, and then a line for each domino. Each cell
-     * begins with a comma, and each line ends with a NUL byte. */
+    /* The unknown columns of the file, as lines of csv. The first line has the names of the columns, and each
+     * other line belongs to a domino. Each cell begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    /* The changed measurements of each domino. Unchanged measurements are NaN. The pointer is NULL if nothing
-     * has been changed. A changed mass is stored as a factor, because the mass also changes with the size. */
+    /* The changed measurements of each domino. If a measurement has not been changed, it is NaN. If nothing
+     * has been changed, the pointer is NULL. A changed mass is stored as a factor, because the mass also
+     * changes with the size. */
     struct domq_domino *change;
     size_t changes; /* the number of elements of `change` */
     bool saved;     /* the changes have been saved to a file */
@@ -100,13 +102,15 @@ void listed_free(struct listed_row *row);
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which dominoes are boxes, or 0 if all dominoes are boxes or all are solid. */
+/* Returns the height in m above which dominoes are boxes. If all dominoes are boxes, or all are solid,
+ * returns 0. */
 domq_real scene_boxes_above(const struct scene *scene);
 
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
 domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);
 
-/* Returns the mass in kg of the first domino, given its size in m, or 0 if the mass is not known. */
+/* Returns the mass in kg of the first domino, or 0 if the mass is not known. The size of the domino is given
+ * in m. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
@@ -115,16 +119,17 @@ domq_real scene_mass(const struct scene *scene);
 /* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 
-/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
- * radians. Otherwise writes a message with the limit. */
+/* Returns true if a leaning domino does not fall over by itself on a slope of `alpha` radians. Its edges are
+ * sharp. If the domino falls over, writes a message with the limit of the lean, and returns false. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Reports that the walls do not fit into domino k or, if k = 0, into a domino of the train. Returns false. */
+/* Reports that the walls do not fit into domino k. If k = 0, the message is about a domino of the train.
+ * Returns false. */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
 
-/* Reports that domino k or, if k = 0, a domino of the train cannot stand, because the slope exceeds `limit`
- * radians. Returns false. */
+/* Reports that domino k cannot stand, because the slope exceeds `limit` radians. If k = 0, the message is
+ * about a domino of the train. Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
 /* Returns true for DOM_OK. Reports any other status as a problem, and returns false. */

@@ -24,7 +24,8 @@ struct session {
         FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
         long line;        /* the number of the current line in the script */
         int depth;        /* how deeply 'source' commands are nested */
-        /* the width of the prompt in columns; 0 in a script and for a command of several lines */
+        /* The width of the prompt in columns. It is 0 in a script, and for a command that was typed on
+         * several lines. */
         int prompt_width;
     } source;
 
@@ -65,8 +66,8 @@ void session_problem(struct session *session, const struct problem *problem);
 void session_say(struct session *session, bool is_error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns true if no more lines may run: after 'quit', an interrupt, a failed write or, with --bail, an
- * error. `errors` is the value of session->errors before the last line. */
+/* Returns true if no more lines may run. The reason may be 'quit', an interrupt or a failed write. With
+ * --bail, it may also be an error. `errors` is the value that session->errors had before the last line. */
 bool session_stops(const struct session *session, long errors);
 
 #endif

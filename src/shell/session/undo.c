@@ -11,8 +11,9 @@ enum {
     HELD_MOST = 4000000 /* the maximum number of dominoes and changed dominoes in all steps together */
 };
 
-/* The first `done` steps hold the state before their command, and can be undone. The other steps hold the
- * state after their command, and can be redone. */
+/* A step for each command that has changed the state. The first `done` steps can be undone. Each of them
+ * holds the state before its command. The other steps have been undone, and can be redone. Each of them holds
+ * the state after its command. */
 struct undo {
     struct step {
         struct state *state;

@@ -8,17 +8,18 @@
 
 struct undo;
 
-/* Returns a copy of the state before a command, for undo_keep. Returns NULL if memory runs out; the command
- * then cannot be undone. */
+/* Must be called before a command. Returns a copy of the state, for undo_keep. If memory runs out, returns
+ * NULL, and the command cannot be undone. */
 struct state *undo_begin(const struct state *state);
 
-/* Adds a step if the command `text`, of `length` bytes, has changed the state. Takes ownership of `before`,
- * which undo_begin returned. *undo is NULL at first. */
+/* Must be called after a command. If the command has changed the state, adds a step to the history. The
+ * command is the first `length` bytes of `text`. Takes ownership of `before`, which undo_begin has returned.
+ * *undo is NULL at first. */
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
-/* Undoes the last command or, if `back` is false, redoes the command that was undone last. Returns the text
- * of the command, or NULL if there is none. */
+/* If `back` is true, undoes the last command. Otherwise redoes the command that was undone last. Returns the
+ * text of the command, or NULL if there is no such command. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
 void undo_free(struct undo *undo);
