@@ -10,8 +10,8 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* Calls X(name) for each function of the library that is used. Getters are not used, since members are read
- * directly. */
+/* Calls X(name) for each function of the library that is used. There are no getters, since the members of
+ * Chipmunk's structures are read directly. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \

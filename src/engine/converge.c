@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Ends the iterations of Chipmunk's solver when they have converged. In each iteration, Chipmunk calls a
- * function of every constraint and reads the number of iterations again. So a constraint without impulses is
- * added. It observes the velocities, and ends the loop by lowering the number.
+ * Ends the iterations of Chipmunk's solver when they have converged. Chipmunk has no test for convergence: in
+ * each step, it makes a fixed number of iterations. But in each iteration, it calls a function of every
+ * constraint, and it reads the number of iterations again. So a constraint is added that applies no impulses
+ * and only observes the velocities. When these hardly change any more, the constraint ends the loop by
+ * lowering the number of iterations.
  */
 #include "world.h"
 #include <math.h>
@@ -26,8 +28,9 @@ static double motion_change(const struct motion *a, const struct motion *b)
 }
 
 /*
- * Estimates how much the velocities would change in all further iterations, if the changes form a geometric
- * series. Ends the loop if this is a small fraction of the change in the whole step.
+ * Called in each iteration. Estimates how much the velocities would change in all further iterations
+ * together, by assuming that the changes form a geometric series. If the estimate is a small fraction of the
+ * change in the whole step, ends the loop.
  */
 static void each(cpConstraint *watch, double dt)
 {

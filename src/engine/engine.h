@@ -44,18 +44,21 @@ struct engine_row {
 
 /* The resolution of a run. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    /* Steps per unit of time. The unit is sqrt(height / g), with the height of the foremost box that was hit.
-     * While this box turns faster than 1 rad per unit of time, `steps` counts the steps per radian. */
+    /*
+     * Steps per unit of time. The unit is sqrt(height / g), where the height is that of the foremost box that
+     * was hit. If this box turns faster than 1 rad per unit of time, `steps` is the number of steps per
+     * radian instead.
+     */
     double steps;
-    /* Impulses are found by iteration. Their errors may change a velocity by at most this fraction of its
-     * whole change in the step. */
+    /* The engine finds impulses by iteration. It stops when the errors of the velocities are smaller than
+     * this fraction of the largest change of a velocity in the step. */
     double tolerance;
 };
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push or, without a push, from the first hit. NaN for a released
-     * first box. */
+    /* Time of the hit. Times are measured from the push or, without a push, from the first hit. NaN for a
+     * first box that was released. */
     double time;
     /*
      * Time at which the box hits the next box. For the last box of the row, this is the time at which it has
@@ -83,15 +86,16 @@ struct engine_fall {
     /* the largest increase of energy between two hits, relative to the kinetic energy at the second hit */
     double gain;
     /*
-     * How close the row came to stopping: the smallest ratio of a foremost box's angular velocity to its
-     * largest angular velocity so far. 0 if a foremost box had a contact of the kind that other_contact
-     * records.
+     * How close the row came to stopping. At each moment, the run divides the angular velocity of the
+     * foremost box by the largest angular velocity that this box has had. `slowest` is the smallest of these
+     * ratios. If a foremost box had a contact of the kind that other_contact records, `slowest` is 0.
      */
     double slowest;
     /* The largest tilt of the foremost box, relative to the tilt at which it balances on its lower front
      * corner. 1 if the box went beyond its balance point. */
     double climbed;
-    /* true if an edge of a box touched the top of the box behind it, instead of a tip touching a back face */
+    /* In a normal contact, a tip touches the back face of the next box. True if instead an edge of a box
+     * touched the top of the box behind it. */
     bool other_contact;
 };
 
@@ -124,8 +128,10 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
- * each step, and returns false to end the run. If both are NULL, the run ends as soon as it is certain that
- * all boxes fall. fall->seconds is then roughly the time at which the run ended.
+ * each step, and returns false to end the run.
+ *
+ * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
+ * that all boxes fall, and fall->seconds is roughly the time at which the run ended.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
@@ -135,8 +141,8 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
 struct engine_settled {
     struct engine_fall fall;
     struct engine_grain grain; /* the resolution of the last run */
-    /* The largest change in a time due to the last halving of the step length, as a fraction of the duration.
-     * NaN if the verdict changed. Valid only if times were requested. */
+    /* How much the last halving of the step length changed the times: the largest change of any time, divided
+     * by the duration. NaN if the verdict changed. Valid only if times were requested. */
     double change;
     /* true if the last halving of the step length did not change the verdict, or if one run was enough */
     bool same;

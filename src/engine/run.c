@@ -5,13 +5,14 @@
 #include <stdlib.h>
 
 /*
- * The engine uses the symplectic Euler method, which is of first order, and iterates to find impulses.
- * Penetrating boxes are not pushed apart, since this would move them off their hinges. A box that has drifted
- * from its hinge is pulled back slowly, since the box keeps the velocity of the pull.
+ * The engine uses the symplectic Euler method, which is of first order, and finds impulses by iteration. If
+ * boxes penetrate each other, they are not pushed apart, since this would move them off their hinges. If a
+ * box has drifted from its hinge, it is pulled back slowly, since it keeps the velocity of the pull.
  *
- * Before a hit, the steps become short, to detect it on time and with little penetration. They stay short for
- * a while after the hit. Each step starts from the impulses of the previous step, scaled by the ratio of the
- * step lengths. So a long step would multiply the impulse of the hit, and act like another hit.
+ * Before a hit, the steps become short. So the hit is detected on time, and the penetration is small. After
+ * the hit, the steps stay short for a while. The reason is that each step starts from the impulses of the
+ * previous step, multiplied by the ratio of the step lengths. If a long step followed the short step of the
+ * hit, it would start from a large multiple of the hit's impulse, and act like another hit.
  */
 /* The unit of time is sqrt(height / g) for the height of the head. */
 static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
@@ -131,8 +132,9 @@ static double to_balance(const struct world *w, size_t k)
 }
 
 /*
- * Returns true if the head lies on the floor, or has rested so long that it has stopped for good. If
- * `verdict_only` is true, also returns true if the last box is past its balance point and accelerates.
+ * Returns true if the run is over: the head lies on the floor, or it has rested so long that it has stopped
+ * for good. If `verdict_only` is true, the run is also over when the last box is past its balance point and
+ * accelerates.
  */
 static bool ends(struct run *r, bool verdict_only)
 {

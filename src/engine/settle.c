@@ -9,8 +9,8 @@
 static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3};
 const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
-/* Compares two runs of a row. Returns the largest difference between their times of a hit, or between their
- * durations, divided by the duration of the second run. */
+/* Compares the times of two runs of a row: the time of each hit, and the duration of the run. Returns the
+ * largest difference, divided by the duration of the second run. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {
@@ -21,14 +21,14 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
 }
 
 /*
- * Returns true if the verdict of the first run is certain.
+ * Returns true if the verdict of the first run is certain, so that no finer run is needed.
  *
- * The limits come from 3,750 random rows with friction, bounce, slopes and rounded edges, on floors without
- * hinges. Each row was run again with finer steps:
- * - If all boxes had fallen, and none had slowed down to less than 0.41 times its largest angular velocity,
- *   all boxes fell again.
- * - In 1,400 rows, the foremost box had stopped less than a quarter of the way to its balance point. One of
- *   these rows fell with finer steps.
+ * The limits below come from 3,750 random rows with friction, bounce, slopes and rounded edges, on floors
+ * without hinges. Each row was run again with finer steps:
+ * - In some rows, all boxes had fallen, and none had slowed down to less than 0.41 times its largest angular
+ *   velocity. In these rows, all boxes fell again.
+ * - In 1,400 rows, the foremost box had stopped less than a quarter of the way to its balance point. Only one
+ *   of these rows fell with finer steps.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {

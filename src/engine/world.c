@@ -137,8 +137,11 @@ static void turn(struct world *w, double tilt, double spin)
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }
 
-/* Starts the first box. Without a push, it starts slightly beyond the tilt at which it balances on its edge.
- * Its distance from this tilt grows like exp(rate t), which gives its velocity. */
+/*
+ * Starts the first box. Without a push, the box starts slightly beyond the tilt at which it balances on its
+ * edge. Its distance from this tilt grows like exp(rate t), so its angular velocity is `rate` times the
+ * distance.
+ */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;

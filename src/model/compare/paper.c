@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A comparison method: the recipe at the end of the paper's section 'A general domino train'. It uses the
- * paper's formulas for the angles, and plain sums. theta is raised in steps until H decreases. r is raised in
- * steps until the train stops. r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol.
+ * paper's formulas for the angles, and plain sums. The tilt theta is raised in steps until H decreases, and
+ * the growth r is raised in steps until the train stops. r_max is then interpolated between the last two
+ * steps. Steps of sqrt(tol) / 2 give errors of about tol.
  *
  * One mistake in the paper is corrected: here a follower detaches when its leader reaches theta_leave.
  */

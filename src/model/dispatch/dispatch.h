@@ -38,8 +38,11 @@ struct question question_make(const struct dom_train *train, const struct dom_co
 /* Makes a question about a row. Checks only the precision; the kernel checks the dominoes. */
 struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Calls a function of the question's kernel, and evaluates to its status. Evaluates to the question's own
- * status if that is an error, and to DOM_NO_METHOD if the kernel lacks the function. */
+/*
+ * Asks a question: calls a function of the question's kernel. The value of the macro is the status that the
+ * function returns. If the status of the question itself is an error, the function is not called, and the
+ * value is this error. If the kernel lacks the function, the value is DOM_NO_METHOD.
+ */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \

@@ -14,8 +14,9 @@
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  *
- * The inertia ratio T is r^-(q+1) J(theta_c), where J is the inertia of the hitting chain. With friction, S_1
- * A replaces J.
+ * Here omega_1(theta_c) is the angular velocity of the hitting domino before the collision, and omega(0) is
+ * the angular velocity of the struck domino afterwards. The inertia ratio T is r^-(q+1) J(theta_c), where J
+ * is the inertia of the hitting chain. With friction, the product S_1 A takes the place of J.
  */
 /* Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a
  * collision. */
@@ -57,10 +58,8 @@ struct dynamics {
     /* Optional. Solves the equation of motion over a whole cycle, unless an earlier call has already done
      * so. */
     enum dom_status (*solve)(const struct geometry *geometry);
-    /*
-     * Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
-     * motion, returns DOM_LOCKS and stores the tilt at which it locks in *hi.
-     */
+    /* Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
+     * motion inside this interval, lowers *hi to the tilt at which it locks, and returns DOM_LOCKS. */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
      * Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. edge[0] and
@@ -68,25 +67,24 @@ struct dynamics {
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional if friction cannot lock a motion. Called if friction locks the motion at the tilt `head`. Sets
-     * *braked to true if the motion slows down just before this tilt, and to false if it speeds up. */
+    /* Optional if friction cannot lock a motion. Called only if friction locks the motion at the tilt `head`.
+     * Sets *braked to true if the motion slows down just before this tilt, and to false if it speeds up. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
-    /* Finds the launch of a train whose cycles repeat, scaled by r (24; c6). Finds error bounds unless error
-     * is NULL. */
+    /* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). Also
+     * finds error bounds unless `error` is NULL. */
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of a collision: the head of the chain `hitting` hits the domino that `next`
-     * describes. The tilt `at` is the tilt of the head, and J is the inertia of the chain. Returns
-     * DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
+     * Finds the inertia ratio of the collision in which the head of the chain `hitting` hits the domino
+     * described by `next`. In this collision, the head has the tilt `at`, and the chain has the inertia J.
+     * Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds dH/dtheta at a tilt of the head. If `rough` is true, only the sign of the result is reliable.
-     * With friction, the result is not dH/dtheta, but has the sign of the derivative of the required
-     * energy. */
+    /* Finds dH/dtheta at a tilt of the head. If `rough` is true, only the sign of *slope is reliable. With
+     * friction, *slope is a different number, which has the sign of the derivative of the required energy. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the smallest kinetic energy at the tilt `from` that takes the head to the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
@@ -100,12 +98,15 @@ struct dynamics {
     /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
      * *slowness is NaN if no energy is left at `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the angular acceleration of the head at w = tau^2 omega^2. Unless n is NULL, sets *n
-     * to the number of dominoes that contribute. */
+    /* Finds tau^2 times the angular acceleration of the head. `w` is tau^2 omega^2 at the tilt `head`. Unless
+     * n is NULL, sets *n to the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* Returns the derivative of omegasq at theta with respect to omegasq at the launch. `gain` is this
-     * derivative at the start of the motion, and J_at is the inertia at theta. */
+    /*
+     * Tells how strongly the speed at theta depends on the speed at the launch. Returns the derivative of
+     * omegasq at theta with respect to omegasq at the launch. `gain` is the same derivative at the start of
+     * the motion, and J_at is the inertia at theta.
+     */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };

@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The largest number of dominoes that the passes of one solution may visit in total. In double precision,
- * these visits take half a second. */
+/* Limits the work for one solution. All its passes along the chain together may visit this many dominoes. In
+ * double precision, these visits take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -47,12 +47,13 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves the equation of motion near the start, on narrow panels. Each panel ends at 8 times the tilt at
- * which the previous panel ends. Near the start, the solution changes on two small scales:
- * - d: u changes by only d^2 up to theta ~ d, and by much more afterwards.
- * - sqrt(1 - r s): at this tilt of the head, followers that started near pi/2 have come down.
+ * Solves the equation of motion near the start, where the solution changes on two scales that may be tiny:
+ * - The first scale is d. Up to theta ~ d, u changes by only d^2. Afterwards it changes by much more.
+ * - The second scale is sqrt(1 - r s). When the head has this tilt, followers that started near pi/2 have
+ *   come down.
  *
- * Sets *lo to the tilt at which the solution ends.
+ * So the panels near the start are narrow. Each panel ends at 8 times the tilt at which the previous panel
+ * ends. Sets *lo to the tilt at which the last of these panels ends.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
@@ -98,8 +99,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Sets inertia_ratio, J0 and J_c of *flow. All dominoes except the upright new head form the hitting
- * chain. */
+/* Finds the collision that begins a cycle, and sets inertia_ratio, J0 and J_c of *flow. The upright new head
+ * is hit by the chain of all other dominoes. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;
@@ -286,7 +287,8 @@ KERNEL real flow_solved_slope(const struct geometry *geometry, real theta)
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
-/* Returns the error of required energies: the error of the solution, plus the omitted tail of the chain. */
+/* Returns the error of required energies. It consists of the error of the solution, and of the error from
+ * leaving out the tail of the chain. */
 KERNEL real flow_required_error(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The equation of motion (A/2) dw/dtheta + B w = C, where w = tau^2 omega^2, has the solution
+ * The equation of motion is (A/2) dw/dtheta + B w = C, where w = tau^2 omega^2. Its solution is
  *
- *     w = G (w(0) - u).
+ *     w = G (w(0) - u),
  *
- * u(theta) is the smallest w(0) that takes the head to theta. The barrier is the maximum of J(0) u. Without
- * friction, u = [H(theta) - H(0)] / J(0).
+ * where G and u depend on the tilt theta, but not on the launch. u(theta) is the smallest w(0) that takes the
+ * head to the tilt theta. So the barrier, as an energy, is the maximum of J(0) u. Without friction, u =
+ * [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H

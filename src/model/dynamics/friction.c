@@ -4,15 +4,16 @@
  * follower slides down the face of its leader. The Coulomb force mu N along the face brakes both dominoes.
  * The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
  *
- * An equation of motion replaces the energy balance (21; c3). It is the sum of the torques on all dominoes,
- * multiplied by the factors S_0 = 1 and S_(i+1) = S_i a_i / b_i (55; e4). The contact forces cancel. With w =
- * tau^2 omega^2,
+ * Friction dissipates energy, so an equation of motion takes the place of the energy balance (21; c3). It is
+ * a sum over the torques on all dominoes. Each torque is multiplied by a factor S_i, where S_0 = 1 and
+ * S_(i+1) = S_i a_i / b_i (55; e4). With these factors, the contact forces cancel in the sum. Let w = tau^2
+ * omega^2. The equation of motion is then
  *
  *     (A/2) dw/dtheta + B w = C,
- *     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
- *     C = sum r^-qi S_i (x_i - d y_i) / 2.
+ *     A = sum of r^(-(q+1) i) S_i theta_i',   B = sum of r^(-(q+1) i) S_i theta_i'',
+ *     C = sum of r^(-q i) S_i (x_i - d y_i) / 2.
  *
- * This equation is linear in w (flow.h). Without friction, S_i = theta_i', A = J and C = -H'/2.
+ * The equation is linear in w, so flow.h solves it. Without friction, S_i = theta_i', A = J and C = -H'/2.
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Slope: the floor slopes down at the angle alpha in the direction of the train. A negative alpha means
- * uphill. Tilts are measured from the normal to the floor. So the only difference from a level floor is the
- * direction of gravity. The potential energy of a domino is
+ * Slope: the floor slopes down at the angle alpha in the direction of the train. If alpha is negative, the
+ * train goes uphill. Tilts are measured from the normal to the floor. So the only difference from a level
+ * floor is the direction of gravity. The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
  *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha.
  *
- * A domino tips over at theta_u, where tan theta_u = h.x / h.y. This is smaller by alpha than on a level
- * floor. Upright dominoes are stable only if |alpha| < atan d.
+ * A domino tips over at the tilt theta_u, where tan theta_u = h.x / h.y. The tilt theta_u is smaller by alpha
+ * than on a level floor. Upright dominoes are stable only if |alpha| < atan d.
  */
 #include "geometry/law.h"
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Walls: a domino is a hollow box with six walls and the mass of a solid block. Its moment of inertia is
- * larger (walls.h), and its centre of mass is the same.
+ * larger than that of the block (walls.h), and its centre of mass is the same.
  *
- * In a train, walls multiply all moments of inertia by the same factor. tau^2 includes this factor, so in
- * units of tau, a train moves just as it would without walls. Only the force of the floor changes. In a row,
- * the factors of two dominoes may differ.
+ * In a train, walls multiply all moments of inertia by the same factor. The time scale tau contains this
+ * factor: tau^2 is proportional to it. So in units of tau, a train moves just as it would without walls, and
+ * only the force of the floor changes. In a row, the factor may differ from domino to domino.
  */
 #include "dynamics/walls.h"
 #include "geometry/geometry.h"
