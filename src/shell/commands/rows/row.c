@@ -305,7 +305,7 @@ static domq_real *measures_list(const struct scene *scene, enum row_measure meas
     if (!scene_row_list(scene, &row, problem))
         return NULL;
     *count = row.row.count;
-    domq_real *list = malloc(*count * sizeof *list);
+    domq_real *list = calloc(*count, sizeof *list);
     for (size_t k = 0; list && k < *count; k++)
         list[k] = scene_row_measure(scene, &row.domino[k], measure);
     free(row.domino);
