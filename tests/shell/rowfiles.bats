@@ -127,7 +127,7 @@ END
 
 @test "numbers without units, without names, and with decimal commas are explained" {
     printf 'height, thickness, gap\n48, 7.5, -\n' >bare.csv
-    wrong 'effect row bare.csv' "'48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell"
+    wrong 'effect row bare.csv' "'48' would mean 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell"
     printf '48, 7.5, 20\n' >nameless.csv
     wrong 'effect row nameless.csv' "the first line has a number, but must name the columns: write 'height \(mm\), "
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv

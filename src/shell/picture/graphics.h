@@ -9,8 +9,8 @@
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /* Finds out how the terminal of a stream can show pictures. The environment variable DOMINO_GRAPHICS may name
- * the protocol: none, sixel or kitty. If it is not set, the terminal kitty is recognised by its name, and
- * other terminals are asked whether they support sixel. On a terminal without colours, the result is always
+ * the protocol: none, sixel or kitty. If it is not set, the terminal kitty is recognised by its name, and a
+ * terminal that may support sixel is asked whether it does. If the terminal has no colours, returns
  * GRAPHICS_NONE. */
 enum graphics graphics_of(FILE *stream);
 

@@ -153,8 +153,7 @@ void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal,
 
 /* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so all colours must
  * be there. The last dot is white and covers the others. `shift` changes this white slightly. It must
- * alternate between 0 and 1 from frame to frame, because gnuplot omits a frame that equals the previous one.
- * */
+ * alternate between 0 and 1, because gnuplot omits a frame that equals the previous one. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */

@@ -30,8 +30,7 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
 void history_load(struct session *session);
 
 /* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,
- * are not added. If the file cannot be written, reports the error once, and writes nothing more to the file.
- * */
+ * are not added. If the file cannot be written, reports the error once, and then leaves the file alone. */
 void history_keep(struct session *session, const char *text);
 
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */

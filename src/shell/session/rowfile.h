@@ -13,8 +13,8 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
                             const char *name, bool standard, const struct csv_kind *kind,
                             struct problem *problem);
 
-/* Closes a table after it has been read. If there was an error, copies it from the table to *problem and
- * returns false. If `csv` is NULL, only returns false. */
+/* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
+ * the table to *problem and returns false. If `csv` is NULL, only returns false. */
 bool csv_end(struct csv_table *csv, struct problem *problem);
 
 /*
