@@ -11,8 +11,8 @@ static inline bool dynamics_on(dom_real value)
     return value != 0;
 }
 
-/* Returns the number of the first effect that is on and changes anything besides tau, or DOM_DYNAMICS_COUNT
- * if there is none. */
+/* Some effects only change the time scale tau. Returns the number of the first effect that is on and changes
+ * anything else, or DOM_DYNAMICS_COUNT if there is none. */
 int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always

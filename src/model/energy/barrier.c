@@ -53,7 +53,8 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return status;
 }
 
-/* The state of the search for one top, a local maximum of H. p = tan(theta / 2) is in [lo, hi]. */
+/* The state of the search for one top, a local maximum of H. The variable of the search is p = tan(theta /
+ * 2), and the bracket is [lo, hi]. */
 struct top {
     real lo, hi;
     /* `rises` is true if H is known to increase at lo. `falls` is true if H is known to decrease at hi. */
@@ -67,8 +68,9 @@ struct top {
 };
 
 /*
- * Makes one Newton step towards H1 = 0 from the sums at p. If the step fails, moves p to an end of the
- * bracket at which the sign of the slope is not known yet. If both signs are known, bisects.
+ * Makes one Newton step towards the top, where the slope H1 of H is 0. The sums `at` belong to the current p.
+ * If the step is impossible or leaves the bracket, p moves to an end of the bracket at which the sign of the
+ * slope is not known yet. If both signs are known, p moves to the middle of the bracket.
  */
 static void top_step(struct top *top, struct sums at)
 {
@@ -191,9 +193,10 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 }
 
 /*
- * Finds all maxima of H inside one smooth piece. The Chebyshev spacing is dense near the ends, where dominoes
- * detach. `begins` is true if the head begins to move in this piece. Further samples then lie at tilts that
- * are small compared with d and sqrt(1 - r s).
+ * Finds all maxima of H inside one smooth piece. The samples have the Chebyshev spacing, which is dense near
+ * the ends of the piece, where dominoes detach. If the head begins to move in this piece, `begins` is true,
+ * and H can change on small scales. So there are further samples at tilts that are small compared with d and
+ * sqrt(1 - r s).
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -229,9 +232,11 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
-/* Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
- * the first edge. If *b already holds a maximum of H, `known` is tan(theta / 2) at the maximum, and
- * otherwise -1. */
+/*
+ * Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
+ * the first edge. If *b already holds a maximum of H, `known` is tan(theta / 2) at this maximum. Otherwise
+ * `known` is -1.
+ */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {
@@ -373,7 +378,8 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* Finds the sign of H' at a tilt, or 0 if rounding errors hide it, and an upper bound on |H'|. */
+/* Finds the sign of H' at a tilt, and an upper bound on |H'|. If rounding errors hide the sign, sets *sign to
+ * 0. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -386,9 +392,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The first
- * distance tried follows from H''. The distance is doubled until H' is certainly positive at this distance
- * below theta, and negative above theta. Tilts outside the cycle need no test.
+ * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The function
+ * tries a distance and doubles it until the top is certainly inside: H' must be positive at this distance
+ * below theta, and negative at this distance above theta. The first distance tried follows from H''. Tilts
+ * outside the cycle need no test.
  *
  * *steepest is an upper bound on |H'| at the tilts that were tried.
  */

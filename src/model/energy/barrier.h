@@ -6,8 +6,9 @@
 #include "numerics/numerics.h"
 
 /*
- * The barrier over [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ..., edge[edges
- * - 1] = end. If a domino detaches, it does so when the head has the tilt edge[1].
+ * The barrier over [0, end], and its tilt theta_m. The tilts edge[0] = 0, ..., edge[edges - 1] = end divide
+ * this interval into pieces in which H is smooth. If a domino detaches, it does so when the head has the tilt
+ * edge[1].
  */
 struct barrier {
     real theta_m, height;
@@ -30,11 +31,12 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
                                       struct barrier *barrier);
 
 /*
- * barrier_follow finds one top by Newton's method, and stores it in *b. tol is the relative tolerance of its
- * tilt. Returns false if it finds no top. A higher top may exist (barrier_tops).
+ * barrier_follow finds one top by Newton's method, and stores it in *b. The search does not look for other
+ * tops, so a higher top may exist (see barrier_tops). `tol` is the relative tolerance of the tilt. Returns
+ * false if it finds no top.
  *
- * The search starts at the tilt that barrier_near returns, close to the top in *b. `at` holds the sums at
- * this tilt (with PASS_SECOND_DERIVATIVE), or is NULL.
+ * The search starts at the tilt that barrier_near returns, close to the top in *b. The sums at this tilt,
+ * with PASS_SECOND_DERIVATIVE, can be passed in `at`. If `at` is NULL, they are computed.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
@@ -61,8 +63,10 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
 
 /*
  * Finds the launch of an endless train and its barrier over [0, end]. Finds error bounds on the launch unless
- * `error` is NULL. If the kinetic energy and the barrier are nearly equal, computes both again with a finer
- * tolerance. geometry->tol is then set to this tolerance.
+ * `error` is NULL.
+ *
+ * If the kinetic energy and the barrier are nearly equal, their difference is inexact. Then both are computed
+ * again with a finer tolerance, and geometry->tol is set to this tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
@@ -73,8 +77,8 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* Two terms of magnitude `whole` differ by `left`. Returns the relative tolerance that the terms need so that
- * their difference has the relative tolerance tol. */
+/* Two terms of the size `whole` differ by `left`. To know this difference to the relative tolerance tol, the
+ * terms themselves need a finer tolerance. Returns the relative tolerance that they need. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*

@@ -8,8 +8,8 @@ struct clock {
     struct tick {
         struct num_series series;
         real begins; /* time at which the head reaches the tilt lo */
-        /* True if the train stops at the end of this piece. The variable of the series is then the x of
-         * slowness_before, not the tilt. */
+        /* True if the train stops at the end of this piece. The series is then a function of the variable x
+         * of slowness_before. In other pieces, the series is a function of the tilt. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
@@ -18,8 +18,8 @@ struct clock {
 
 /*
  * Just before a stop, the slowness has a peak. Returns the width of this peak, in the variable u of
- * slowness_before. At the distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2.
- * The width of the peak is the delta at which both terms are equal.
+ * slowness_before. Let delta be the distance of the tilt from the stop. The remaining energy is then H' delta
+ * - H'' delta^2 / 2. The width corresponds to the delta at which the two terms are equally large.
  */
 static real stop_width(const struct motion *m)
 {

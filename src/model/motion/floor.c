@@ -52,9 +52,10 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Bisects [lo, hi] repeatedly, while a piece may contain a value larger than the largest so far. A parabola
- * exceeds three equally spaced values by at most 1/8 of their second difference. The test allows for the
- * whole second difference.
+ * Searches [lo, hi] for values of the required friction that are larger than the largest so far. A piece is
+ * bisected only if it may contain such a value. If the values form a parabola, the parabola exceeds three
+ * equally spaced values by at most 1/8 of their second difference. To be safe, the test allows for the whole
+ * second difference.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

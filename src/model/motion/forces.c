@@ -2,10 +2,8 @@
 #include "motion/forces.h"
 #include <stdlib.h>
 
-/*
- * The force on the last domino shown depends on the dominoes after it. The list contains at most this many
- * more dominoes, because moving_push replaces all later ones by a geometric series.
- */
+/* The force on the last domino shown depends on all dominoes after it. The list contains at most this many of
+ * them. All later dominoes move alike, so moving_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
 
 static real geometric(real first, real ratio)
@@ -17,8 +15,8 @@ static real geometric(real first, real ratio)
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* `rest` is the torque on domino j that its contact must balance. `push` is the angular momentum that the
-     * contact must supply in the collision. */
+    /* `rest` is the torque on domino j that the contact with its leader must balance. `push` is the angular
+     * momentum that this contact must supply in the collision. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
@@ -58,9 +56,9 @@ static struct push push_on(const struct moving *k, real normal)
 }
 
 /*
- * Finds the force of the floor from Newton's law for the centre of the block. Relative to the hinge, the
- * centre is at (x - d y, y + d x) / 2. With rounded edges, the hinge is replaced by the centre of the lower
- * edge, which moves parallel to the floor at the height rho.
+ * Finds the force of the floor from Newton's law for the centre of the domino. Relative to the hinge, the
+ * centre is at (x - d y, y + d x) / 2. A domino with rounded edges has no hinge. There, the centre of the
+ * lower edge takes the place of the hinge. It moves parallel to the floor, at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -159,7 +157,8 @@ KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, 
                                                   &kinematics->acceleration, &kinematics->n);
     kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
     kinematics->omega = sqrt(st->start.omegasq);
-    /* the collision multiplies angular velocities by T / (1 + T), so the loss is 1 / T times the remainder */
+    /* The collision multiplies all angular velocities by T / (1 + T). So the lost angular velocity is 1 / T
+     * times the angular velocity that remains. */
     kinematics->omega_lost = kinematics->hit ? kinematics->omega / st->inertia_ratio : 0;
     return status;
 }
@@ -205,8 +204,8 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /* ---- The smallest contact force ---- */
 
-/* The state of a search for the smallest contact force. Each force is divided by the weight of the domino
- * that it pushes. */
+/* The state of a search for the smallest contact force. To compare forces on dominoes of different sizes,
+ * each force is divided by the weight of the domino that it pushes. */
 struct least_context {
     const struct segment *segment;
     real theta, force;       /* the current tilt, and the smallest force there */

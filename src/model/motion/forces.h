@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The forces in a moving chain, computed from the tail to the head. Part of the torque on a follower
- * accelerates it. The contact passes the rest on to its leader. Newton's law then gives the force of the
- * floor.
+ * accelerates the follower. The rest of the torque acts on its leader, through their contact. When the
+ * contact forces are known, Newton's law gives the force of the floor on each domino.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
@@ -49,15 +49,14 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
 KERNEL enum dom_status segment_kinematics(const struct segment *segment, real theta, struct tilt *head,
                                           struct kinematics *kinematics);
 
-/*
- * Finds the part of a cycle between edge i - 1 and edge i of its barrier. *lo and *hi are just inside these
- * edges, where forces jump. Returns false if the cycle does not reach that part.
- */
+/* The edges of the barrier divide a cycle into parts. Finds the part between the edges i - 1 and i. Forces
+ * jump at the edges, so *lo and *hi are set just inside. Returns false if the cycle ends before this part. */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /*
- * Lowers *least to the smallest contact force at a few tilts up to `to`. Each force is divided by the weight
- * of the domino that it pushes. Does nothing if segment->end.pushes is true.
+ * Finds the contact forces at a few tilts up to `to`, each divided by the weight of the domino that it
+ * pushes. If the smallest of them is smaller than *least, lowers *least to it. Does nothing if
+ * segment->end.pushes is true.
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
@@ -66,8 +65,9 @@ KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *l
 KERNEL real friction_needed(real x, real z);
 
 /*
- * The friction coefficient that the floor needs so that no hinge slips: the largest |R_x| / R_z, where R is
- * the force at a hinge, or the impulse of the force in the collision.
+ * The friction coefficient that the floor needs so that no hinge slips. It is the largest ratio |R_x| / R_z
+ * of all hinges. During the motion, R is the force of the floor at a hinge. In the collision, R is the
+ * impulse of this force.
  */
 struct required_friction {
     real motion, theta; /* largest ratio during the motion, and the tilt of the head at that moment */
@@ -76,8 +76,8 @@ struct required_friction {
     size_t hit_domino;
 };
 
-/* Raises *required to the friction needed over [lo, hi]. No domino may detach inside this interval. At a
- * smooth peak, the relative error is about a millionth. */
+/* Finds the friction needed at the tilts in [lo, hi], and raises *required to it. No domino may detach inside
+ * this interval. At a smooth peak, the relative error is about a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

@@ -27,8 +27,10 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Near a stop, the slowness grows like 1/sqrt(end - theta). The substitution theta = end (1 - u^2) gives the
- * smooth integrand dt/du = 2 end u / (tau omega). Here u = `root` + `span` x with 0 <= x <= 1.
+ * Returns the integrand of the time before a stop. Near the stop, the slowness grows like 1/sqrt(end -
+ * theta), so it is not integrated over theta. The substitution theta = end (1 - u^2) gives the smooth
+ * integrand dt/du = 2 end u / (tau omega). The integral covers a range of u, which is u = `root` + `span` x
+ * with 0 <= x <= 1.
  */
 KERNEL real slowness_before(real x, void *context)
 {
@@ -118,9 +120,9 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds an error bound on state->time: the tolerance of the integral plus the integral of the error bound on
- * the slowness. If the train stops, an error e in the tilt of the stop shifts times by at most e /
- * omega.
+ * Finds an error bound on state->time. It is the sum of two bounds: the tolerance of the integral, and the
+ * integral of the error bound on the slowness. If the train stops, the tilt of the stop has an error too. An
+ * error e in this tilt shifts times by at most e / omega.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -142,8 +144,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. A follower counts as detached even if rounding puts
- * theta just before the tilt of its detachment. */
+/* Finds the energy that detached dominoes have released. At the tilt where a follower detaches, rounding can
+ * put theta just before this tilt. The follower counts as detached even then. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -183,8 +185,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits the head is this train at theta_c, scaled by 1 / r. So its energy has the factor
-     * r^-q. */
+    /* Just before the hit, the train that hits the head looks like this train at theta_c, scaled by 1 / r. So
+     * the kinetic energy of the hitting train is r^-q times that of this train at theta_c. */
     real before = geometry->weight * launch->kinetic_at_hit;
     *state = (struct dom_state){
         .theta = theta,

@@ -25,17 +25,15 @@ KERNEL bool cycle_stops(const struct cycle *cycle);
 /* Finds the tilt at which the cycle ends: theta_c, or the tilt at which the train comes to rest. */
 KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
-/*
- * Finds tau^2 omega^2 at theta, and its error bound unless error is NULL. `end` comes from cycle_end. Returns
- * DOM_STOPS if the train does not reach theta. The result is exactly 0 where the train comes to rest.
- */
+/* Finds tau^2 omega^2 at theta, and its error bound unless error is NULL. `end` comes from cycle_end. Returns
+ * DOM_STOPS if the train does not reach theta. Where the train comes to rest, *omegasq is exactly 0. */
 KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
                                    real *error);
 
 /*
- * Finds an error bound on theta, the tilt at which a cycle has used up its energy. Unless `energy` is NULL,
- * also finds an error bound on the energy at theta. If no bound is known, *error is NaN, and *energy is not
- * set.
+ * Finds an error bound on the tilt theta, at which a cycle has used up its energy. Unless `energy` is NULL,
+ * also finds an error bound on the energy at theta. If no bound is known, sets *error to NaN, and leaves
+ * *energy unchanged.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 

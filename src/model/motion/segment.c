@@ -14,8 +14,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* The first search ends where motions are below the rounding errors. Later searches visit every
-         * domino up to the one that detaches at hi. */
+        /* The first search ends at a domino whose motion is smaller than the rounding errors. A later search
+         * visits all dominoes up to the one that detaches at hi. */
         bool last = false, all = *moving < geometry->n;
         while (!last && ((*moving < geometry->n && link->i < *moving) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -45,8 +45,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches takes no kinetic energy away. If it detaches at once (r s = 1), J decreases and
-     * omegasq grows. */
+    /* If r s = 1, a domino detaches as soon as the motion begins. It takes no kinetic energy away. So J
+     * decreases, and omegasq grows by the same factor. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
@@ -113,7 +113,8 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* Up to a rounding error, the energy just suffices for the highest point, and the row comes to rest. */
+    /* Here the energy is just enough for the highest point, to within a rounding error. The row comes to rest
+     * at this point. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;
         return DOM_OK;

@@ -40,20 +40,21 @@ KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Finds segment->end, the sums at hi, and the segment *next that begins at hi. next->start.omegasq is linear
- * in omegasq at the launch. A negative value shows how much energy is missing.
+ * Finds segment->end, the sums at hi, and prepares the segment *next, which begins at hi. next->start.omegasq
+ * is a linear function of omegasq at the launch. If it is negative, the motion does not reach hi, and the
+ * value shows how much energy is missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Only for a segment that friction locks at hi. Sets *braked to true if the motion slows down before hi, so
- * that it cannot reach hi. */
+/* Only for a segment that friction locks at hi. If the motion slows down before hi, it cannot reach hi, and
+ * *braked is set to true. Otherwise *braked is set to false. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/* For a motion that stops, finds the tilt at which the energy of the motion is used up. With friction, may
- * replace the solution of the motion by a solution that ends near this tilt. */
+/* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
+ * replace the solution of the motion by another solution, which ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
 /* Integrands: the slowness 1 / (tau omega) at a tilt, and its error bound. The context is the segment. */

@@ -30,8 +30,8 @@ static void series_of(const real *node, const real *value, int n, real *series)
 
 /*
  * Returns true if the series has converged: its last terms are below the tolerance. Stores the largest of
- * these terms in *last_terms. The tolerance is at least the noise of the values and a few rounding errors,
- * because terms do not get smaller than that.
+ * these terms in *last_terms. Terms never get smaller than the noise of the values and a few rounding errors.
+ * So a tolerance below this level is raised to it.
  */
 static bool series_converged(const real *series, real tol, real noise, real *last_terms)
 {
@@ -64,8 +64,8 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
-/* Computes one panel. ln_G and v are the solution at its left end. Returns false if the panel is too wide for
- * its series to converge. Also returns false if f fails; *status is then NUM_NOT_FINITE. */
+/* Computes one panel. ln_G and v are the solution at the left end of the panel. Returns false if the panel is
+ * too wide for its series to converge. If f fails, also returns false, and sets *status to NUM_NOT_FINITE. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {

@@ -261,8 +261,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns [lo, hi] after the substitution x = peak + width sinh u. Does not transform an
- * interval that is shorter than the width of the peak, or than the distance between peak and interval. */
+/* Returns [lo, hi] after the substitution x = peak + width sinh u. If the interval is shorter than the width
+ * of the peak, or than its distance from the peak, it is not transformed. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -315,8 +315,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Integrates a Chebyshev series of n terms, multiplied by `half`. The result has n + 1 terms and the value
- * `start` at -1. */
+/* Integrates a Chebyshev series of n terms, and multiplies the integral by `half`. The integral is a series
+ * of n + 1 terms. Its constant is chosen so that it has the value `start` at -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;

@@ -42,11 +42,12 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
                                     real *integral, real *error);
 
 /*
- * Finds the integral of a function that is smooth except for a peak like 1 / sqrt(width^2 + (x - peak)^2).
- * The peak may be outside the interval. The width is NaN if it is unknown.
+ * Finds the integral of a function that is smooth except for a peak. The peak has the shape 1 / sqrt(width^2
+ * + (x - peak)^2), and may be outside the interval. The width is NaN if it is unknown.
  *
  * The substitution x = peak + width sinh u flattens the peak, so the Clenshaw-Curtis rule (1960) converges
- * fast. If it does not converge, num_integral computes the pieces before and after the peak.
+ * fast. If it does not converge, num_integral is called for the piece before the peak and for the piece after
+ * the peak.
  */
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
@@ -67,23 +68,23 @@ struct num_series {
 KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, real hi, real peak,
                                        real width, real tol, struct num_series *series);
 
-/* num_series_at returns the integral from lo to x. num_series_find finds x from the integral of a positive
- * function. */
+/* num_series_at returns the integral from lo to x. num_series_find does the reverse: it finds the x at which
+ * the integral has a given value. For this, the function must be positive. */
 KERNEL real num_series_at(const struct num_series *series, real x);
 KERNEL enum num_status num_series_find(const struct num_series *series, real integral, real *x);
 
 /* ---- Linear equations ---- */
 
 /*
- * The linear equation dw/dx = p(x) w + c(x). One solution holds for all initial values w(0):
+ * Solves the linear equation dw/dx = p(x) w + c(x). One solution is valid for all initial values w(0):
  *
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
- * Both integrals are Chebyshev series on panels. A panel is halved until the series of p and c / G converge.
- * The solution is equally precise at the nodes and between them.
+ * Both integrals are stored as Chebyshev series on panels. If the series of p or of c / G does not converge
+ * on a panel, the panel is halved. The solution is equally precise at the nodes and between them.
  *
- * GSL's odeiv2 computes only in double, and for one initial value at a time. In a benchmark, rk8pd takes
- * 13,917 evaluations of p and c, and this code takes 6,880.
+ * GSL's odeiv2 computes only in double, and for one initial value at a time. In a benchmark, its method rk8pd
+ * takes 13,917 evaluations of p and c, and this code takes 6,880.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
@@ -120,8 +121,8 @@ struct num_linear {
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
-/* A rough solution from x = 0 to hi: a single panel with ROUGH evaluations. Its series may not have
- * converged. The errors are absolute, and estimated from the last terms. */
+/* A rough solution from x = 0 to hi. It has a single panel, with ROUGH evaluations of p and c, so its series
+ * may not have converged. The errors are absolute, and estimated from the last terms. */
 enum { ROUGH = 8 };
 struct num_rough {
     real node[ROUGH]; /* Chebyshev nodes, set by num_rough_begin */

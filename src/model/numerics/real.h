@@ -14,8 +14,8 @@
 
 /* Marks functions of the kernels. Each precision has its own static copy. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions in the loops along a train, where a call costs as much as the arithmetic. In quad, every
- * operation is a function call anyway. */
+/* Marks functions that are called in the loops along a train. They are inlined, since a call would cost as
+ * much as the arithmetic. In quad they are not inlined, since every operation is a function call anyway. */
 #ifdef REAL_QUAD
 #define KERNEL_LOOP KERNEL
 #else

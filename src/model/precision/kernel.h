@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A kernel is a table of functions for one precision, or for a comparison method (gsl or paper). The
- * functions correspond to those in domino.h, without the prefix "dom_". A function is NULL if a comparison
- * method cannot answer the question. Error bounds are computed if the request has `errors` set.
+ * functions correspond to those in domino.h, without the prefix "dom_". If a comparison method cannot answer
+ * a question, its function for this question is NULL. Error bounds are computed only if the request has
+ * `errors` set.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
