@@ -37,8 +37,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* While the head is upright, the follower of domino b->i has already detached. Domino b->i detaches next,
-     * when its leader reaches theta_leave. */
+    /* When the head is upright, the follower of domino b->i is already detached. The next domino to detach is
+     * b->i itself. This happens when the leader of b->i reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);

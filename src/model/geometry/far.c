@@ -49,7 +49,8 @@ static real far_radius(const struct geometry *geometry)
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
 
-/* Making a series costs FAR_COST + order^3 / FAR_CUBE times as much as one domino in a pass (measured). */
+/* Building a series takes FAR_COST + order^3 / FAR_CUBE times as long as handling one domino in a pass. Both
+ * constants were measured. */
 #define FAR_COST 2
 #define FAR_CUBE 100
 

@@ -100,7 +100,11 @@ KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
-/* Adds domino a and all dominoes behind it to the sums. Returns H. */
+/*
+ * Adds the domino `a` and all dominoes behind it to the sums, using the far series. Returns H of these
+ * dominoes and its derivatives, from which far_H2 finds their part of H2. b is the same domino in the other
+ * chain.
+ */
 KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
                                 const struct link *a, const struct link *b, real t)
 {

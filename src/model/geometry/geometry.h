@@ -30,18 +30,20 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 
 /* H and J of a train, as power series around theta_inf (far.h) */
 struct far {
-    int order; /* the order of both series, which is even; 0 without a series */
+    int order; /* the order of both series, which is even; 0 if there are no series */
     real radius, rest_H, rest_J;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 
 /*
- * The contributions of the far tail of a train to A, B and C of struct equation_of_motion. Let domino i be
- * the first of the tail, at the tilt theta_inf - e, and m = r^-(q+1)i S_i. The contributions are
+ * What the far tail of a train contributes to A, B and C of struct equation_of_motion. Let domino i be the
+ * first domino of the tail. Let its tilt be theta_inf - e, and let m be r^(-(q+1) i) S_i. Then the
+ * contributions are
  *
- *     m theta_i' A(e),   m [theta_i'^2 B(e) + theta_i'' A(e)],   r^-qi S_i C(e).
+ *     m theta_i' A(e),   m [theta_i'^2 B(e) + theta_i'' A(e)],   r^(-q i) S_i C(e).
  *
- * Each array holds a function at theta_inf, and its first two derivatives:
+ * Each array describes one of the functions A, B and C near theta_inf. It holds the value of the function at
+ * theta_inf, and the first two derivatives there:
  *
  *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
  */
@@ -61,7 +63,7 @@ struct far_friction {
 struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* the lengths of the flat parts: 1 - 2 rho and d - 2 rho */
-    real rho_1, tall_1; /* rho and tall of the follower, divided by the height of this domino */
+    real rho_1, tall_1; /* `rho` and `tall` of the follower, divided by the height of this domino */
     real theta_inf;     /* theta_inf as an angle; set only for a train */
     real roll;          /* rolling on a slope adds this term to dh/dtheta */
     struct {

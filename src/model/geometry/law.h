@@ -102,12 +102,13 @@ struct contact_law {
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
-     * Finds J, H1 and H(head) - H(from), and what `pass` selects (enum pass). Finds error bounds (bound.h)
-     * unless `error` is NULL.
-     * - t is the tangent of half the angle from `from` to `head`. The caller finds t, since a difference of
-     *   two close tilts would be inaccurate.
-     * - If `from` is not upright, `error` must be NULL, and no domino may detach between the two tilts.
-     * - PASS_SHIFT halves the work for an endless train from upright to theta_c.
+     * Finds J, H1 and H(head) - H(from), and also whatever `pass` selects (see enum pass). Unless `error` is
+     * NULL, finds error bounds, too (bound.h).
+     * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
+     *   computing t here from two close tilts would be inaccurate.
+     * - If the tilt `from` is not upright, `error` must be NULL, and no domino may detach between the two
+     *   tilts.
+     * - PASS_SHIFT may be used for an endless train that falls from upright to theta_c. It halves the work.
      */
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);

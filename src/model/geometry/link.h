@@ -66,9 +66,10 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
 }
 
 /*
- * A domino has the tilt theta_a in one chain and theta_b in another. Let t = tan((theta_a - theta_b) / 2).
- * Returns t of the follower divided by t of this domino: (1 - G) / (1 + t^2 G), as energy_change_between
- * explains. The arms give 1 - G to full precision.
+ * Compares two chains that are walked down side by side. A domino has the tilt theta_a in the chain of a, and
+ * theta_b in the chain of b. Let t = tan((theta_a - theta_b) / 2). Returns the follower's t divided by this
+ * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at energy_change_between. 1 - G
+ * is computed from the lever arms of the two contacts, which keeps all its digits.
  */
 KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {

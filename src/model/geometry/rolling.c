@@ -121,13 +121,14 @@ KERNEL_LOOP real tangent_excess(real D)
 
 /*
  * Returns the difference between the tilts of the followers of a and b. `apart` is the difference between the
- * tilts of a and b themselves. The turn is the angle from a domino to its follower; let D be the turn of a
- * minus the turn of b. Subtracting the contact equations gives
+ * tilts of a and b themselves. The turn is the angle from a domino to its follower. Let D be the turn of a
+ * minus the turn of b. Subtracting the contact equation of b from that of a gives
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R.
  *
- * Every term of R has the small factor apart.by, so even the smallest differences keep their digits. The
- * difference of the stored turns is inaccurate, and is used only for the small term 2 tan(D/2) - D.
+ * Every term of R has the factor apart.by, so the result is accurate even if apart.by is tiny. Subtracting
+ * the stored turns of a and b would be inaccurate. That subtraction is used only for 2 tan(D/2) - D, which is
+ * a small term.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -156,29 +157,31 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * The test of pushes_between in sharp_change.c, for rounded edges: neither a_k nor c_k may decrease down the
- * chain. Here the inertia i changes with the tilt. So a_k has i_k in its denominator, and
+ * Tests a contact like pushes_between in sharp_change.c, but for rounded edges. Again the test passes if
+ * neither a_k nor c_k decreases down the chain. But here the inertia i changes with the tilt. So a_k has i_k
+ * in its denominator, and
  *
- *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k.
+ *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / (2 i_k).
  *
- * The condition on c_k: let x and y be the sine and cosine of the leader's tilt, and b, arm, curve and M as
- * in rounded_levers. c_k does not decrease if
+ * The condition on c_k: let x and y be the sine and cosine of the leader's tilt. The quantities b, arm, curve
+ * and M are those of rounded_levers. c_k does not decrease if
  *
  *     -curve b >= arm (slope i'_1/i_1 - i'/i) / 2.
  *
  * To bound the left side, let p = 1 - slope, Q = L - rho_1 turn and D = rho - rho_1 (`more`). By the contact
- * equation, -curve b is
+ * equation, the left side -curve b is
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - D [y (1 - theta) + p^2 (1 - x - y + theta y) - x].
  *
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
- * and d. If y Q < d/2, then x is large, and so is p = x (M - rho_1 turn) / b.
+ * and d. If y Q < d/2, then x is large. Since p = x (M - rho_1 turn) / b, p is then large, too.
  *
- * The arm decreases as the tilt increases: its derivative is curve b with p instead of p^2, and with 1 + p
- * instead of 2 p. The slope and the turn decrease, too. So the values at both ends bound every term.
+ * The arm decreases as the tilt increases. The rate of its decrease is the expression above for -curve b, if
+ * p replaces p^2 and 1 + p replaces 2 p. The slope and the turn decrease, too. So the values at both ends
+ * bound every term.
  *
- * The condition on a_k is the condition for sharp edges with R i/i_1 instead of R, and with a term for a foot
- * that rolls down a slope.
+ * The condition on a_k is nearly the same as for sharp edges. R i/i_1 takes the place of R, and there is one
+ * more term for a foot that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {

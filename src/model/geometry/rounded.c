@@ -125,7 +125,8 @@ static real tilt_theta(struct tilt t)
 /* If G is at least this fraction of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns E of turn_near_reach for a contact. It is 0 for a follower perpendicular to its leader. */
+/* Returns the quantity E, as defined at turn_near_reach, for the contact of `leader` with its follower. E is
+ * 0 if the follower is perpendicular to its leader. */
 static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the best separation. Samples of s give a first growth R. Then bounds (strip.h) exclude the intervals
- * of s that allow no growth above R. The other intervals are bisected, down to a width of BEST_FINEST s. A
- * narrower peak of r_max(s) can be missed. With friction or rounded edges no bounds are known, so there are
- * only samples. Quad precision refines the result of double precision, and searches all s only if that fails.
+ * Finds the best separation: the separation s with the largest r_max. Samples of s give a first growth R.
+ * Then bounds (strip.h) exclude the intervals of s in which no train can have a growth above R. The intervals
+ * that remain are bisected until their width is BEST_FINEST * s. A peak of r_max(s) that is narrower than
+ * this width can be missed.
+ *
+ * With friction or rounded edges no bounds are known, so there are only samples.
+ *
+ * Quad precision starts from the result of double precision, and refines it. Only if the refinement fails,
+ * quad precision searches all s itself.
  */
 #include "growth/limit.h"
 

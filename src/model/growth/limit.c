@@ -18,7 +18,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     real margin = margin_at(r, c), wrong = c->error, slope = 0;
     c->errors = false;
     real widest = fmin((reach - r) / 4, r / 4), h = fmin(sqrt(REAL_EPSILON) * 64 * r, widest);
-    /* Widen the difference quotient until the difference exceeds the errors of both margins. */
+    /* Widen the step h of the difference quotient until the difference exceeds the errors of both margins. */
     for (; c->status == DOM_OK && slope == 0; h = fmin(8 * h, widest)) {
         real lo = fmax(r - h, 1), above = margin_at(r + h, c);
         real below = c->status == DOM_OK ? margin_at(lo, c) : above;

@@ -48,7 +48,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
-/* Finds the margin of the endless train (26; c8, corrected). */
+/* Finds the margin of the endless train, by equation (26; c8), corrected. */
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {
@@ -75,7 +75,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
-/* Finds the margin of the pair after the collision (17; b13). */
+/* Finds the margin of the pair after the collision, by equation (17; b13). */
 static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
                                    struct margin *m)
 {

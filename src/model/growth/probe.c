@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* The margin is a smooth function of x = -sqrt(1 - r/reach), but not of r at the reach. */
+/* Returns the variable x = -sqrt(1 - r/reach), which replaces the growth r here. The margin is a smooth
+ * function of x. As a function of r, it is not smooth at the reach. */
 static real probe_x(const struct margin_context *c, real r)
 {
     return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
@@ -58,8 +59,11 @@ static bool probe_kept(const struct probe *p, const struct margin_sample *sample
     return (margin_value(&sample->margin) >= 0) == p->positive;
 }
 
-/* Returns a smooth function of x, positive where the margin has its initial sign. If the barrier of `sample`
- * is only an upper bound, uses `barrier` instead. */
+/*
+ * Returns the margin, scaled so that it varies smoothly with x. The value is positive as long as the margin
+ * has its initial sign. If the barrier of `sample` is only an upper bound, uses the argument `barrier`
+ * instead.
+ */
 static real probe_value(const struct probe *p, const struct margin_sample *sample, real barrier)
 {
     const struct margin *m = &sample->margin;
@@ -86,8 +90,8 @@ static bool probe_keeps(const struct probe *p, const struct margin_sample *third
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Looks for the first sign change between `lo` and `hi`, unless it comes after p->root. At `lo` the margin
- * has its initial sign. */
+/* Looks for the first sign change between the samples `lo` and `hi`. Ignores sign changes beyond p->root. At
+ * `lo` the margin has its initial sign. */
 static enum dom_status probe_between(struct probe *p, const struct margin_sample *third,
                                      const struct margin_sample *lo, const struct margin_sample *hi,
                                      int halves)

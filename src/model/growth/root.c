@@ -80,7 +80,7 @@ static real root_next(const struct root_search *s, const struct margin_context *
         next = root_line(&at[1], &at[2]);
     if (s->known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
         next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
-    if (high || low) { /* K or B is almost 0: the root is some steps away */
+    if (high || low) { /* K or B is almost 0: the root is several steps away */
         real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
         next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
     }
@@ -150,7 +150,7 @@ static enum dom_status root_followed(struct margin_context *c, real near, real *
                             .hi = fmin(near * (1 + ROOT_ASIDE), c->geometry.span / c->s)};
     const real aside = near * (1 - ROOT_ASIDE);
     margin_follow_begin(c);
-    c->share = cbrt(ROOT_ASIDE); /* the slope is needed to a few digits only */
+    c->share = cbrt(ROOT_ASIDE); /* only a few digits of the slope are needed */
     const real share = margin_follow(aside, c);
     if (c->status != DOM_OK)
         return c->status;
@@ -217,13 +217,14 @@ static real root_slope(const struct margin_context *c)
 #define REACH_NEAR ((real)0.96)
 
 /*
- * Estimates a root close to the reach, from K at the reach. There all followers detach before the head
- * reaches theta_u. Only domino 1 has moved by then, from theta_c to theta_f, which lowers the barrier. To
- * first order in sqrt(1 - r s) the barrier is
+ * Estimates a root close to the reach, from the kinetic energy K at the reach. At such growths, all followers
+ * detach before the head reaches theta_u. By then only domino 1 has moved: from theta_c to theta_f. Its fall
+ * lowers the barrier. To first order in sqrt(1 - r s), the barrier is
  *
- *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
+ *     barrier_most - r^(-q) sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
- * *start receives the estimate, or 0 if there is none. Returns true if K at the reach exceeds every barrier.
+ * *start receives the estimate, or 0 if there is none. Returns true if K at the reach exceeds every possible
+ * barrier.
  */
 static bool root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
 {

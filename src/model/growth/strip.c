@@ -143,8 +143,8 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
         const bool leads = !hi->detaches || head.v < hi->leave.v;
         const struct tilt first = leads ? tilt_follower(head, geometry_contact(hi, head)) : hi->f;
-        /* the loss increases with the tilt of the head; at hi, it is at most `grows` times the loss of any
-         * other train in the strip */
+        /* The loss increases with the tilt of the head. Every train in the strip loses at least the loss at
+         * hi divided by `grows` (see strip_barrier_most). */
         loss = hi->weight * fmax(strip_fall(hi, first) - upright, 0) / grows;
     }
     return tilt_half(p);

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Bounds for all trains in a strip: an interval of growths at one separation, or of separations at one
- * growth. A domino that has detached is taken to stay at theta_f. Then theta_i(theta) increases with r and
- * with s, and its slope theta_i' decreases. d theta_i / dr and d theta_i / ds decrease with theta:
+ * Bounds for all trains in a strip. A strip is an interval of growths at one separation, or an interval of
+ * separations at one growth.
+ *
+ * A domino that has detached is taken to stay at theta_f. Then the tilt theta_i(theta) of a follower
+ * increases with r and with s, and its slope theta_i' decreases. The derivatives d theta_i / dr and d theta_i
+ * / ds decrease with theta. For the first follower they are
  *
  *     d theta_1 / d ln r = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y.
  *
- * X = r (L cos theta - d) makes these derivatives monotone, and a chain only multiplies and adds terms >= 0.
- * So the two chains at the ends of a strip enclose all others. STRIP_SLACK allows for rounding errors, but
- * this is not a proof by interval arithmetic.
+ * X and Y are the sine and cosine of theta_1 - theta. These derivatives are monotone because X = r (L cos
+ * theta - d). For later followers, such derivatives are only multiplied and added, and no term is negative.
+ * So the two trains at the ends of a strip enclose all others.
+ *
+ * STRIP_SLACK allows for rounding errors, but this is not a proof by interval arithmetic.
  */
 #ifndef DOM_STRIP_H
 #define DOM_STRIP_H
@@ -18,8 +23,8 @@
 struct strip {
     /* Bounds on K over the strip. kinetic_least is a bound only if it is positive. */
     real kinetic_least, kinetic_most;
-    /* Largest factor by which g(theta_i(0)) of a follower increases over the strip, with g(theta) = sin
-     * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
+    /* The largest factor, over all followers i, by which g(theta_i(0)) increases from lo to hi, where
+     * g(theta) = sin theta - d cos theta. Infinite if a follower has not yet reached theta_u at lo. */
     real grows;
     /* Upper bound on the energy that the followers after the last visited one can still lose. `grows` does
      * not cover these followers. */
