@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running error bounds, from the head down the train: how far rounding can move the quantities of a domino,
- * to first order in the unit roundoff. From leader to follower, the error of the angle is multiplied by the
- * slope, and the contact adds a few rounding errors.
+ * Running error bounds: how far rounding can move the quantities of a domino, to first order in the unit
+ * roundoff. The bounds are updated from domino to domino, from the head down the train. On the way from a
+ * leader to its follower, the error of the angle is multiplied by the slope of the contact. Computing the
+ * contact adds a few more rounding errors.
  */
 #ifndef DOM_BOUND_H
 #define DOM_BOUND_H
@@ -27,13 +28,16 @@ KERNEL void bound_next(const struct geometry *geometry, const struct link *leade
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
-/* Returns an error bound on h(A) - h(B) for one domino. A and B are the angles of the tilts a and b, and t is
- * tan((A - B)/2). The error bounds on A, B and t are angle_a, angle_b and t_error. */
+/* Returns an error bound on h(A) - h(B) for one domino. A and B are the angles that belong to the tilts a and
+ * b. t is tan((A - B)/2). The arguments angle_a, angle_b and t_error are error bounds on A, B and t. */
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound on tan((A - B)/2) for the followers of a and b, whose angles are A and B
- * (energy_change_between). t is the tangent for a and b themselves, and t_error is the error bound on t. */
+/*
+ * Returns an error bound on the followers' t, which energy_change_between computes from the t of a and b. t
+ * is the tangent of half the angle between two tilts of one domino: its tilt in the chain of a and its tilt
+ * in the chain of b. The argument t belongs to a and b themselves, and t_error is the error bound on it.
+ */
 KERNEL real bound_tan_half(const struct link *a, const struct link *b, const struct bound *bound_a,
                            const struct bound *bound_b, real t, real t_error);
 

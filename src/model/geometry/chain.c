@@ -57,7 +57,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower detaches at once, so H' jumps at 0. Start just after the jump. */
+    /* At r s = 1 the follower detaches as soon as the head moves, so H' jumps at the tilt 0. Start just after
+     * the jump. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down, and adds up
- * sums such as (19; c1). The pass ends after geometry->n dominoes, or when the tail is negligible at the
- * tolerance. A geometric series bounds the tail.
+ * sums over the dominoes, such as equation (19; c1). The pass ends after geometry->n dominoes. It ends
+ * earlier if the remaining terms are negligible at the tolerance. A geometric series bounds these remaining
+ * terms.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -19,29 +20,31 @@ KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real the
                                        struct sums *error);
 
 /*
- * Finds the tilt of the head at which a domino detaches. Unless `domino` is NULL, *domino receives the number
- * of this domino. *leaves is false if no domino detaches. At most one domino does, since the train at theta_c
- * is the train at 0 shifted by one domino.
+ * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves
+ * from 0 to theta_c, since the train at theta_c is the train at 0 shifted by one domino. If no domino
+ * detaches, *leaves is false. Unless `domino` is NULL, *domino receives the number of the domino that
+ * detaches.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
 
 /*
- * Divides the motion up to the tilt `end` into smooth pieces:
- * - edge[0] is 0, or just above 0 if r s = 1.
- * - If a domino detaches before `end`, the head's tilt at that moment is an edge. From this edge on, the
+ * Divides the motion up to the tilt `end` into pieces in which the sums are smooth functions of the tilt. The
+ * array `edge` receives the tilts of the head at which the pieces begin and end:
+ * - edge[0] is 0. If r s = 1, it is just above 0.
+ * - If a domino detaches before `end`, the tilt at that moment is the next edge. From this edge on, the
  *   detached domino no longer moves.
  * - The last edge is `end`.
  *
- * *edges is the number of edges. Unless `moving` is NULL, *moving is the number of dominoes that move in the
- * first piece, or CHAIN_ENDLESS if no domino detaches.
+ * *edges receives the number of edges. Unless `moving` is NULL, *moving receives the number of dominoes that
+ * move in the first piece. If no domino detaches, this number is CHAIN_ENDLESS.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns `self`, the status of the evaluated function, if this status is an error. Otherwise returns the
- * status of the solver. */
+/* A solver has evaluated a function. `self` is the status of the function, and `solver` is the status of the
+ * solver. Returns `self` if it is an error. Otherwise returns the status of the solver, converted. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

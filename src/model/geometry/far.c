@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
- * theta is the tilt of its head. The follower of a domino at z is at f(z), another power series. So
+ * The sums over the far tail. Let theta be the tilt of the first domino of the tail, and z = tan((theta_inf -
+ * theta) / 2). Then H and J of the tail are power series in z. The variable z of the follower is f(z), which
+ * is another power series. So
  *
- *     H(z) = h(z) + r^-q H(f(z)),
- *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
+ *     H(z) = h(z) + r^(-q) H(f(z)),
+ *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^(-2) + r^(-(q+1)) f'(z)^2 J(f(z)) / (1 + f^2)^2.
  *
- * Each coefficient of H and J follows from the coefficients before it.
+ * From these equations, each coefficient of H and J follows from the coefficients before it.
  */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* Finds the series f = (z - p) / (1 + z p), with p = tan((theta_1 - theta) / 2). Returns 1 - f'(0), which is
- * small if s is small. */
+/* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
+ * f'(0). If s is small, this number is small, and 1 minus the coefficient f[1] would lose its digits. */
 static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     real p[FAR_ORDER + 2];
@@ -26,8 +27,8 @@ static real far_follower(const struct geometry *geometry, int order, real *f)
     return p[1];
 }
 
-/* Estimates a factor from the last coefficients. The omitted terms are at most this factor multiplied by
- * (z / radius)^order. */
+/* Returns a factor for a bound: the omitted terms of a series are at most this factor multiplied by (z /
+ * radius)^order. The factor is estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -39,8 +40,8 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/* Returns a radius inside which the series converge. The branch points of f (X = 1 or X = -1) and
- * its second fixed point (theta = -theta_inf) are not inside it. */
+/* Returns a radius inside which the series converge. Outside it lie the branch points of f, where X is 1 or
+ * -1. The second fixed point of f, which belongs to theta = -theta_inf, also lies outside. */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));
@@ -54,8 +55,8 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order that saves the most time, or 0 if no series saves time. The cost of making the series is
- * divided among the passes that use it; `passes` is their number. */
+/* Returns the order of the series that saves the most time, or 0 if no series saves time. `passes` is the
+ * number of passes that use the series. The cost of building the series is divided among these passes. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
@@ -136,8 +137,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* At step j, `power` is f^j, and `squares` is f'^2 f^(j-1). H[j] and J[j - 1] already contain the terms
-     * of all earlier coefficients. */
+    /* At step j, `power` is the series f^j, and `squares` is the series f'^2 f^(j-1). H[j] and J[j - 1]
+     * already contain all terms that come from earlier coefficients. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

@@ -5,8 +5,8 @@
 
 #include "geometry/sums.h"
 
-/* Makes the series geometry->far. `passes` is the number of passes that will use the series; the best order
- * depends on it. The order is 0 (no series) if a domino detaches, or if no series saves time. */
+/* Builds the series geometry->far. Its best order depends on how many passes will use the series; `passes` is
+ * this number. If a domino detaches, or if no series saves time, the order is 0: there is no series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -17,8 +17,11 @@ KERNEL_LOOP real far_variable(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order, or infinity if z is too large. Multiplied by rest_H, the
- * result bounds the omitted terms of H. Multiplied by rest_J, it bounds the omitted terms of J. */
+/*
+ * Returns (z / radius)^order, from which bounds on the omitted terms follow. Multiplied by rest_H, this power
+ * bounds the omitted terms of H. Multiplied by rest_J, it bounds the omitted terms of J. If z is too large
+ * for the series, the result is infinity.
+ */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -29,8 +32,11 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if `rest`, a bound on the omitted terms, is below the tolerance. `tail` is the value of the
- * series. The tolerance is relative to the sum including `tail`, since `tail` may cancel most of the sum. */
+/*
+ * Returns true if the omitted terms of a far series do not matter. `rest` is a bound on the omitted terms,
+ * and `tail` is the value of the series. `rest` must be below the tolerance, relative to the sum that
+ * includes `tail`. Since `tail` may cancel most of the sum, the sum without it would not be a safe measure.
+ */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), ROUNDOFF * s->size);
@@ -53,7 +59,8 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* These two functions return H (up to a constant) and J of a domino at z and all dominoes behind it. */
+/* These two functions return H or J of a domino and all dominoes behind it. z is far_variable of the domino.
+ * H is known only up to a constant. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);
@@ -68,8 +75,8 @@ KERNEL struct far_point far_J(const struct far *far, real z)
                               .first = one * one * (at.first - 2 * z * at.value)};
 }
 
-/* Returns H(theta_a) - H(theta_b). z_a and z_b are the values of far_variable at the two tilts, and t is
- * tan((theta_a - theta_b) / 2). */
+/* Returns H(theta_a) - H(theta_b) for a domino and all dominoes behind it. The arguments z_a and z_b are the
+ * values of far_variable at the two tilts, and t is tan((theta_a - theta_b) / 2). */
 KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 {
     real sum = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */

@@ -54,11 +54,12 @@ struct far_friction {
 
 /*
  * The shape of a domino with rounded edges (rounded.h). Lengths are divided by its height. The moment of
- * inertia about the line where the foot touches the floor is i times that of a sharp block, with
+ * inertia is taken about the line where the foot touches the floor. It is i times the moment of inertia of a
+ * sharp block, where
  *
  *     i(theta) = i.c + i.x sin theta + i.y cos theta.
  *
- * With sharp edges i is 1 and rho is 0.
+ * With sharp edges, i is 1 and rho is 0.
  */
 struct rounded {
     real rho;           /* radius of the edges */
@@ -71,8 +72,8 @@ struct rounded {
     } i;
 };
 
-/* A train that has been checked, and the quantities that are constant during a cycle. In a row, one domino
- * with its follower. */
+/* A train that has been checked, with the quantities that stay constant during a cycle. In a row, where every
+ * domino can be different, this structure describes one domino with its follower. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
@@ -137,8 +138,8 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
-/* Returns the sum of the absolute values of the terms of dh/dtheta, for error bounds. On a slope it is
- * doubled, since h.x and h.y are then rounded sums. */
+/* Returns the sum of the absolute values of the terms of dh/dtheta, from which error bounds are computed. On
+ * a slope, h.x and h.y are themselves rounded sums, so the result is doubled. */
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
     real d = geometry->d, along = fabs(geometry->g.along), down = geometry->g.down;
@@ -163,9 +164,12 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
     return geometry->rounded.i.x * t.y - geometry->rounded.i.y * t.x;
 }
 
-/* Returns the smallest tilt of the head that matters at the beginning of a cycle. This is theta_u or, if
- * smaller, the tilt at which a follower that started near pi/2 is no longer near pi/2. If theta_u is 0 (edges
- * of radius d/2), only the second tilt matters. */
+/*
+ * Returns the smallest tilt of the head that matters at the beginning of a cycle. Two tilts can matter. The
+ * first is theta_u, where the head tips over. The second is the tilt at which a follower that started near
+ * pi/2 is no longer near pi/2. Returns the smaller of the two. If theta_u is 0 (edges of radius d/2), returns
+ * the second tilt.
+ */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
     const struct rounded *of = &geometry->rounded;
@@ -180,16 +184,16 @@ KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Finds the sine and cosine of theta_c - theta_u. The sine is negative if domino 1 hits the next domino
+/* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 hits the next domino
  * before it tips over (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts an angle to a tilt. The angle lies between the lean of the head (0 in a train) and theta_c. An
- * angle equal to theta_c within rounding gives theta_c. */
+/* Converts an angle to a tilt. The angle must not be less than the lean of the head (0 in a train), and must
+ * not exceed theta_c. If the angle equals theta_c apart from rounding, the result is theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Returns an upper bound on the error of the angle of t. `units` is the sum of the relative errors of t.x and
- * t.y, in units of ROUNDOFF. */
+/* Returns an upper bound on the error of the angle of t. `units` is the relative error of t.x plus the
+ * relative error of t.y, in units of ROUNDOFF. */
 KERNEL real tilt_error(struct tilt t, real units);
 /* These functions return upper bounds on the errors of the head's tilt, theta_u, theta_f and theta_leave. */
 KERNEL real geometry_error_head(struct tilt head);
@@ -207,8 +211,8 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* Returns the tilt for p = tan(theta / 2). Searches vary p, which needs no trigonometry and keeps the digits
- * of small tilts. */
+/* Returns the tilt whose p = tan(theta / 2) is given. Searches vary p instead of the angle: p needs no
+ * trigonometry, and keeps all digits of small tilts. */
 KERNEL struct tilt tilt_half(real p)
 {
     real pp = p * p, share = 2 / (1 + pp);
@@ -228,8 +232,11 @@ KERNEL real tan_half_between(struct tilt from, struct tilt head)
     return sine / (1 + cosine);
 }
 
-/* The contact of a leader with its follower: the angle between them, the arm of the force on the leader
- * (table 1), and the slope (34; A10). X and Y are accurate for all angles. */
+/*
+ * The contact of a leader with its follower. X and Y describe the angle between the two dominoes, and are
+ * accurate for all angles. `arm` is the lever arm of the force on the leader (table 1). `slope` tells how
+ * much the follower turns when the leader turns (34; A10).
+ */
 struct contact {
     real X, Y;  /* sine and cosine of theta_1 - theta (30; A5) */
     real arm;   /* r a = Y - r L x; see geometry_contact */
@@ -243,21 +250,25 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
     /* A chain multiplies many slopes, so a slope near 1 must not have more than one rounding error. */
     if (2 * rLx <= Y)
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
-    /* Y - r L x would cancel, so the arm follows from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v. */
+    /* The subtraction Y - r L x would cancel digits. So the arm follows from Y^2 - (r L x)^2, which is (1 -
+     * r^2 s^2) - 2 r^2 L d v. */
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
-/* Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). All terms of v' = 1 - y' have the same
- * sign. x' and y' follow from v', so they stay the sine and cosine of one angle along a long train. */
+/*
+ * Returns the follower's tilt, by equation (31; A6), corrected: y' = Y y - X x. The formula for v' = 1 - y'
+ * only adds terms of one sign, so no digits cancel. x' and y' are computed from v'. So they stay the sine and
+ * cosine of one angle, even far down a long train.
+ */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
     real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The follower's sine may then be negative. x' = Y
- * x + X y keeps this sign. */
+/* Returns the follower's tilt if the leader leans backwards. The follower may then lean backwards, too: its
+ * sine may be negative. The formula x' = Y x + X y gives the sine with its sign. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

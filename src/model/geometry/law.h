@@ -44,15 +44,16 @@ struct moving {
 enum pass {
     PASS_PLAIN = 0,
     PASS_ERROR = 1, /* bounds on the errors */
-    /* the head is at theta_c; each follower began the cycle at the tilt that its leader has now */
+    /* The head has fallen from upright to theta_c. Then each follower began the cycle at the tilt that its
+     * leader has now, so only one chain must be computed. */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
     PASS_PUSHES = 8,            /* tries to prove that all contacts push */
 };
 
 struct contact_law {
-    /* True if a formula gives the follower's tilt, without iteration. Only then are there error bounds,
-     * bounds for strips of growths, and shortcuts for random rows. */
+    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Error bounds,
+     * bounds for strips of growths, and shortcuts for random rows exist only for such a law. */
     bool closed_form;
     /* A search may visit this many dominoes, which takes about a second in double. */
     size_t work_most;
@@ -73,13 +74,15 @@ struct contact_law {
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns r s for the least growth at which domino 1 tips over before it hits the next domino (5; b0). */
+    /* Returns r s for the smallest growth at which domino 1 tips over by itself before it hits the next
+     * domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
-    /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), or 0 if domino 1 has not tipped over. */
+    /* Returns tau_1^2 omega_1c^2 of a domino that tips over by itself. This is h(theta_u) - h(theta_c), by
+     * equation (9; b5). If domino 1 has not tipped over at theta_c, returns 0. */
     real (*tipped_omegasq)(const struct geometry *geometry);
 
-    /* Finds the power series tan((theta_1 - theta) / 2) = p[1] z + ... + p[order] z^order. z is far_variable
-     * (far.h). */
+    /* Finds the coefficients p[1] to p[order] of a power series for tan((theta_1 - theta) / 2): the sum of
+     * p[k] z^k. The variable z is far_variable (far.h). */
     void (*turns)(const struct geometry *geometry, int order, real *p);
 
     /* ---- A walk down a chain, domino by domino ---- */
@@ -89,15 +92,16 @@ struct contact_law {
     /* Finds the contact with a follower that counts as detached only because of rounding. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Tests a contact while its leader moves from b to a. If every contact of a chain passes, all stay
-     * closed. */
+    /* Tests a contact while its leader moves from b to a. One contact that passes proves nothing by itself.
+     * But if every contact of a chain passes, all of them stay closed. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
     size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);
 
     /* ---- Passes down a chain ---- */
 
-    /* Finds a number with the sign of H1, as far as rounding permits. Stops when the sign is certain. */
+    /* Finds only the sign of H1: *H1 receives a number that has this sign, as far as rounding permits. The
+     * pass stops as soon as the sign is certain. */
     enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
@@ -112,12 +116,12 @@ struct contact_law {
      */
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);
-    /* Finds the sums at `head`, with H2, and the sums at theta_c, faster than two calls of `change`. The
-     * train is endless, and no domino detaches. May be NULL. */
+    /* Finds the sums at `head` (including H2) and the sums at theta_c, both in one pass. This is faster than
+     * two calls of `change`. The train must be endless, and no domino may detach. The member may be NULL. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
                             struct sums *at_c);
-    /* Finds J, H1 and half of dJ/dtheta. If `every` is true, visits the dominoes of the far tail instead of
-     * using the far series. */
+    /* Finds J, H1 and half of dJ/dtheta. Usually the far series replaces the dominoes of the far tail. If
+     * `every` is true, the pass visits these dominoes, too. */
     enum dom_status (*rates)(const struct geometry *geometry, struct tilt head, bool every, struct sums *sums,
                              real *half_J1);
     /* Finds the equation of motion with friction. */
@@ -128,9 +132,10 @@ struct contact_law {
 static const struct contact_law sharp_edges, rounded_edges;
 
 /*
- * These two functions set up the geometry of a train, except for the law of motion (dynamics_make).
- * geometry_read computes what does not depend on the separation and the growth. geometry_set checks and sets
- * the separation and the growth, and may be called again.
+ * These two functions set up the geometry of a train, except for the law of motion, which dynamics_make sets
+ * up. geometry_read computes everything that does not depend on the separation and the growth. geometry_set
+ * then checks the separation and the growth, and sets what depends on them. It may be called again with other
+ * values.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
@@ -138,8 +143,8 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 /* Sets gravity, and gives the dominoes sharp edges. geometry->d must be set. */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
-/* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. geometry->d and
- * gravity must be set. Returns DOM_NO_ROUND if rho > d/2. */
+/* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. Before the call,
+ * geometry->d and gravity must be set. If rho > d/2, returns DOM_NO_ROUND. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* Members of `sharp_edges` that are not defined in sharp.c. */

@@ -53,8 +53,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower, from the derivative of (14; b10). The formula avoids the follower's cosine
- * Y y - X x, which loses digits to cancellation near pi/2. */
+/* Returns the follower's theta'', from the derivative of equation (14; b10). The formula avoids the
+ * follower's cosine Y y - X x, since this subtraction loses digits near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
@@ -77,7 +77,7 @@ KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* These two functions return r a and r b: the lever arms (table 1) with friction, multiplied by r. */
+/* These two functions return the lever arms a and b of a contact with friction (table 1), multiplied by r. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;
@@ -88,8 +88,8 @@ KERNEL real contact_arm_b(const struct link *k)
     return k->contact.Y + k->geometry->mu * k->contact.X;
 }
 
-/* Returns a / b, the part of a torque that the follower passes on to its leader. Without friction it is the
- * slope (14; b10). */
+/* Returns a / b: the part of a torque that the follower passes on to its leader. Without friction, a / b is
+ * the slope of the contact (14; b10). */
 KERNEL real torque_ratio(const struct link *k)
 {
     return contact_arm_a(k) / contact_arm_b(k);

@@ -26,8 +26,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. done_J is also safe for rounded edges, since rounding an
- * edge never increases the inertia. */
+/* Returns true when the tail of H1 can be left out. For the tail of J, done_J can be used with rounded edges
+ * as well: rounding an edge never increases the inertia, so the bound in done_J still holds. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -35,8 +35,8 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
 }
 
-/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, with just enough digits for its
- * sign. */
+/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds H1 alone, and only as precisely as its sign
+ * requires. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums, real *half_J1)
 {
@@ -219,8 +219,10 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Tries rolling_pushes_between from b to a. If this test fails, tries both halves, with at most `halvings`
- * successive halvings. Returns true on success. */
+/*
+ * Returns true if rolling_pushes_between succeeds while the leader moves from b to a. If it fails for the
+ * whole motion, tries both halves of the motion. A motion is halved at most `halvings` times in succession.
+ */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))
@@ -342,8 +344,8 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     return status;
 }
 
-/* The two passes run side by side, as in sharp_both. The upright chain is the chain at theta_c shifted by one
- * domino, so its tilts need no computation of their own. */
+/* The two passes run side by side, as in sharp_both. The upright chain needs no computation of its own: it is
+ * the chain at theta_c, shifted by one domino. */
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c)
 {

@@ -4,9 +4,9 @@
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of a domino, in units of the unit roundoff. They grow where
- * digits cancel: in the arm a when the follower is about to detach, in the arm b if X < 0, and in the second
- * derivative of the contact.
+ * The rounding errors of S, theta' and theta'' of a domino, in units of the unit roundoff. The errors grow
+ * where digits cancel. In the arm a, digits cancel when the follower is about to detach. In the arm b, digits
+ * cancel if X < 0. They also cancel in the second derivative of the contact.
  */
 struct rounding {
     real S, slope, second_derivative;

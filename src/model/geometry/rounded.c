@@ -28,8 +28,11 @@ enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
 
-/* Solves the equation of turn_solve by Halley's method from the estimate `turn`. The iteration ends when the
- * third order of a step is negligible. The sine and cosine include the last step up to the second order. */
+/*
+ * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
+ * when the third order of a step is negligible. Then the last step is added to the sine and cosine up to its
+ * second order, so they need not be computed again.
+ */
 static struct turn turn_iterate(real l, real c, real G, real turn)
 {
     for (int i = 0; i < TURN_STEPS; i++) {
@@ -44,17 +47,18 @@ static struct turn turn_iterate(real l, real c, real G, real turn)
 }
 
 /*
- * Solves l sin u + c u = G for u in [-pi/2, pi/2], where l and c >= 0. Returns NaN if there is no solution.
- * With w = sin u the equation is
+ * Finds the turn u to a follower from the contact equation l sin u + c u = G. u lies in [-pi/2, pi/2], and l
+ * and c are >= 0. Returns NaN if there is no solution. With w = sin u the equation is
  *
  *     w = X - c / (l + c) (asin w - w),   X = G / (l + c).
  *
- * A polynomial for asin X - X gives an estimate x of w. With U = asin x, y = cos U, S = l y + c and
- * D = (G - l x - c U) / S, the difference delta = u - U obeys
+ * First, a polynomial for asin X - X gives an estimate x of w. Then let U = asin x, y = cos U, S = l y + c
+ * and D = (G - l x - c U) / S. The correction delta = u - U obeys
  *
- *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / 2 S,   m = l y / 6 S.
+ *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / (2 S),   m = l y / (6 S).
  *
- * The angle, its sine and its cosine are computed separately, up to D^3, so none waits for another.
+ * The angle, its sine and its cosine are computed separately from this series, up to D^3. None of the three
+ * has to wait for another.
  */
 KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 {
@@ -75,9 +79,11 @@ KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
     };
 }
 
-/* Solves l sin u + c u = G near u = pi/2, where turn_solve would lose digits of cos u. The argument is
- * E = l + c pi/2 - G. Then e = pi/2 - u obeys l (1 - cos e) + c e = E. Returns NaN if there is no
- * solution. */
+/*
+ * Finds the turn u from l sin u + c u = G if u is near pi/2. There turn_solve would lose digits of cos u. The
+ * argument E is l + c pi/2 - G. The angle e = pi/2 - u then obeys l (1 - cos e) + c e = E. Returns NaN if
+ * there is no solution.
+ */
 static struct turn turn_near_reach(real l, real c, real E)
 {
     real e = E > 0 ? 2 * E / (c + sqrt(c * c + 2 * l * E)) : E;
@@ -279,10 +285,10 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /* ---- The shape of a train ---- */
 
 /*
- * Returns theta_inf, the tilt at which leader and follower are parallel, so that the right side of the
- * contact equation is 0. Also finds theta_inf as an angle, and the slope there. The right side is a
- * decreasing, concave function of 1 - cos theta up to pi/2, so Newton's method converges. It starts from the
- * solution for sharp edges.
+ * Returns theta_inf, the tilt at which leader and follower are parallel. At this tilt, the right side of the
+ * contact equation is 0. Up to pi/2, the right side is a decreasing, concave function of 1 - cos theta. So
+ * Newton's method converges; it starts from the solution for sharp edges. *theta receives theta_inf as an
+ * angle, and *slope receives the slope of the contact at theta_inf.
  */
 static struct tilt rounded_inf(const struct geometry *geometry, real *theta, real *slope)
 {
@@ -307,9 +313,10 @@ static struct tilt rounded_inf(const struct geometry *geometry, real *theta, rea
 }
 
 /*
- * Finds the tilt theta of a leader at which its follower detaches, and returns the follower's tilt. At this
- * tilt the slope of the contact is 0. The slope decreases with theta. At hi it is negative, or NaN if there
- * is no contact. Newton's method, confined to a bracket, starts from the solution for sharp edges.
+ * Finds the tilt of a leader at which its follower detaches. *theta receives this tilt, and the function
+ * returns the tilt of the follower. The follower detaches where the slope of the contact is 0. The slope
+ * decreases with theta. At the upper end `hi`, the slope is negative, or NaN if there is no contact. Newton's
+ * method starts from the solution for sharp edges, and a bracket confines it.
  */
 static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
@@ -339,8 +346,8 @@ static real beyond(const struct rounded *of, real sharp)
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino. `gap` is the gap to the next domino, and `left` is
- * how far the head could reach beyond it. Both lengths are in units of the head's height. */
+/* Returns the tilt at which a head hits the next domino. `gap` is the gap to the next domino. `left` is how
+ * much farther the head could reach. Both lengths are in units of the head's height. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     struct tilt hit = gap < TURN_NEAR * (of->tall + of->rho) ? turn_solve(of->tall, of->rho, gap).tilt

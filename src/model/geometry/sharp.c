@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The law of contact of the paper. The sharp upper edge of a follower touches the flat back of its leader. A
- * domino turns about the front edge of its foot. */
+/* The law of contact of the paper, for dominoes with sharp edges. The sharp upper edge of a follower touches
+ * the flat back of its leader. A domino turns about the front edge of its foot. */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
@@ -14,8 +14,8 @@ static enum dom_status sharp_set(struct geometry *geometry)
     geometry->inf = (struct tilt){x_inf, d / L, s / L};
     geometry->decay = geometry->weight * fmax(0, 1 - r * L * x_inf);
 
-    /* Followers detach if theta_leave < theta_inf (41; A17), where 1 - cos theta_leave = (1/r^2 - s^2) / (2 d
-     * L). */
+    /* Followers detach if theta_leave < theta_inf (41; A17). The tilt theta_leave follows from 1 - cos
+     * theta_leave = (1/r^2 - s^2) / (2 d L). */
     geometry->leave_at = geometry->short_of * (1 + r * s);
     geometry->leave_by = 2 * d * L * r * r;
     real v_leave = geometry->leave_at / geometry->leave_by;
@@ -44,8 +44,8 @@ static struct tilt sharp_hit(const struct geometry *geometry, real gap)
 
 static struct tilt sharp_leader(const struct geometry *geometry, struct tilt follower)
 {
-    /* For a given follower, (12; b8) is A cos theta + B sin theta = d. The leader's tilt is the smaller
-     * root. */
+    /* If the follower's tilt is given, the contact equation (12; b8) is A cos theta + B sin theta = d. The
+     * smaller root theta is the leader's tilt. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
     real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
     real least = geometry->lean < 0 ? sin(geometry->lean) : 0;
@@ -59,8 +59,8 @@ static real sharp_paper_fuel(const struct geometry *geometry)
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
         return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
-    /* h(0) - h(theta_inf), in a form that loses no digits near 0. On a level floor it is 0 at
-     * s = 2 d^3 / (1 - d^2). */
+    /* This is h(0) - h(theta_inf), in a form that keeps its digits where the fuel is nearly 0. On a level
+     * floor the fuel is 0 at s = 2 d^3 / (1 - d^2). */
     return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
@@ -178,8 +178,8 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* Adds this domino and all dominoes behind it to J, H1 and J'/2, using the far series. Adds nothing and
- * returns false if there is no series, or if the tilt is too far from theta_inf for the series. */
+/* Uses the far series to add this domino and all dominoes behind it to J, H1 and J'/2. If there is no series,
+ * or if the tilt is too far from theta_inf for the series, adds nothing and returns false. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

@@ -1,25 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds differences of H between two chains with sharp edges. Each pass visits the dominoes of both chains in
- * parallel. Series replace the far tails (far.h). */
+/* Finds differences of the energy H between two chains with sharp edges. Each pass visits the dominoes of
+ * both chains in parallel. Power series replace the far tails (far.h). */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
 
 /*
- * Returns h(A) - h(B) for a domino at the tilts a and b, from t = tan((A - B)/2). The difference is the
- * product
+ * Returns h(A) - h(B): how much the potential energy of a domino differs between its tilts a and b, whose
+ * angles are A and B. t is tan((A - B)/2). Subtracting two nearly equal energies would lose digits. So the
+ * difference is computed as the product
  *
- *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)],
- *
- * in which the nearly equal heights do not cancel.
+ *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)].
  */
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* Error bounds for the current dominoes of the chains a and b, for t (see energy_change_between), and for the
- * sums. */
+/* Error bounds for the current dominoes of the chains a and b, for the quantity t of energy_change_between,
+ * and for the sums. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -49,9 +48,10 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower at theta_1 that will detach at theta_f. Its leader will
- * then have moved on to theta_leave, where the arm a is 0, so Y = r L x. The formula of energy_change_between
- * gives the result. The arm of `leader` has the factor
+ * Returns tan((theta_f - theta_1) / 2) for a follower that is at theta_1 now, and detaches at theta_f. At
+ * that moment its leader is at theta_leave. The arm a is 0 at theta_leave, so Y = r L x there. The result
+ * follows from the formula of energy_change_between for the leader's tilts theta_leave and theta. The arm of
+ * `leader` contains the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
@@ -80,7 +80,7 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when all tails can be left out. `shrink` is the result of pair_shrink. */
+/* Returns true when the tails of all sums can be left out. `shrink` is the result of pair_shrink. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrink, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrink, a->geometry->decay);
@@ -89,30 +89,34 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests a contact while its leader moves from b to a. If every contact of a chain passes, all stay closed,
- * for this reason:
+ * Tests a contact while its leader moves from b to a. If every contact of a chain passes this test, all
+ * contacts stay closed. The reason is as follows.
  *
- * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta'). Add
- * up these products for domino i and all dominoes behind it. The contacts between these dominoes cancel. Only
- * gravity and the contact of domino i with its leader remain. The force of this contact, multiplied by
- * S_i b_i > 0, is therefore the sum over k >= i of
+ * Multiply the torque on each domino by its factor S. (See dynamics/friction.c; without friction, S =
+ * theta'.) Add up these products for domino i and all dominoes behind it. In this sum, the contacts between
+ * these dominoes cancel. Only gravity and the contact of domino i with its leader remain. So the force of
+ * this contact, multiplied by S_i b_i > 0, is the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
- *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
+ *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k'.
  *
- * where g = -h'/2, and <> is the mean over the chain with the weights I S theta'. The acceleration of the
- * whole chain is <a> + <c> w. If neither a_k nor c_k decreases down the chain, this sum is not negative for
- * any i. Then all contacts push, at every speed.
+ * Here g = -h'/2. The brackets <> denote the mean over the chain with the weights I S theta'. The
+ * acceleration of the whole chain is <a> + <c> w. Suppose that neither a_k nor c_k decreases down the chain.
+ * Then this sum is not negative for any i, and all contacts push, at every speed.
  *
- * From leader to follower, c_k increases by r L (y_1 + theta_1' x X) / Y^2 times a square
- * (link_second_derivative), where y_1 = Y y - X x is the follower's cosine. a_k does not decrease if
- * f = (weight/inertia) g_1 - theta_1' g >= 0, where
+ * The condition on c_k: from leader to follower, c_k increases by r L (y_1 + theta_1' x X) / Y^2 times a
+ * square (link_second_derivative). Here y_1 = Y y - X x is the follower's cosine.
+ *
+ * The condition on a_k: a_k does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0. With R =
+ * weight/inertia,
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
- * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
- * term. The arm of the force on the leader must not be negative. This arm decreases, too, so only the arm at
- * a is tested. If a leader leans backwards, none of this holds, and the test fails.
+ * On the way from b to a, X and theta_1' decrease. Y increases while X >= 0. So the values at a and b bound
+ * every term.
+ *
+ * The arm of the force on the leader must not be negative. This arm decreases, too, so only the arm at a is
+ * tested. If a leader leans backwards, none of this holds, and the test fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -128,8 +132,8 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between succeeds from b to a. If it fails, tries both halves, with at most
- * `halvings` successive halvings. */
+/* Returns true if pushes_between succeeds while the leader moves from b to a. If it fails for the whole
+ * motion, tries both halves of the motion. A motion is halved at most `halvings` times in succession. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -152,12 +156,14 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 
 /*
  * Finds the sums of chain a, and H(head) - H(from). The head of chain a is at `head`, and the head of chain b
- * is at `from`. Each domino's term of the difference comes from t = tan((theta_a - theta_b)/2), so even the
- * smallest difference keeps its digits. Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
+ * is at `from`. Subtracting two nearly equal energies would lose digits. So each domino's term of the
+ * difference is computed from t = tan((theta_a - theta_b)/2), where theta_a and theta_b are its tilts in the
+ * two chains. Since X_a - X_b = r L (y_a - y_b), the follower's t is exactly
  *
  *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
  *
- * G is a mean of r L x / Y, a term of the slope (14; b10).
+ * G is a mean of the values of r L x / Y in the two chains. The slope of a contact is 1 - r L x / Y (14;
+ * b10).
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
@@ -246,8 +252,11 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* `pass` is constant in each call, so the compiler removes unneeded sums. For error bounds, a second pass
- * visits the dominoes that the series replaced. The difference of the sums is added to the bounds. */
+/*
+ * In each of these calls `pass` is a constant, so the compiler removes the sums that are not needed. If error
+ * bounds are requested, a second pass without series visits all dominoes. The difference between the sums of
+ * the two passes is added to the bounds.
+ */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums, struct sums *error)
 {

@@ -3,16 +3,19 @@
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* A(e) of far_friction follows from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1). B and C satisfy similar
- * equations. All three are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1. */
+/*
+ * Finds the functions A(e), B(e) and C(e) of far_friction. A(e) follows from the equation A(theta) = 1 +
+ * r^(-(q+1)) S_1 theta_1' A(theta_1). B and C satisfy similar equations. All three equations are
+ * differentiated twice at theta = theta_inf. There theta_1 = theta, so X = 0 and Y = 1.
+ */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
     /* theta_1' and theta_1'' as functions of theta: their values and first two derivatives at theta_inf */
     const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
-    /* S_1 is the quotient a / b. At theta_inf, `above` holds a, a' and a''. There b is 1, and `below1` and
-     * `below2` are b' and b''. */
+    /* S_1 is the quotient a / b. At theta_inf, the array `above` holds a, a' and a''. The denominator b is 1
+     * there, and `below1` and `below2` are b' and b''. */
     const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
     const real S1 = above[1] - above[0] * below1,
                S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
@@ -46,10 +49,11 @@ KERNEL void far_friction_make(struct geometry *geometry)
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    /* Rounding error of S in units of the unit roundoff. It grows if X < 0, since digits then cancel in
-     * b = Y + mu X. */
+    /* The rounding error of S, in units of the unit roundoff. It grows if X < 0, since digits then cancel in
+     * the sum b = Y + mu X. */
     real noise;
-    /* True if the contact force on some follower passes on the wrong side of its hinge: b <= 0. */
+    /* True if b <= 0 at some contact: the contact force then passes on the wrong side of the follower's
+     * hinge. */
     bool wrong_side;
 };
 
@@ -64,8 +68,10 @@ static void friction_next(struct friction_link *k)
     link_next(&k->link);
 }
 
-/* Returns true when the tails of all three sums can be left out. The ratio of successive terms is taken to be
- * at least `decay`. Far down an endless train without friction, the ratio is `decay`. */
+/*
+ * Returns true when the tails of all three sums can be left out. The ratio of one term to the term before it
+ * is taken to be at least `decay`. Far down an endless train without friction, the ratio is exactly `decay`.
+ */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
@@ -92,8 +98,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* Adds this domino and all dominoes behind it to the sums, using far_friction. Adds nothing and returns false
- * if far_friction does not apply, or if its quadratic terms matter at this domino. */
+/* Uses far_friction to add this domino and all dominoes behind it to the sums. Adds nothing and returns false
+ * in two cases: if far_friction does not apply, or if its quadratic terms matter at this domino. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {

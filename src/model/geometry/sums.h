@@ -8,8 +8,11 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. Less accurate: rounding is not compensated, and only the
-     * tail of H1 is bounded. */
+    /*
+     * The second derivative d2H/dtheta2. Valid only with PASS_SECOND_DERIVATIVE. H2 is less accurate than the
+     * other sums: its rounding errors are not compensated, and the test for the end of the pass does not look
+     * at its tail.
+     */
     real H2;
     /* H(theta) - H(0), or H(theta) minus H at another tilt. Only in passes that compare two tilts. */
     real dH;
@@ -22,16 +25,16 @@ struct sums {
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms, from which rounding errors are estimated. They are increased
-     * if digits cancel inside a term. */
+    /* Sums of the absolute values of all terms, from which rounding errors are estimated. If digits cancel
+     * inside a term, these sums are increased. */
     real A_size, B_size, C_size;
     /* True if no acceleration satisfies the equation (Painleve): A <= 0, or some arm b <= 0. */
     bool locks;
     size_t n; /* number of dominoes in the sums */
 };
 
-/* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. At r = 1, only
- * trains with sqrt(s (s + 2 d)) < 2e-5 need more. */
+/* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. Few trains
+ * would need more dominoes: at r = 1, only those with sqrt(s (s + 2 d)) < 2e-5. */
 #define LINKS_MAX ((size_t)2000000)
 
 /* The tail of a sum may be at most this fraction of the tolerance. A result that combines several sums then
@@ -55,8 +58,11 @@ KERNEL_LOOP void series_add(struct series *s, real term)
     s->size += fabs(term);
 }
 
-/* Returns true when the remaining terms can be left out. `term` bounds the last term. `ratio` bounds the
- * ratio of each later term to the term before it. A tail below the unit roundoff of the sum never matters. */
+/*
+ * Returns true when the remaining terms can be left out. `term` is an upper bound on the last term. `ratio`
+ * is an upper bound on the ratio of each later term to the term before it. A tail below the unit roundoff of
+ * the sum is always left out.
+ */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
     s->next = term * ratio;
@@ -64,7 +70,8 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), ROUNDOFF / 2 * s->size);
 }
 
-/* Returns a bound on the rounding error and on the omitted terms. No terms were omitted if `ended`. */
+/* Returns a bound on the error of a sum: its rounding error, and the terms that were left out. If `ended` is
+ * true, no terms were left out. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
@@ -82,7 +89,8 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Every 4096 dominoes, checks for an interrupt, and whether this pass or the whole search is too long. */
+/* Stops a pass or a search that takes too long, or that the user interrupts. Checks this only at every 4096th
+ * domino. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)

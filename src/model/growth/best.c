@@ -7,8 +7,8 @@
  *
  * With friction or rounded edges no bounds are known, so there are only samples.
  *
- * Quad precision starts from the result of double precision, and refines it. Only if the refinement fails,
- * quad precision searches all s itself.
+ * Quad precision starts from the result of double precision, and refines it. If the refinement fails, quad
+ * precision searches all s itself.
  */
 #include "growth/limit.h"
 
@@ -18,7 +18,7 @@
 #define BEST_PATIENCE 8
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* Until a growth above 1 is found, no interval of s gets narrower than this fraction of s. */
+/* As long as no growth above 1 is found, intervals of s are bisected down to this fraction of s. */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
@@ -69,8 +69,8 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops to true if bounds show that, at growth r, all trains with separations from lo to hi stop. m is
- * the margin at lo. */
+/* Tries to show that, at growth r, the trains of all separations from lo to hi stop. *stops is true if the
+ * bounds show this. m is the margin at the separation lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -96,8 +96,10 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     return DOM_OK;
 }
 
-/* Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the growth with the
- * most negative margin, or to b->r_max if there is none. */
+/*
+ * Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the growth with the
+ * most negative margin. If the train stops at none of the growths that are tried, sets *witness to b->r_max.
+ */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
     real lowest = 0;
@@ -117,7 +119,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the smallest relative width of an interval of s. It increases with the work that is done. */
+/* Returns the smallest width of an interval of s, relative to s. The more work the search has done, the
+ * larger this width becomes. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -125,9 +128,12 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches the separations between lo and hi for a growth above b->r_max. Skips the interval if bounds show
- * that all its trains stop at growth b->r_max, or at growth `witness` if `witness` is smaller. Otherwise
- * bisects the interval. */
+/*
+ * Searches the separations between lo and hi for a growth above b->r_max. If bounds show that all trains of
+ * the interval stop at growth b->r_max, none of them can have a larger r_max, and the interval is skipped. It
+ * is also skipped if all its trains stop at growth `witness`, when `witness` is smaller than b->r_max.
+ * Otherwise the interval is bisected.
+ */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -183,7 +189,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes samples of s near the best separation, in smaller and smaller steps. Used if no bounds are known. */
+/* Takes samples of s near the best separation, in smaller and smaller steps. This search is used if no bounds
+ * are known. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -204,7 +211,7 @@ static enum dom_status search_finely(struct search *b)
 /* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. */
 static real slope_step(real span, real s, real r)
 {
-    /* The error of the rule is about (h / scale)^8 + REAL_EPSILON / h. The scale is the first factor here. */
+    /* The error of the rule is about (h / scale)^8 + REAL_EPSILON / h. The factor fmin(...) is the scale. */
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
@@ -264,7 +271,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* If r_max is larger at an end, move s there. If r_max is only equal at an end, widen the interval. */
+    /* If r_max is larger at an end of the interval, move s to that end. If r_max at an end only equals r_max
+     * at s, widen the interval. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -288,8 +296,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, as a root of the slope. Sets *smooth to false at a kink or a
- * jump. `width` must far exceed the relative error of b->s. */
+/* Finds a smooth maximum of r_max near b->s, as a root of the slope. If the maximum is a kink or a jump
+ * instead, sets *smooth to false. `width` must be much larger than the relative error of b->s. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
@@ -323,8 +331,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
 /* Finds the maximum of r_max near b->s. *smooth is true on entry if b->s is already close to the maximum. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
-    /* Noise in r_max shifts a smooth maximum by about the square root of the noise. The bracket must be wider
-     * than this shift. */
+    /* Rounding noise in r_max shifts a smooth maximum by about the square root of the noise. The bracket must
+     * be wider than this shift. */
     const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
     enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
     if (status == DOM_OK && !*smooth) {
@@ -356,8 +364,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps where a dip of the margin begins. Shallow dips are not resolved (scan.c), so a jump
-     * is located less accurately. */
+    /* r_max(s) jumps at a separation where the margin begins to have a dip. Shallow dips are not resolved
+     * (scan.c), so the place of a jump is less accurate. */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
@@ -367,13 +375,14 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* Doubling the step makes the error 256 times as large. The absolute values of the weights add up to
-         * 1750 / (840 h). */
+        /* If the step is doubled, the error becomes 256 times as large. For the rounding error: the absolute
+         * values of the weights add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also causes an error in the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
-        /* The slope is 0 at the maximum. Its error, divided by its derivative, is the error of s. */
+        /* The slope is 0 at the maximum. So the error of the slope, divided by the derivative of the slope,
+         * is the error of s. */
         s_error += 2 * ROUNDOFF * s +
                    (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
@@ -426,8 +435,8 @@ static void line_to(struct line *line, struct margin_context *c, real s)
     line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
 }
 
-/* Finds a kink of r_max very close to b->s, as the point where two extrapolated branches meet. Returns
- * false if there is no kink. */
+/* Finds a kink of r_max very close to b->s. On each side of the kink, r_max is extrapolated as a smooth
+ * branch. The kink is the point where the two branches meet. Returns false if there is no kink. */
 static bool search_kink(struct search *b, real tol)
 {
     struct line up = {.slope = 0}, down = up;

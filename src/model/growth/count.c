@@ -13,8 +13,11 @@ static dom_real power_of(dom_real r, dom_real n)
 /* Returns true if first r^n >= height, apart from rounding errors. */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
-    /* Rounding the decimal values of `first`, `height` and r can change first r^n / height by 2 + n/2 units
-     * in the last place. The slack is at most a millionth of the step to the next domino. */
+    /*
+     * The decimal values of `first`, `height` and r have been rounded. This can change first r^n / height by
+     * 2 + n/2 units in the last place. The slack allows for this change. It is at most a millionth of the
+     * step to the next domino.
+     */
     real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
     return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
 }

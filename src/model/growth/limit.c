@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds r_max, the largest growth: the first root of the margin between r = 1 and the reach r = 1/s. The
- * margin need not be monotone. For thin dominoes it decreases, increases, and drops near 1/s. An ordinary
- * root finder could therefore miss the first root (limit.h).
+ * Finds r_max, the largest growth. r_max is the first root of the margin between r = 1 and the reach r = 1/s.
+ *
+ * The margin need not be monotone. For thin dominoes it first decreases, then increases, and finally drops
+ * near 1/s. So it can have more than one root, and an ordinary root finder could miss the first one. The
+ * methods of limit.h look for the first root.
  */
 #include "growth/limit.h"
 
@@ -83,8 +85,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1, K = P T, and P has a closed form. T is at least its first term, `own`, which is 1
-     * with sharp edges. */
+    /* At r = 1 the kinetic energy K is P T. P has a closed form. T is a sum that is at least its first term,
+     * `own`. With sharp edges, `own` is 1. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright_inertia;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
@@ -101,8 +103,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The maximum number of visits to dominoes in a search with an equation of motion. Each visit takes four
- * times as long as in other searches. */
+/* The maximum number of visits to dominoes in a search that has to solve an equation of motion. Each of these
+ * visits takes four times as long as a visit in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

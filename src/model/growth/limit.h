@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the first growth at which the margin K - B changes sign.
- * - scan.c: endless trains with sharp edges and without friction. It walks upwards over strips, which are
- *   intervals of growths. It goes past a strip if bounds (strip.h) show that the margin is positive there, or
- *   if the strip is too narrow to divide.
- * - probe.c: all other trains, and pairs. It takes samples, and adds more where the curvature of the margin
- *   leaves room for a sign change between two of them.
+ * Finds the first growth at which the margin K - B changes sign. There are two methods:
+ * - scan.c is for endless trains with sharp edges and without friction. It walks upwards over strips, which
+ *   are intervals of growths. If bounds (strip.h) show that the margin is positive over a strip, it goes on
+ *   to the next strip. Otherwise it divides the strip. If the strip is too narrow to divide, it also goes on.
+ * - probe.c is for all other trains, and for pairs. It takes samples of the margin. Between two samples, the
+ *   margin could change sign and change back if it is curved enough. There probe.c takes more samples.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -19,38 +19,45 @@ struct margin_sample {
     struct margin margin;
 };
 
-/* What is known about the margin over an interval of growths. The margin is >= 0 at the lower end.
- * KNOWN_DECREASING: the margin has at most one root in the interval, and decreases at this root. */
+/*
+ * What is known about the margin over an interval of growths, if the margin is >= 0 at the lower end.
+ * KNOWN_POSITIVE: the margin is positive over the interval. KNOWN_DECREASING: the margin has at most one root
+ * in the interval, and decreases at this root.
+ */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_DECREASING };
 
 /* Finds the bounds of struct strip for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
-/* Finds out what is known about the margin between lo and hi, and updates hi->margin. On entry,
- * hi->margin.kinetic is NaN if the margin at hi is unknown. */
+/* Finds out what is known about the margin between the samples lo and hi, and updates hi->margin. If the
+ * margin at hi is not yet known, the caller sets hi->margin.kinetic to NaN. */
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_sample *lo,
                                   struct margin_sample *hi, enum known *known);
 
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
-/* Finds a root of the margin between lo and hi, where the margin must have opposite signs. Follows one
- * maximum of H. */
+/* Finds a root of the margin between lo and hi, where the margin must have opposite signs. The search follows
+ * one maximum of H from growth to growth. If another maximum becomes higher, it is not noticed. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
                                     const struct margin_sample *hi, real *r);
 
-/* Finds the root close to `near`, an estimate that must be correct to ten digits. *found is false if this
- * fails. */
+/* Finds the root close to `near`. This estimate must be correct to ten digits. If no root is found there,
+ * *found is false. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
-/* Finds a root for an endless train without friction, not necessarily the first after *from. *falls receives
- * -d(margin)/dr, the rate at which the margin falls at the root. Without a root, *root is infinity. */
+/*
+ * Finds some root after *from for an endless train without friction. It need not be the first root. *falls
+ * receives -d(margin)/dr at the root: the rate at which the margin falls there. If no root is found, *root is
+ * infinity.
+ */
 KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sample *from, real *root,
                                 real *falls);
 
 /*
- * Finds a root for an endless train without friction, and tries to prove that it is the first after *from.
- * *root is the reach if there is no root. *found is false if there is no proof. *from may be raised to a
- * larger growth, if the margin is positive up to that growth.
+ * Finds a root for an endless train without friction, and tries to prove that it is the first root after
+ * *from. If there is no root, *root is the reach. If there is no proof, *found is false. Even then the work
+ * may have been useful: if the margin is shown to be positive up to a larger growth, *from is raised to that
+ * growth.
  */
 KERNEL enum dom_status root_first(struct margin_context *c, struct margin_sample *from, real *root,
                                   bool *found);
@@ -60,17 +67,19 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_s
                                  const struct margin_sample *hi, real *r);
 
 /*
- * For an endless train with sharp edges and without friction, finds the first r > from->r with a negative
- * margin. The margin at from->r is >= 0. If there is no such r, *r is the reach and *ends is DOM_END_REACH.
- * Two sign changes closer than SCAN_FINEST in ln r can be missed.
+ * Finds the first growth r > from->r at which the margin becomes negative. The train must be endless, with
+ * sharp edges and without friction. The margin at from->r is >= 0. If the margin never becomes negative, *r
+ * is the reach and *ends is DOM_END_REACH. If the margin changes sign twice within a distance of SCAN_FINEST
+ * in ln r, both changes can be missed.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct margin_sample *from, real *r,
                                         enum dom_end *ends);
 
 /*
- * Finds the first sign change of the margin after from->r. change->r is the root, if the margin at from->r is
- * >= 0. Otherwise *change is a sample shortly after the root. *found is false if there is no sign change up
- * to the reach. A dip between two samples can be missed.
+ * Finds the first sign change of the margin after from->r. If the margin at from->r is >= 0, change->r is the
+ * root itself. If the margin is negative there, *change is a sample shortly after the root. If there is no
+ * sign change up to the reach, *found is false. If the margin changes sign twice between two samples, both
+ * changes can be missed.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct margin_sample *from,
                                     struct margin_sample *change, bool *found);

@@ -5,7 +5,8 @@
 /* The approximate number of passes at one growth that use the same series for the far tail. */
 #define FAR_PASSES 2
 
-/* Finds the barrier by the method c->how. `near` holds the sums at the tilt of barrier_near, or is NULL. */
+/* Finds the barrier by the method c->how. If `near` is not NULL, it holds the sums at the tilt of
+ * barrier_near, so these need not be computed again. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -33,8 +34,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Newton's method is not available with friction. The tilt then needs a finer tolerance, since its
-         * error affects the barrier to second order, not to third. */
+        /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
+         * second order instead of third order, so the tilt needs a finer tolerance. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -136,7 +137,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* The energy of a train that locks tends to 0, so the train stops. Any negative margin will do. */
+    /* If a train locks, its energy tends to 0, so the train stops. The margin is then negative. Its size does
+     * not matter. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -179,8 +181,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /* K and B are nearly equal, so their errors may exceed the margin. Refine until the relative error of the
-     * margin itself is below the tolerance. */
+    /* K and B are nearly equal, so their errors may be larger than the margin. Refine K and B until the
+     * relative error of the margin itself is below the tolerance. */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;

@@ -47,8 +47,8 @@ struct margin_context {
     real error;             /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
-    /* If > 0, the width in ln r of the narrowest strip of a scan. The scan then gives an upper bound on
-     * r_max. */
+    /* If `coarse` is positive, a scan divides no strip that is narrower than `coarse` in ln r. The scan then
+     * gives an upper bound on r_max. */
     real coarse;
     real near;     /* r_max from a coarser kernel at a separation close to s, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
@@ -56,12 +56,13 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* These functions return the contexts of the endless train (26; c8, corrected) and of the pair (17; b13). */
+/* These functions return the contexts of the endless train, by equation (26; c8, corrected), and of the pair,
+ * by equation (17; b13). */
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
-/* Returns the margin at r to the tolerance of the train, or NaN after an error. `context` is a struct
- * margin_context, which receives the status. */
+/* Returns the margin at growth r, to the tolerance of the train. After an error, returns NaN. `context` must
+ * point to a struct margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */
@@ -73,8 +74,11 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r);
 /* Like margin_sign, but if the margin is positive, the barrier is correct to the tolerance, too. */
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
-/* margin_follow returns margin_share at r, with the digits that the next step of a root search needs. Each
- * call starts at the maximum of H from the previous call. Call margin_follow_begin first. */
+/*
+ * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many
+ * digits as this step needs. Each call starts at the maximum of H that the previous call found. Call
+ * margin_follow_begin before the first call.
+ */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);
 

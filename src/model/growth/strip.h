@@ -4,14 +4,14 @@
  * separations at one growth.
  *
  * A domino that has detached is taken to stay at theta_f. Then the tilt theta_i(theta) of a follower
- * increases with r and with s, and its slope theta_i' decreases. The derivatives d theta_i / dr and d theta_i
- * / ds decrease with theta. For the first follower they are
+ * increases with r and with s, and its slope theta_i' decreases. The derivatives of theta_i with respect to r
+ * and s decrease with theta. For domino 1, the first follower, the derivatives and the slope are
  *
  *     d theta_1 / d ln r = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y.
  *
- * X and Y are the sine and cosine of theta_1 - theta. These derivatives are monotone because X = r (L cos
- * theta - d). For later followers, such derivatives are only multiplied and added, and no term is negative.
- * So the two trains at the ends of a strip enclose all others.
+ * X and Y are the sine and cosine of theta_1 - theta. These quantities are monotone because X = r (L cos
+ * theta - d). For later followers, such quantities are only multiplied and added, and no term is negative. So
+ * the two trains at the ends of a strip enclose all others.
  *
  * STRIP_SLACK allows for rounding errors, but this is not a proof by interval arithmetic.
  */
