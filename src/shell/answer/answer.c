@@ -136,9 +136,12 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties cells whose numbers are too large for the precision, and explains why. For programs, the
- * explanation becomes the reason of the row if `reason` is empty. For people, the explanation appears below
- * the last row. Returns the reason of the row. */
+/*
+ * Some numbers are too large for the precision of the output. Empties their cells, and explains why they are
+ * empty. In csv and json, the explanation becomes the reason of the row, unless `reason` already gives
+ * another one. In formats for people, the explanation appears below the last row. Returns the reason of the
+ * row.
+ */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {

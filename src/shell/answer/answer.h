@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A command names the columns of its answer, and then passes rows of cells. A format writes each row
- * immediately, so a long curve appears while it is computed. Sentences are only written for people, not for
- * programs. */
+/*
+ * A command passes its answer to these functions: first the columns, then rows of cells. The output format
+ * writes each row immediately, so the beginning of a long curve appears while the rest is being computed. A
+ * command can also write sentences. Sentences appear only in formats for people, not in formats for programs.
+ */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -19,7 +21,8 @@ struct column {
     const char *key;     /* the name of the column */
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* a one-line explanation */
-    /* the width of the column in a table of rows, if it holds words or short numbers; otherwise 0 */
+    /* The width of the column in a table of rows, if it holds words or short numbers. 0 if it holds other
+     * numbers, because the table then chooses the width. */
     int width;
 };
 
@@ -30,7 +33,8 @@ struct layout {
     bool letters; /* the terminal can show Greek letters */
     bool bold;    /* the terminal has colours */
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
-    /* Bit i is set if column i has error bounds. In csv and json, the bounds have a column of their own. */
+    /* Bit i is set if column i has error bounds. In csv and json, these bounds are written in an additional
+     * column. */
     unsigned bounded;
     double largest[ANSWER_COLUMNS];         /* see answer_announce */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
@@ -38,9 +42,12 @@ struct layout {
     int digits;
     int column[ANSWER_COLUMNS]; /* the widths of the columns */
     int words;                  /* where the last column begins, or -1 if its words go below each row */
-    /* the terminal is too narrow for a table, so a row is written as one line for each column */
+    /* The terminal is too narrow for a table with columns side by side. Each row is therefore written as
+     * several lines, one for each of its cells. */
     bool is_stacked;
-    /* A row with the usual kinds of cells, in case the first row has other kinds. May be NULL. */
+    /* A typical row, for the header line. The alignment of each name in this line depends on the kind of cell
+     * below it, and the first row may have unusual cells, such as empty ones. If `sample` is NULL, the first
+     * row is used. */
     const struct cell *sample;
 };
 
@@ -48,8 +55,8 @@ struct csv_layout {
     bool units;        /* column names include the units, so that the file can be read back */
     bool has_reasons;  /* the rows have a column for reasons */
     char *last_header; /* the last header line that was written to this file, or NULL */
-    /* Texts to append, each terminated by a NUL byte. The first is appended to the header line, and the
-     * others are appended to the rows. May be NULL. */
+    /* Additional columns, as text that is appended to the lines. Each piece of text is terminated by a NUL
+     * byte. The first piece belongs to the header line, and each of the others to one row. May be NULL. */
     const char *extra;
 };
 
@@ -77,10 +84,13 @@ struct answer {
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
     /* a sentence was written, but no row */
     bool wrote_text;
-    int error;                       /* errno of the first write that failed, or 0 */
-    char late_reason[ANSWER_REASON]; /* a reason that could not be written with its row, or "" */
+    int error; /* errno of the first write that failed, or 0 */
+    /* The first explanation of an empty cell that could not be written together with its row. It is reported
+     * at the end of the answer. "" if there is none. */
+    char late_reason[ANSWER_REASON];
 
-    /* If not NULL, the answer belongs to one point of a sweep, and this function receives its rows. */
+    /* If the answer belongs to one point of a sweep, this function receives its rows, and nothing is written
+     * directly. Otherwise NULL. */
     void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
     void *sink_context;
 };
@@ -90,7 +100,8 @@ struct failure {
     const char *command; /* the name of the command, or NULL if no command was recognised */
     const char *text, *source;
     long line;
-    int column; /* the column of the error, counted from 1; 0 for an error in the line as a whole */
+    /* The column of the error in the line, counted from 1. 0 if the error concerns the line as a whole. */
+    int column;
 };
 
 /* An output format. A member is NULL if its function would do nothing. */
@@ -107,8 +118,8 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_header)(const char *line);
-    /* Ends the answer. If a reason could not be written with its row, returns this reason, which the caller
-     * must report. Otherwise returns NULL. */
+    /* Ends the answer. Sometimes the format could not write the reason why a cell is empty. In this case,
+     * returns the reason, and the caller must report it. Otherwise returns NULL. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -126,36 +137,40 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes the columns whose keys are listed in `keys`, separated by blanks. A row for answer_row still has a
- * cell for each removed column. */
+/* Leaves columns out of the answer. `keys` lists the keys of these columns, separated by blanks. The rows
+ * that are passed to answer_row must still have a cell for each of them. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
 /* Changes the unit or the explanation of a column in this answer. If `unit` or `meaning` is NULL, it stays
  * unchanged. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
-/* Announces that a column will contain a number. In a table of rows, the unit of the column is chosen for the
- * largest number that was announced or is in the first row. An unknown key is ignored. */
+/* Announces a number that a column will contain. In a table of rows, each column has one unit, which must be
+ * chosen before the first row is written. It is chosen for the largest number that was announced or is in the
+ * first row. If no column has this key, nothing happens. */
 void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/* Writes a row, and returns true. `reason` says why a cell has no value. If this row has no reason, but
- * another row may have one, pass "". If no row can have a reason, pass NULL. Programs get the reasons in a
- * column "reason". */
+/* Writes a row, and returns true. If a cell has no value, `reason` says why. If this row has no reason, but
+ * another row of the answer may have one, pass "". If no row of the answer can have a reason, pass NULL. In
+ * csv and json, the reasons have a column of their own, "reason". */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
-/* Keeps the cells of a row for 'ans' without writing them, for a command that answers in sentences. */
+/* Keeps the cells of a row without writing them, so that 'ans' can use them later. Commands that answer only
+ * in sentences need this function. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* Fixes the layout as if the first row were `sample`. If `sample` is NULL, no column has error bounds. */
+/* Fixes the layout before the first row is known. The layout becomes what it would be if the first row were
+ * `sample`. If `sample` is NULL, no column has error bounds. */
 void answer_plan(struct answer *answer, const struct cell *sample);
 
-/* Returns a copy of the answer for another stream. The layout must be fixed already. If `first` is true, the
- * copy also writes the lines above the first row. */
+/* Returns a copy of the answer that writes its rows to another stream. The layout must be fixed already, so
+ * that all copies write the same columns. If `first` is true, the copy also writes the lines above the first
+ * row. */
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
 /* Returns true if no more rows can be written: the disk is full, or a pipe has no reader. */

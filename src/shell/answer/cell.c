@@ -123,8 +123,12 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* Returns the style for a cell. Brief numbers have few digits, and large counts do not fit into float, so
- * both are written in double precision. */
+/*
+ * Returns the style in which csv and json write a cell. Most numbers are written at the precision of the
+ * session. A brief number is always written in double precision, because it is known only as a double. At
+ * float precision, a count is also written in double precision, because a large count does not fit into
+ * float.
+ */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};

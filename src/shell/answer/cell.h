@@ -30,8 +30,8 @@ struct cell {
     domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
     int digits; /* the number of digits in a table, or 0 for answer_style.digits */
-    /* the number was computed to the tolerance, so a table shows only the digits that the tolerance
-     * guarantees */
+    /* The number was computed to a certain tolerance. A table shows only the digits that this tolerance
+     * guarantees. */
     bool computed;
 };
 
@@ -57,12 +57,12 @@ bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table, with at most `digits` digits, and with its error bound if `bounds`
- * is set. */
+/* Returns the text of a cell in a table. A number gets at most `digits` digits. If `bounds` is true, the text
+ * also includes the error bound. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell for programs, without its error bound. Numbers have as few digits as an
- * exact round trip needs. */
+/* Returns the text of a cell in csv and json, without its error bound. Numbers are written with as few digits
+ * as possible, but with enough digits that reading the text gives the same number again. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of an error bound for programs, or `none` if no bound is known. */

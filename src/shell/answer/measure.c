@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each unit applies to numbers below its limit, which is given in the base unit. The smallest limit comes
- * first. */
+/* The units for display. Each unit is used for numbers below its limit `below`, which is given in the base
+ * unit. The units of one base unit are listed in the order of their limits, with the smallest limit first. */
 static const struct {
     const char *base;
     domq_real below;
@@ -46,7 +46,8 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* With two digits, a number that rounds to 100 would be printed as 1e+02, so it gets more digits. */
+    /* A number with more digits before the decimal point than `digits` gets more digits. Otherwise, printf
+     * would write the number 100, for example, as 1e+02 if only two digits are allowed. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",

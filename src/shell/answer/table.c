@@ -14,7 +14,7 @@ enum {
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
-    WORDS_SHORT = 12,   /* a last column that is at most this wide does not need WORDS_LEAST */
+    WORDS_SHORT = 12,   /* a last column of at most this width may get less room than WORDS_LEAST */
     WORDS_INDENT = 8,   /* the indentation of a last column that goes below its row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
@@ -39,15 +39,16 @@ static int number_width(const struct answer *a, int digits)
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Returns the maximum number of digits to show. If error bounds are shown, they limit the digits instead of
- * 'set digits'. */
+/* Returns the maximum number of digits to show. If error bounds are shown, the error bound of each number
+ * determines its digits, so 'set digits' is ignored here. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell, with its number converted by `measure`. The digits are limited by the error
- * bound if it is known and shown, and otherwise by the style and the tolerance. */
+/* Returns the text of a cell, with its number converted to the unit `measure`. If the error bound of the
+ * number is known and shown, this bound determines the digits. Otherwise, the digits are limited by 'set
+ * digits' and, for a computed number, also by the tolerance. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {
@@ -262,8 +263,8 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_line(a, cells, VALUES);
 }
 
-/* Writes a sentence. A '\n' at either end of the format adds a blank line, but a '\n' in an argument does
- * not. */
+/* Writes a sentence. A '\n' at the beginning of the format adds a blank line above the sentence, and a '\n'
+ * at the end adds a blank line below it. A '\n' at either end of an argument adds no blank line. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
     char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];

@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Returns true if a word of n bytes must stay next to the following word, as in "r = 1.5", "7.5 cm" or
- * "5 %". */
+/* Returns true if a word of n bytes must stay on the same line as the word after it. For example, no line may
+ * be broken within "r = 1.5", "7.5 cm" or "5 %". */
 static bool word_joins(const char *word, size_t n)
 {
     const char *next = word + n + 1, last = word[n - 1];
@@ -16,7 +16,8 @@ static bool word_joins(const char *word, size_t n)
            (number && last == ':' && isdigit((unsigned char)*next));
 }
 
-/* Returns the length of the first piece of a text. A piece is one word, or several that stay together. */
+/* Returns the length of the first piece of a text. A piece is a word, or several words that must stay on the
+ * same line. */
 static size_t piece_length(const char *text)
 {
     size_t n = strcspn(text, " \n"), word = 0;

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Breaks text into lines at blanks, but not within a piece such as "r = 1.5" or "7.5 cm". */
+/* Breaks text into lines at blanks. Some words stay together on a line, such as "r = 1.5" or "7.5 cm". Such a
+ * group of words, or a single word, is called a piece. */
 #ifndef SHELL_WRAP_H
 #define SHELL_WRAP_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* Returns how many bytes of a text form a line of at most `columns` columns. A '\n' also ends the line. A
- * piece that is longer than a line is broken. */
+/* Returns how many bytes of a text fit into one line of `columns` columns. The line also ends at a '\n'. If
+ * the first piece alone is longer than a line, only as much of this piece as fits is counted. */
 size_t line_break(const char *text, int columns);
 
-/* Writes text in lines from the column `left` to the column before `right`, without a '\n' at the end. If
- * `right` is 0, lines are not broken. Even a long piece, such as a path, is never broken, so that it can be
- * copied. */
+/* Writes text in lines between two columns of the terminal. Each line begins at the column `left`, and ends
+ * before the column `right`. If `right` is 0, lines are not broken. A piece that is longer than a line, such
+ * as a path, is not broken either, so that the user can copy it. No '\n' is written at the end. */
 void write_wrapped(FILE *out, const char *text, int left, int right);
 
 #endif

@@ -9,8 +9,9 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* The commands of all groups. Commands with the same first letter form a linked list. `first` and `next` hold
- * indices plus 1; 0 ends a list. */
+/* The commands of all groups. To find a command quickly, all commands with the same first letter form a
+ * linked list, which begins at first[letter]. The links in `first` and `next` are indices in `every` plus 1.
+ * The link 0 ends a list. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -46,7 +47,7 @@ const char *topic_names(const void *context, int k)
     int commands = every_count;
     if (k < commands)
         return command_names(context, k);
-    /* a name that belongs to both a command and a parameter, such as 'fuel', is not listed again */
+    /* Some names belong to both a command and a parameter, such as 'fuel'. They have been listed already. */
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
@@ -205,7 +206,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
                        struct problem *problem)
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
-    /* s and d are fractions of the height. A length is divided by the height of domino 1. */
+    /* The parameters s and d are fractions of the height. If the user enters a length instead, this length is
+     * divided by the height of domino 1. */
     bool is_share =
         a->kind == ARGUMENT_VALUE_OF && strcmp(parameter_find(a->parameter)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))

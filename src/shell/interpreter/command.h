@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A command is one entry of a table. Its syntax, help, completion and value in expressions all come from this
- * entry. */
+/* Each command is one entry of a table. The entry says everything about the command: its syntax, its help,
+ * what completion offers, and which value the command has in an expression. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -19,7 +19,9 @@ enum argument_kind {
     ARGUMENT_COUNT,    /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,      /* a value in any unit */
     ARGUMENT_NUMBER,   /* a plain number */
-    ARGUMENT_PLACE,    /* an angle in [0, theta_c], or one of the choices; choice k is stored as -1 - k */
+    /* An angle in [0, theta_c], or one of the choices. Choice number k is stored as -1 - k, which is not an
+     * angle in this range. */
+    ARGUMENT_PLACE,
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
@@ -48,13 +50,14 @@ struct argument {
     enum argument_kind kind;
     const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
     int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
-    /* The noun that messages use for a choice. Completion offers no values for an ARGUMENT_ANY that has a
-     * noun. */
+    /* What messages call the value, such as a noun for a choice. If an ARGUMENT_ANY has a noun, completion
+     * offers no values for it. */
     const char *noun;
     bool optional;
     names_list *choices;
-    /* Only for the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. `parse` stores its result in question->parsed.
-     * `bind` computes the values from it, and stores them in given->bound. */
+    /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
+     * `parse` reads such an argument, and stores its result in question->parsed. The function `bind` computes
+     * values from this result, and stores them in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -71,8 +74,8 @@ struct arguments {
     int column[ARGUMENTS_MAX]; /* the column of each argument in the typed line, for messages */
     /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;
-    /* The variable that was named as an ARGUMENT_PARAMETER, as an ARGUMENT_TOPIC or in 'let'. NULL if there
-     * is none. */
+    /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
+     * the name after 'let'. NULL if no variable was named. */
     const struct variable *variable;
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
@@ -91,14 +94,16 @@ struct command {
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
-    /* The name of a parameter whose value the answer repeats in a column. A sweep over this parameter omits
-     * the column, unless an argument of the command gives the value instead. */
+    /* The name of a parameter, if the answer has a column that only repeats the value of this parameter. A
+     * sweep over the parameter has such a column already, so it leaves out the column of the answer. If an
+     * argument of the command replaces the parameter's value, as in 'rmax 0.4', the sweep keeps the column.
+     * */
     const char *echo;
-    /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions omit
-     * the column. */
+    /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions leave
+     * this column out. NULL if no column is slow. */
     const char *slow_column;
-    /* The reason why 'sweep' refuses this command. NULL if 'sweep' accepts it, or if the command computes
-     * nothing. */
+    /* If 'sweep' must not run this command, the reason, for a message. NULL if 'sweep' accepts the command.
+     * Also NULL if the command computes nothing, because 'sweep' does not accept such a command anyway. */
     const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
     /* What the command writes: */
@@ -132,8 +137,8 @@ struct command_group {
     const struct command *commands; /* the commands of the group; the name of the last element is NULL */
 };
 
-/* Registers the groups of all commands. The title of the last element is NULL. Call this function before the
- * first command runs. */
+/* Registers the groups of all commands. This function must be called before the first command runs. The list
+ * ends with a group whose title is NULL. */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
@@ -143,11 +148,12 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of the names that have a value in the state `context` or, if it is NULL, in every state. */
+/* A names_list of all names that have a value. `context` is the state whose variables are included. If it is
+ * NULL, the list contains only the names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
-/* Returns number k (counted from 0) of the topics with this synonym, or NULL. For example, 'speed' is a
- * synonym of several topics. */
+/* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from
+ * 0, among those with this synonym. Returns NULL if there are no more. */
 const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
@@ -159,18 +165,19 @@ bool command_is_print(const struct command *command);
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/* Returns the maximum number of arguments that the command takes in an expression, or -1 if an expression
- * cannot contain the command. Stores the minimum in *fewest. Only values can be arguments in an
- * expression. */
+/* Returns the maximum number of arguments that the command takes in an expression, and stores the minimum in
+ * *fewest. In an expression, only values can be arguments. If a command cannot be used in an expression,
+ * returns -1. */
 int command_arity(const struct command *command, int *fewest);
 
-/* Returns a text such as "rmax [S]". It lives until the end of the block that contains the call. */
+/* Returns a text that shows the arguments of a command, such as "rmax [S]". The text is in a compound
+ * literal, so it lives until the end of the block that contains the call. */
 enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Returns false and sets *problem if the session is in safe mode (--safe) and the command reads or writes
- * files. */
+/* Returns true if the session may run the command. In safe mode (--safe), a session must not run commands
+ * that read or write files. For such a command, sets *problem and returns false. */
 static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {
@@ -182,16 +189,18 @@ static inline bool command_allowed(const struct run_context *run_context, const 
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit of an argument as a quantity, such as 1 m. The unit of a plain number is 1. */
+/* Returns the unit in which the value of an argument is stored, as a quantity such as 1 m. For a plain
+ * number, the quantity is 1. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Checks the unit and the value of an argument, and stores the value in SI units. On failure, sets *problem
- * and returns false. */
+/* Checks whether the value of an argument has a suitable unit and is in the range that the argument allows.
+ * If so, stores the value in SI units. Otherwise, sets *problem and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns omega with its error bound, from omegasq = tau^2 omega^2 and the error bound of omegasq. If omegasq
- * may be 0, the bound on omega is sqrt(error) / tau. */
+/* Returns omega with its error bound. Omega is computed from its square: omegasq is tau^2 omega^2, and
+ * `error` is the error bound of omegasq. If the true omegasq may be 0, the error bound of omega is
+ * sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
 /* CELL_OF makes a cell from a member of a result and its error bound. CELL_TIMES multiplies both by a

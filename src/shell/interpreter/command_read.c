@@ -6,7 +6,8 @@
 
 /* ---- Definitions ---- */
 
-/* Reads a name and the blanks around it. Returns the position after them, or NULL if there is no name. */
+/* Reads a name. Blanks may stand before and after the name. Returns the position after the name and the
+ * blanks that follow it, or NULL if there is no name. */
 static const char *definition_name(const char *c, char name[VARIABLE_NAME])
 {
     c = skip_blanks(c);
@@ -52,7 +53,7 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true if a word ends at c: at a blank, a '>' or the end of the command. */
+/* Returns true if a word ends at c, because there is a blank, a '>' or the end of the command. */
 static bool word_ends(const char *c)
 {
     return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
@@ -85,8 +86,9 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true if a command that expressions cannot contain is written like a function, as in "quit()" or
- * "print(2)". Moves the reader past the name and an empty "()". */
+/* Users sometimes write a command like a function, as in "quit()" or "print(2)". Returns true if the line is
+ * such a command, and the command cannot be used in an expression. Moves the reader past the name and past an
+ * empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -108,8 +110,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns 'set' or 'let', whichever "NAME = VALUE" stands for. If NAME is unknown, reports a problem and
- * returns NULL. */
+/* Returns the command that the line "NAME = VALUE" stands for. This command is 'set' if NAME is a parameter,
+ * and 'let' if it is a variable. If NAME is unknown, reports a problem and returns NULL. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -137,7 +139,8 @@ static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
     struct variable v;
-    /* Most lines of a script are a command and a number. They need none of the tests below. */
+    /* Most lines of a script consist of a command and a number. Such a line is not a shorthand, so none of
+     * the tests below is needed. */
     if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);

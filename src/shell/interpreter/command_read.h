@@ -1,27 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the command of a line. A line begins with a command, or is a shorthand such as 2+2, r = 2, q or
- * ?rmax. */
+/* Finds the command of a line. Most lines begin with the name of a command. The others are shorthands, such
+ * as 2+2 for 'print', r = 2 for 'set', q alone for 'show', or ?rmax for 'help'. */
 #ifndef SHELL_COMMAND_READ_H
 #define SHELL_COMMAND_READ_H
 
 #include "interpreter/reader.h"
 
 /*
- * Returns the command of a line, and moves the reader to its arguments. After an error, sets the reader's
- * problem and returns NULL. Commands win over parameters with the same name, and parameters over abbreviated
- * commands: 'q' is not 'quit'.
+ * Returns the command of a line, and moves the reader to its arguments. If a command and a parameter have the
+ * same name, the name stands for the command. If the name of a parameter is also an abbreviation of a
+ * command, it stands for the parameter, so 'q' does not mean 'quit'. After an error, sets the reader's
+ * problem and returns NULL.
  */
 const struct command *command_read(struct reader *reader);
 
-/* Finds the command inside another command, such as 'sweep'. An expression stands for 'print'; no other
- * shorthand is allowed here. Completion offers the names in `offered`. */
+/* Finds the command inside another command, such as 'sweep'. An expression is allowed instead, and stands for
+ * 'print'. Other shorthands are not allowed. Completion offers the names in the list `offered`. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
-/* Returns true if there is an operator or 'to' at c. The word before c then begins an expression. */
+/* Decides whether the word before c is the beginning of an expression rather than a command. Returns true if
+ * there is an operator or 'to' at c. */
 bool goes_on(const char *c);
 
-/* Parses the head of a definition, "x =" or "f(s, d) =". Returns the position after the '=', or NULL if there
- * is no head. */
+/* Parses the beginning of a definition, up to the '=', as in "x =" or "f(s, d) =". Returns the position after
+ * the '='. If the text does not begin in this way, returns NULL. */
 const char *definition_head(const char *text, struct variable *variable);
 
 #endif

@@ -16,8 +16,8 @@
 #define TRAIN_NOTE                                                                                           \
     "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
 
-/* Tells the user that the answer is about the endless train, not about the row. If the answer is a picture in
- * a file, the note goes to standard error. */
+/* Tells the user that the answer is about the endless train, not about the row. The note usually goes below
+ * the answer. If the answer is a picture in a file, the note goes to standard error instead. */
 static void train_note(const struct session *session, struct answer *answer)
 {
     const char *note =
@@ -39,7 +39,8 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs the function `act` of a command if it has one, `picture` for a picture file, and otherwise `run`. */
+/* Runs one of the functions of a command. If the command has the function `act`, this function runs. If the
+ * answer goes to a picture file, the function `picture` runs. Otherwise, the function `run` runs. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -122,7 +123,8 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->run_context.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* It is not a write error if the user closes the pager before the end of the answer. */
+        /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
+         * not an error, so the earlier value is restored. */
         end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -167,7 +169,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                                  draws || !extension->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
-/* Runs a command and writes its answer to a file, in the format that the file extension stands for. */
+/* Runs a command and writes its answer to a file. The extension of the file determines the format. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
@@ -186,7 +188,8 @@ static bool run_into(struct session *session, const struct command *c, const str
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
-/* If a wrong command ends with a file name, as in 'draw row.png', adds a hint to type '>' before the name. */
+/* If an invalid command ends with a file name, as in 'draw row.png', adds a hint to type '>' before the name.
+ * */
 static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
 {
     const char *end = text_end(begin, ";>");
@@ -228,8 +231,9 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 
 /* ---- Commands ---- */
 
-/* Returns true if the command has written nothing. A JSON object is then written for programs that wait for
- * an answer. With --shard, only part 1 writes the object, because all outputs are concatenated. */
+/* Returns true if the command has written nothing. The json format then writes an object, because a program
+ * may be waiting for an answer. With --shard, the outputs of all parts are concatenated later, so only part 1
+ * writes this object. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->run_context.shard;
@@ -283,20 +287,22 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if the current line is logged. For a sourced file, only the 'source' command is logged. */
+/* Returns true if the current line is written into a log. The lines of a sourced file are not, because the
+ * log already contains the command 'source'. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a line. If a command opens a log, the commands after it are logged. */
+/* Runs the commands of a line. If one of them opens a log, the commands after it on the same line are written
+ * into this log. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* If the line has several commands, it is logged before they run, because some may succeed before another
-     * fails. A single command is logged when its result is known. */
+    /* A line with several commands is logged before they run, because some of them may succeed before another
+     * one fails. A single command is logged when it is known whether it has failed. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
@@ -306,8 +312,8 @@ static void run_commands(struct session *session, const struct text *text, const
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
-            /* Only the parser knows where a command ends. For example, 'complete LINE' takes the rest of the
-             * line. */
+            /* The next ';' is not always the end of the command. For example, 'complete LINE' takes the rest
+             * of the line. Only the parser knows where a command ends. */
             end = r.at > end || command_ends(r.at) ? r.at : end;
         }
         if (*end != ';' || session_stops(session, errors))

@@ -13,11 +13,11 @@
 
 #include "session/session.h"
 
-/* Runs the commands in a text of one or several lines. ';' separates commands, and '#' begins a comment.
- * After a command, '> NAME' writes the answer to a file, and '>> NAME' appends it. */
+/* Runs the commands in a text of one or more lines. ';' separates commands, and '#' begins a comment. After a
+ * command, '> NAME' writes the answer to a file, and '>> NAME' appends the answer to a file. */
 void command_run_text(struct session *session, const char *text);
 
-/* Runs the commands of a stream line by line. Messages call the stream `name`. */
+/* Runs the commands of a stream line by line. `name` is the name of the stream in error messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
 
 #endif

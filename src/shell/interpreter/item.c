@@ -11,7 +11,8 @@ bool is_value_name(const struct state *state, const char *name)
 
 /* ---- Expressions ---- */
 
-/* Returns true if the word at `at` may follow a value. Otherwise reports a misspelled or misplaced unit. */
+/* Returns true if the word at `at` may follow a value. Otherwise, the word was probably meant as a unit, and
+ * the function reports that it is misspelled or misplaced. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN];
@@ -31,8 +32,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Reports an error in the expression for the argument `name`, unless a problem is known already. Returns
- * false. */
+/* Reports an error in the expression for the argument `name`. If a problem has been reported already, it
+ * stays unchanged. Returns false. */
 static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
                        const struct expression_error *error)
 {
@@ -57,7 +58,7 @@ static bool end_wrong(struct reader *r, const char *name, const char *end)
                                        : "an operator or a blank is missing");
 }
 
-/* Returns true if the text from `begin` to `end` ends in a number, so that a unit may follow. */
+/* Returns true if the text from `begin` to `end` ends in a number. The user may then type a unit after it. */
 static bool ends_in_number(const char *begin, const char *end)
 {
     const char *c = end;
@@ -98,7 +99,8 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     return t;
 }
 
-/* Resolves the names in an expression. Problems in the body of a function have no column in the line. */
+/* Resolves the names in an expression. A problem in the body of a function is reported without a column,
+ * because the body is not part of the line. */
 static bool item_resolve(struct reader *r, struct expression_error *error, struct tree *tree)
 {
     struct reader inside = *r;
@@ -162,9 +164,12 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /* ---- Words for values ---- */
 
-/* Returns the index of the next word in a list. If the list does not have the word, returns a negative number
- * and does not move the reader. Abbreviations are accepted, except for a word that could be an expression,
- * like h in 'set q h'. For such a word, `message` is empty. */
+/*
+ * Returns the index of the next word in a list. The word may be abbreviated, unless it could also be an
+ * expression, like h in 'set q h'. If the list does not have the word, returns a negative number, does not
+ * move the reader, and explains the failure in `message`. If the word may be an expression, `message` is
+ * empty.
+ */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
@@ -180,7 +185,7 @@ static int word_find(struct reader *r, names_list *list, const void *context, co
     return k;
 }
 
-/* A names_list (see names.h) of the words of an argument. */
+/* A names_list (see names.h) of the words that an argument of an effect accepts. */
 static const char *argument_words(const void *argument, int k)
 {
     return ((const struct domq_effect_argument *)argument)->words[k];
@@ -300,7 +305,8 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    /* In "r 2 s 0.3 g 1.6", s and g are parameters, not seconds and grams. After a mass, g means grams. */
+    /* In "r 2 s 0.3 g 1.6", s and g are the names of parameters, not seconds and grams. Only after a mass, g
+     * means grams. */
     r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;

@@ -10,8 +10,8 @@ struct lookup {
     struct problem *problem;         /* receives the reason why a command has no answer */
 };
 
-/* Stores the number in column t->index of `cells`, a row that the command t->refers has returned. An empty
- * cell or a word is an error. */
+/* The command t->refers has returned the row `cells`. Stores the number in column t->index of this row. If
+ * the cell in this column is empty or contains a word, reports an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {
@@ -50,7 +50,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
-/* Evaluates a 'let' function. Its body can use its own arguments, but not the arguments of its caller. */
+/* Evaluates a 'let' function. The body of the function sees only the arguments of this function. If another
+ * function has called it, the body does not see the arguments of the caller. */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {

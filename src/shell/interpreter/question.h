@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A question is a parsed command with its arguments. Names are resolved, but values are computed when the
- * question is bound in a state. A sweep binds its question at every point. Threads can share a question. Its
- * memory is in the arena of the line.
+ * A question is a command with its arguments, after parsing. The names in the arguments have been resolved,
+ * but their values have not been computed. To bind a question means to compute these values in a state. A
+ * sweep therefore parses its question once, and binds it at every point. Several threads can use the same
+ * question. Its memory is in the arena of the line.
  */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
@@ -16,8 +17,8 @@ struct question {
     struct item item[ARGUMENTS_MAX];
     /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;
-    /* The variable that was named as an ARGUMENT_PARAMETER, as an ARGUMENT_TOPIC or in 'let'. NULL if there
-     * is none. */
+    /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
+     * the name after 'let'. NULL if no variable was named. */
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
@@ -30,12 +31,13 @@ struct question {
 /* Parses the command at the reader's position, and its arguments. */
 bool command_parse(struct reader *reader, struct question *question);
 
-/* Parses the arguments of question->command. They end with the command, before a '>', or before one of the
- * reader's `stops`. */
+/* Parses the arguments of question->command. They extend to the end of the command, to a '>', or to one of
+ * the characters in the reader's `stops`. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question inside another command: COMMAND, COMMAND.KEY, or an expression for 'print'. If
- * `is_number` is true, the answer must be one number. */
+/* Parses a question inside another command, such as 'sweep'. The question can be a command, a command with
+ * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. If `is_number` is true,
+ * the answer must be one number. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
 /* A names_list of the commands that question_parse_any accepts. */
@@ -55,8 +57,8 @@ struct call {
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 
-/* Allocates zeroed memory in given->memory for the result of argument.bind, and makes given->bound point to
- * it. Returns NULL if memory runs out. */
+/* Allocates memory for the result of argument.bind, and fills it with zeros. The memory belongs to
+ * given->memory, and given->bound points to it. Returns NULL if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
@@ -64,12 +66,13 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Binds and runs a question. Stores one number in SI units: the cell of question->key, or the value of an
- * expression. */
+/* Binds a question, and computes its value, which is one number in SI units. For a command, this number is
+ * the cell in column question->key of the answer. For 'print', it is the value of the expression. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question asks for one number. Otherwise the problem lists the keys to choose from. */
+/* Returns true if the answer to the question is one number. Otherwise reports a problem that lists the keys
+ * from which the user can choose. */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

@@ -23,7 +23,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          usage);
 }
 
-/* Returns true if value i of an effect is optional and the word belongs to a later value. */
+/* The user may leave out optional values of an effect. Returns true if value i is optional and has been left
+ * out, because the word belongs to a later value. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_argument(p, i - 1);
@@ -41,7 +42,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     const struct domq_effect_argument *value = parameter_argument(p, i - 1);
     struct item *item = &q->item[i], *first = &q->item[1];
     char word[PATH_MAX];
-    /* The value may follow '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
+    /* Between the name and the value, there may be '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
     if (i == 1) {
         bool has_to = strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]);
         r->at = skip_blanks(r->at + (*r->at == '=' ? 1 : has_to ? 2 : 0));
@@ -197,7 +198,8 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true if the command ends here, or if '>' or one of r->stops follows. Otherwise sets r->problem. */
+/* Returns true if the command ends here, or if there is a '>' or one of the characters in r->stops.
+ * Otherwise, sets r->problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
@@ -261,9 +263,12 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside other commands ---- */
 
-/* Returns the command that is named in a word such as "rmax" or "rmax.r". Returns NULL if there is no such
- * command, or if the command computes nothing. Sets *key to the column after the dot. Without a dot, this is
- * the principal column. If there is no such column, *key is -1. */
+/*
+ * Returns the command that is named in a word such as "rmax" or "rmax.r". The name after the dot is the key
+ * of a column, whose index is stored in *key. Without a dot, *key becomes the index of the principal column.
+ * If there is no such column, *key becomes -1. Returns NULL if the word names no command, or if the command
+ * computes nothing.
+ */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

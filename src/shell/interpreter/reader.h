@@ -12,9 +12,9 @@ enum { OFFER_LISTS = 8 };
 /* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
-/* What may be typed next, for completion, hints and colours. The typed text is parsed with a cursor character
- * at the end. No parser accepts this character, so the functions that fail there record what they would
- * have accepted. */
+/* What the user may type next. Completion, hints and colours need this. To find it, the line is parsed with a
+ * special cursor character at its end. No parser accepts the cursor character, so some functions fail there.
+ * Each of them records what it would have accepted. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
@@ -28,7 +28,8 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* One element for each byte of the line: true if the byte belongs to a command's name. May be NULL. */
+    /* An array with one element for each byte of the line. The element is true if the byte belongs to the
+     * name of a command. May be NULL. */
     bool *is_command;
 };
 
@@ -71,8 +72,8 @@ static inline bool command_ends(const char *c)
     return *c == '\0' || *c == ';' || *c == '#';
 }
 
-/* Skips blanks. Returns true after the last argument: at the end, or at '>', '|', 'with' or one of
- * `stops`. */
+/* Skips blanks. Returns true if there are no more arguments, because the command ends here, or because there
+ * is a '>', a '|', the word 'with' or one of the characters in `stops`. */
 bool reader_ends(struct reader *reader);
 
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */
@@ -81,19 +82,24 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the next word is `word`, skips this word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* reader_memory allocates zeroed memory in the arena, and reader_copy copies a text into the arena. If memory
- * runs out, both set the reader's problem and return NULL. */
+/* These functions allocate memory in the arena. The memory from reader_memory is filled with zeros, and
+ * reader_copy copies a text. If memory runs out, they set the reader's problem and return NULL. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
-/* Reads a word up to a blank, into the arena. If `quotes` is true, also reads text in double quotes, where
- * '""' stands for one '"'. If the closing quote is missing, sets the reader's problem and returns NULL. */
+/*
+ * Reads a word, and returns a copy in the arena. A word ends at a blank, at a ';' or at one of the characters
+ * in `stops`. If `quotes` is true, the word may also be a text in double quotes, which may contain these
+ * characters. In this text, '""' stands for one '"'. If the closing quote is missing, sets the reader's
+ * problem and returns NULL.
+ */
 char *read_word(struct reader *reader, bool quotes);
 
 /* Reads a word or quoted text as it was typed, without replacing Greek letters. */
 char *read_text(struct reader *reader);
 
-/* Reads the name of a file, as read_text does. A leading '~' is replaced by the home directory. */
+/* Reads the name of a file, which may be in double quotes. If the name begins with '~', replaces the '~' by
+ * the home directory. */
 char *read_file(struct reader *reader);
 
 #endif

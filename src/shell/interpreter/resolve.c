@@ -9,8 +9,8 @@ enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol. Returns 0: the functions below return the largest height of a child, and most
- * symbols have no children. */
+/* Turns a node into a symbol. Returns 0, because most symbols have no children, and the functions below
+ * return the largest height of a node's children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -20,7 +20,8 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
     return 0;
 }
 
-/* The functions below resolve a node. They return the largest height of a child, or -1 after an error. */
+/* The functions below resolve the names in a node of a tree. They return the largest height of the node's
+ * children, or 0 if it has none. After an error, they return -1. */
 
 static int children_resolve(struct resolver *r, struct tree *t)
 {
@@ -89,8 +90,9 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the column for a name such as "ans.margin" or "rmax.r", or -1 after an error. Without a key, this
- * is the principal column. Stores the unit of the column in the tree. */
+/* Returns the index of the column that a name such as "ans.margin" or "rmax.r" stands for. A name without a
+ * key, such as "rmax", stands for the principal column. Stores the unit of the column in the tree. Returns -1
+ * after an error. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

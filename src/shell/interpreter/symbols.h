@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The names in expressions: parameters, variables, 'let' functions, the last answer, and commands with their
- * keys. Names are resolved once, and a sweep evaluates the resolved tree at every point. */
+/* The names in expressions. A name can stand for a parameter, a variable, a 'let' function, the last answer
+ * or a command, which may have the key of a column. To resolve a name means to find what it stands for. A
+ * sweep resolves the names of its expression once, and evaluates the resolved tree at every point. */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
 
 #include "interpreter/command.h"
 
-/* One value in the arguments of a command: an expression, or a word that stands for a value. */
+/* One value in the arguments of a command. The user has typed it as an expression, or as a word that stands
+ * for a value. */
 struct item {
     const struct argument *argument; /* the argument to which the value belongs */
     const struct tree *value;        /* the expression, or NULL if `number` is the value */
@@ -22,17 +24,18 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* What a node of kind TREE_SYMBOL stands for, and what `refers` points to. The `value` of a SYMBOL_PARAMETER,
- * SYMBOL_COMMAND or SYMBOL_ANS is its unit. */
+/* What a node of kind TREE_SYMBOL stands for. The comment of each symbol says what the member `refers` of the
+ * node points to. For a SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS, the member `value` of the node is its
+ * unit. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* Column `index` of the last answer; `refers` is the struct command that gave the answer. If `refers` is
-     * NULL, the symbol is the last value of 'print'. */
+    /* Column `index` of the last answer. `refers` points to the struct command that gave this answer. If
+     * `refers` is NULL, the symbol stands for the last value that 'print' has shown. */
     SYMBOL_ANS,
-    SYMBOL_WITH, /* a list of struct assignment, in force while the child node is evaluated */
+    SYMBOL_WITH, /* the linked list of assignments that apply while the child node is evaluated */
 };
 
 /* A 'let' function whose names have been resolved. Each expression has a copy of its own. */
@@ -62,7 +65,8 @@ struct resolver {
  * -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
-/* Adds the name of a function to the message about an error in its body. `at` is the place of the call. */
+/* An error has occurred in the body of a function. Adds the name of the function to the error message. `at`
+ * is the place where the function is called. */
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 
 /* Evaluates a resolved tree in the state of a query. After an error, sets *error or *problem and returns
@@ -70,8 +74,9 @@ void routine_wrong(struct expression_error *error, const char *at, const struct 
 bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
                     struct expression_error *error, struct problem *problem);
 
-/* Copies the query's state to *state, and assigns values to its parameters. *changed becomes a query of this
- * state. On failure, sets *problem and returns false. */
+/* Makes a query for a changed state. The query's state is copied to *state, and the values in `assigned` are
+ * assigned to parameters of the copy. *changed becomes the query with this state. On failure, sets *problem
+ * and returns false. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

@@ -6,11 +6,12 @@
 
 enum { PLANE = 0x10000 };
 
-/* Decodes the first character of a text (RFC 3629). Returns its length in bytes, or 0 if it is not UTF-8. */
+/* Decodes the first character of a text in UTF-8 (RFC 3629). Returns the length of this character in bytes.
+ * If the text does not begin with a valid character, returns 0. */
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    /* the smallest code for each length in bytes */
+    /* the smallest code point whose UTF-8 encoding has this length in bytes */
     static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE};
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
@@ -23,8 +24,8 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true for the Unicode classes Cc, Zl, Zp, Cf and Cn, except the joiners U+200C and U+200D, which
- * some scripts need. */
+/* Returns true if a character is invisible, or can change how other text is shown. These are the Unicode
+ * classes Cc, Zl, Zp, Cf and Cn, except the joiners U+200C and U+200D, which some scripts need. */
 static bool is_hidden(uint32_t code)
 {
     static const struct {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes text from outside, such as file names, safe to show. Escape sequences replace control and
- * invisible characters, characters that break lines or change the direction of writing, and bytes that are
- * not UTF-8. */
+/* Makes text from outside, such as file names, safe to show. Some characters could confuse the terminal or
+ * the reader: control characters, invisible characters, and characters that break lines or change the
+ * direction of writing. They are replaced by escape sequences. Bytes that are not UTF-8 are also replaced. */
 #ifndef SHELL_ESCAPE_H
 #define SHELL_ESCAPE_H
 
@@ -12,22 +12,24 @@
 /* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
 enum { ESCAPE_PIECE = 12 };
 
-/* Escapes the first character of a text into `piece`. The text must not be empty. Returns the length of this
- * character in bytes. Escaping a text twice is the same as escaping it once. */
+/* Writes the first character of a text into `piece`, with an escape sequence if it needs one. The text must
+ * not be empty. Returns the length of this character in the text, in bytes. A text that has been escaped can
+ * be escaped again without further changes. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
 /* Returns true if any character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* Writes an escaped copy of a string into `shown`, a buffer of `size` bytes, at least 16. A copy that is too
- * long ends in "...". Returns `shown`. */
+/* Writes an escaped copy of a string into the buffer `shown`, and returns `shown`. The buffer has `size`
+ * bytes, which must be at least 16. If the copy does not fit into the buffer, it is cut off and ends in
+ * "...". */
 const char *escape_text(const char *text, char *shown, size_t size);
 
 /* Escapes a text of any length. Returns an allocated copy, or NULL if memory runs out. */
 char *escape_copy(const char *text);
 
-/* Writes a text as a JSON string in double quotes. A JSON parser restores the original text, except that a
- * byte that is not UTF-8 becomes U+FFFD. */
+/* Writes a text as a JSON string in double quotes. A JSON parser then gets the original text back. There is
+ * one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
 /* Returns one character of a text, escaped if it has a special meaning in TeX. */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files after '>' and '>>' are written completely or not at all.
- * - The text first goes to an unnamed temporary file, which vanishes when the program ends.
- * - '>' copies the text to a replacement, a new file in the folder of the target, and renames it to the
- *   target.
- * - '>>' locks the target and appends the text.
- * - A target with several hard links or another owner is locked and overwritten in place, because a rename
- *   would change more than its contents. A target is also overwritten in place if no file can be created in
- *   its folder.
+ * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all.
+ * - At first, the text goes to a temporary file without a name. If the program is killed, this file vanishes.
+ * - After '>', the text is then copied into a new file in the folder of the target, which is called the
+ * replacement. The replacement is renamed to the target, so the target changes in a single step.
+ * - After '>>', the target is locked, and the text is appended to it.
+ * - Some targets cannot be replaced by renaming without changing more than their contents: files that have
+ * several hard links, or that belong to another user. Such a target is locked and overwritten in place. If no
+ * file can be created in the folder of the target, the target is also overwritten in place.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
@@ -31,8 +31,9 @@ struct file {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target. If the target can be written but its folder cannot,
- * uses the usual folder for temporary files. */
+/* Opens the temporary file in the folder of the target. Sometimes the target can be written, but no file can
+ * be created in its folder. In this case, opens the temporary file in the usual folder for temporary files.
+ * */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));
@@ -41,8 +42,8 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream that receives the text. A device, a FIFO or standard output receives the text directly.
- * Otherwise the stream is a temporary file. */
+/* Opens the stream that receives the text. If the target is a device, a FIFO or standard output, the stream
+ * writes directly to the target. Otherwise, the stream writes to a temporary file. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -61,8 +62,9 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the first line of the text repeats the last header line of the target, returns the length of this line,
- * which is not appended. Otherwise returns 0. */
+/* A csv answer that is appended to a file need not repeat the column names. If the first line of the text is
+ * the same as the last header line in the target, returns the length of this line, which is then skipped.
+ * Otherwise returns 0. */
 static long repeated_header(const struct file *f)
 {
     char first[OUTPUT_HEADER + 1], line[sizeof first], last[sizeof first] = "";
@@ -91,8 +93,8 @@ static bool text_copy(FILE *text, long from, int to)
     return !ferror(text);
 }
 
-/* Writes or appends the text to an open file, and closes it. If the disk is full, the old contents remain.
- * Sets errno on failure. */
+/* Writes the text into an open file, or appends it, and closes the file. If the disk is full, the file keeps
+ * its old contents. Sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
@@ -112,7 +114,8 @@ static bool file_fill(const struct file *f, int file)
 
 enum { REPLACEMENT = PATH_MAX + 32 }; /* the size of a buffer for the name of a replacement */
 
-/* Creates the replacement with the group and mode of the target. Returns -1 if this is not allowed. */
+/* Creates the replacement. It gets the group and the mode of the target, if the target exists. Returns -1 if
+ * the replacement cannot be created, or if its group or mode cannot be set. */
 static int replacement_open(const struct target *t, char name[REPLACEMENT])
 {
     mode_t mask = umask(0);
@@ -132,7 +135,8 @@ static int replacement_open(const struct target *t, char name[REPLACEMENT])
     return -1;
 }
 
-/* Opens the target itself, rather than a replacement, and locks it. Returns -1 and sets errno on failure. */
+/* Opens the target itself and locks it. This function is used if the target is not replaced by a new file.
+ * Returns -1 and sets errno on failure. */
 static int file_lock(const struct file *f)
 {
     enum { SECONDS = 10 };
@@ -144,8 +148,9 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the target. Signals are only delivered during the wait for a lock. Sets errno on
- * failure. */
+/* Writes the text into the target. During this function, signals are blocked, so that they cannot interrupt
+ * it halfway. They are delivered only while the function opens the target and waits for the lock. Sets errno
+ * on failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files and streams whose waits can be interrupted, such as the wait for the other end of a FIFO. When the
- * flag `interrupt` is raised (see dom_raised), a wait ends with ECANCELED, even if the signal handler was
- * installed with SA_RESTART. If `interrupt` is NULL, signals have their usual effect. All functions set errno
- * on failure.
+ * Functions for files and streams in which the user can interrupt a wait, such as the wait for the other end
+ * of a FIFO. A signal handler raises the flag `interrupt` (see dom_raised). The wait then ends, and errno is
+ * ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
+ * signals have their usual effect. All functions set errno on failure.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -14,17 +14,21 @@
 #include <sys/types.h>
 #include <time.h>
 
-/* Opens a file as open(2) does. If the file is a FIFO that is opened for writing, first waits until a program
- * reads from it. The descriptor is non-blocking and close-on-exec. Returns -1 on failure. */
+/* Opens a file as open(2) does. If the file is a FIFO and is opened for writing, the function first waits
+ * until a program reads from the FIFO. The descriptor is non-blocking and close-on-exec. Returns -1 on
+ * failure. */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/* Locks a file with flock(2) until it is closed. Only programs that also use flock(2) are kept out. Returns
- * false if `seconds` seconds were not enough, or after an interrupt. If the file system does not support
- * locks, returns true without a lock. */
+/*
+ * Locks a file with flock(2) until it is closed. The lock keeps out only programs that also use flock(2). If
+ * another program has locked the file, waits for up to `seconds` seconds. Returns false if the file is still
+ * locked then, or after an interrupt. If the file system does not support locks, returns true without a lock.
+ */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits until a file can be read, or written if `to_write` is true. If `file` is -1, waits for the time
- * `longest`. If `longest` is NULL, there is no limit. Returns false if the flag is raised. */
+/* Waits until a file can be read. If `to_write` is true, waits until it can be written instead. The wait
+ * takes at most the time `longest`. If `longest` is NULL, there is no limit. If `file` is -1, there is no
+ * file to wait for, so the function waits for the whole time. Returns false if the flag is raised. */
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes. This function may be called in a signal handler. */
@@ -34,27 +38,28 @@ bool io_write(int file, const char *bytes, size_t count, const volatile sig_atom
 sigset_t io_block(void);
 void io_unblock(const sigset_t *before);
 
-/* Opens a placeholder for each of the descriptors 0, 1 and 2 that is closed. Otherwise the next file that
- * is opened would become a standard stream. */
+/* A program can be started with some of the descriptors 0, 1 and 2 closed. The next file that is opened would
+ * then become a standard stream. To prevent this, opens a placeholder for each of these descriptors that is
+ * closed. */
 void io_begin(void);
 
 /* ---- Streams ---- */
 
-/* Makes a stream from an open file. Closing the stream also closes the file. On failure, closes the file and
- * returns NULL. */
+/* Makes a stream from an open file. When the stream is closed, the file is closed too. On failure, closes the
+ * file and returns NULL. */
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
 
 /* Opens a file for reading. A directory is an error. Returns NULL on failure. */
 FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt);
 
-/* Returns the stream for standard input, which must not be closed. Only the `interrupt` of the first call
- * takes effect. */
+/* Returns the stream for standard input. This stream must not be closed. The first call determines which flag
+ * interrupts the stream. Later calls ignore `interrupt`. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the stream for standard output. On a terminal, each line appears immediately. In a pipe or file,
- * text is delayed even after fflush, because a system call for each answer would be slow. A timer writes the
- * text within 10 ms, even during a computation.
+ * Returns the stream for standard output. If standard output is a terminal, each line appears immediately. If
+ * it is a pipe or a file, a system call for each answer would be slow. Text is therefore collected for a
+ * short time, even after fflush. A timer writes the collected text within 10 ms, even during a computation.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
@@ -64,16 +69,16 @@ void io_stdout_flush(void);
 /* Returns the folder for temporary files: $TMPDIR, or /tmp. */
 const char *io_temporary_folder(void);
 
-/* Creates an unnamed file, which vanishes when it is closed or the program ends. If `folder` is NULL,
- * uses io_temporary_folder(). Returns NULL on failure. */
+/* Creates a temporary file without a name. The file vanishes when it is closed or when the program ends. If
+ * `folder` is NULL, the file is in the folder io_temporary_folder(). Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
 /* Copies a whole stream. On failure, one of the streams has its error flag set. */
 void io_copy(FILE *from, FILE *to);
 
-/* Opens a stream that writes to memory. After fflush or fclose, *text holds *size bytes, without a NUL byte
- * at the end. The caller frees *text. Unlike open_memstream, sets the error flag if memory runs out. Returns
- * NULL on failure. */
+/* Opens a stream that writes to memory. After fflush or fclose, the text is in *text, and its length in bytes
+ * is in *size. There is no NUL byte at its end. The caller frees *text. If memory runs out, the error flag of
+ * the stream is set, which open_memstream does not ensure. Returns NULL on failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

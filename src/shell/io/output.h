@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The destinations of output are a stack of levels. Standard output is at the bottom. Above it are 'log' and
- * 'tee', which copy the text. While a command runs, the file after '>' or the pager is at the top. Popping a
- * file writes all of its text, or leaves the old file unchanged.
+ * The text that a command writes can have several destinations at the same time. They form a stack of levels.
+ * Standard output is at the bottom. Above it may be a log and a tee, which copy the text into a file and pass
+ * it on to the level below. While a command runs, the file after '>' or the pager may be at the top. When a
+ * file is popped, all of its text is written, or the old file stays unchanged.
  */
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
@@ -32,11 +33,11 @@ struct output {
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_header)(const char *line);
-    /* Frees everything except the struct itself. For a file, first writes the collected text if `keep` is
-     * true. Returns NULL or an error message. */
+    /* Ends the level, and frees everything except the struct itself. If the level is a file and `keep` is
+     * true, the collected text is written into the file first. Returns NULL, or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* The members below are only used at the level that does not pass the text on (see OUTPUT_SINKS). */
+    /* The members below are used only at a level that does not pass its text on (see OUTPUT_SINKS). */
     char header[OUTPUT_HEADER]; /* the last line of column names, or "" */
     bool answered;              /* an answer was written, so the next one needs a blank line above it */
     int error;                  /* errno of the first answer that could not be written, or 0 */
@@ -51,47 +52,52 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* OUTPUT_SINKS: the kinds that do not pass their text on to the level below. OUTPUT_BASE: the kinds that are
- * always below files and pagers. */
+/* OUTPUT_SINKS are the kinds of levels at which text ends, because they do not pass it on to the level below.
+ * OUTPUT_BASE are the kinds that are always below files and pagers. */
 enum {
     OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD,
     OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE
 };
 
-/* Returns the address of the pointer to the topmost level that has one of these kinds. Returns NULL if there
- * is none. */
+/* Finds the topmost level whose kind is in `kinds`. Returns the address of the pointer to this level, so that
+ * the level can be popped. Returns NULL if there is no such level. */
 struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */
 
-/* Pushes a file onto the stack, which may be empty. Returns NULL, or why the file cannot be written. */
+/* Pushes a file onto the stack, which may be empty. If the file cannot be written, returns the reason.
+ * Otherwise returns NULL. */
 const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 
 /*
- * Pushes a pager for text that may be longer than the terminal. Returns false if standard input or the level
- * below is not the terminal.
- * - Text of at least `screens` screens goes through the pager, unless it arrives slowly.
- * - The pager is $PAGER or 'less'. If `may_run` is false, pages are shown without a program.
- * - After an interrupt, or when the user has quit early, writing fails. Popping then does not return NULL.
+ * Pushes a pager for text that may be longer than the terminal. If standard input or the level below is not
+ * the terminal, pushes nothing and returns false.
+ * - The text goes through the pager if it fills at least `screens` screens, and does not arrive slowly.
+ * - The pager is the program $PAGER or, without this variable, 'less'. If `may_run` is false, no program is
+ * started, and the text is shown page by page.
+ * - If the user quits before the end, or interrupts the command, further writing fails. When the pager is
+ *   then
+ * popped, output_pop returns an error message.
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 
-/* Begins a log, which appends to its file, or a tee, which replaces its file. Ends an earlier log or tee.
- * Returns NULL, or why the file cannot be written. */
+/* Begins a log or a tee. A log is appended to its file, and a tee replaces the contents of its file. If there
+ * is already a level of this kind, it ends. If the file cannot be written, returns the reason. Otherwise
+ * returns NULL. */
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
-/* Writes all buffered text of the log and the tee. Closes a file that cannot be written, and returns the
- * reason. Otherwise returns NULL. */
+/* Writes the buffered text of the log and the tee into their files. If one of these files cannot be written,
+ * ends this log or tee, and returns the reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
-/* Writes commands into the log, if there is one. Unless `at_once` is true, the log holds the commands back
- * until the next answer or error, because failed commands become comments. */
+/* Writes commands into the log, if there is one. A command that fails becomes a comment in the log. Unless
+ * `at_once` is true, the log therefore holds the commands back until the next answer or error. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log holds
- * back also become comments, so that the log can be run. */
+/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log has
+ * held back have failed. They also become comments, so that the log can be run as a script. */
 void log_message(struct output **top, const char *text, bool failed);
 
 #endif

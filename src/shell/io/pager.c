@@ -14,14 +14,16 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* Text that does not fill the screen within this time is shown as it arrives, without a pager. */
+/* Slow text must not be withheld from the user until it fills the screen. After this time, it is shown as it
+ * arrives, without a pager. */
 #define HOLD_SECONDS 0.5
 
-/* The prompt of 'less'. In its syntax, '?e' tests for the end of the text, and ':' means "else". */
+/* The prompt that 'less' shows, in the syntax of its option -P. '?e' tests for the end of the text, and ':'
+ * means "else". */
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
-/* The handlers of these signals change while a pager program runs. SIGQUIT is ignored. ^Z stops both
- * programs. ^C ends the computation, and is ignored once the computation has ended. */
+/* The signals whose handlers change while a pager program runs. SIGQUIT is ignored. SIGTSTP (^Z) stops both
+ * programs. SIGINT (^C) ends the computation. Once the computation has ended, SIGINT is ignored too. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
@@ -96,8 +98,8 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the pager program and a pipe to it. Returns false on failure, or if the terminal is too simple for
- * 'less'. */
+/* Starts the pager program, and opens a pipe to it. If the pager is 'less' and the terminal is too simple for
+ * it, nothing is started. Returns true if the pager program is running. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *command = getenv("PAGER");
@@ -124,7 +126,8 @@ static bool program_open(struct pager *p)
     return true;
 }
 
-/* Closes the pipe, and waits for the program. A signal that ends the session also ends the program. */
+/* Closes the pipe, and waits until the pager program has ended. If a signal ends the session during this
+ * time, the pager program is ended too. */
 static void program_close(struct pager *p)
 {
     const struct timespec moment = {.tv_nsec = 20000000};
@@ -136,8 +139,9 @@ static void program_close(struct pager *p)
             kill(p->child, SIGTERM);
         nanosleep(&moment, NULL);
     }
-    /* A killed pager has not restored the terminal modes. If the session is in the background, the terminal
-     * belongs to another job, and its modes must not be changed. */
+    /* If the pager has been killed, it has not restored the terminal modes, so they are restored here. If the
+     * session is in the background, however, another job is using the terminal, and its modes must not be
+     * changed. */
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
     for (int i = 0; i < SIGNALS; i++)
@@ -146,8 +150,8 @@ static void program_close(struct pager *p)
 
 /* ---- Pages without a program ---- */
 
-/* Asks whether to show another page. The user has to press Enter, because the terminal modes are not
- * changed. */
+/* Asks whether to show another page. The terminal keeps its usual modes, in which a program receives whole
+ * lines, so the user has to press Enter. */
 static bool page_wanted(const struct pager *p)
 {
     char answer[256] = "";

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 'log' and 'tee' are levels of output (see output.h). They pass text on to the level below, and copy it into
- * a file. */
+/* The commands 'log' and 'tee' copy all output into a file. Each of them is a level of the stack of outputs
+ * (see output.h), which passes its text on to the level below. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"

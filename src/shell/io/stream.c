@@ -13,7 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a stream whose functions receive a copy of the cookie. The close function must free this copy. */
+/* Opens a stream that calls the given functions. Each function receives a copy of the cookie. The close
+ * function must free this copy. */
 static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, struct system_stream functions)
 {
     void *copy = malloc(size);
@@ -27,8 +28,9 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that stdio has flushed but that has not been written yet, and errno of the first failed write. Both
- * are protected by `held_lock`. Threads wait for this lock, but the timer's handler never does. */
+/* Text that is waiting to be written to standard output. stdio has already flushed it. `held_error` is errno
+ * of the first write that has failed. All of these variables are protected by `held_lock`. Threads wait for
+ * this lock. The timer's handler must not wait, because the thread that it interrupts may hold the lock. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;
@@ -119,8 +121,8 @@ struct channel {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Reads the available bytes. If there are none, first writes the buffered answers, because a program may wait
- * for them before it sends its next command. */
+/* Reads the bytes that are available. If there are none, another program may be waiting for our answers
+ * before it sends its next command. The buffered answers are therefore written first. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -156,8 +158,9 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may block. Regular files never block. Writing to a stopped terminal does
- * not count, because ^C discards the output. */
+/* Returns true if reading from the file or writing to it may block. A regular file never blocks. Writing to a
+ * terminal blocks if the user has stopped the terminal, but this does not count, because ^C then discards the
+ * output. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

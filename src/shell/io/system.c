@@ -88,8 +88,8 @@ int system_reserve(int file, off_t from, off_t to)
     int reason = to > from ? posix_fallocate(file, from, to - from) : 0;
     return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot reserve space */
 #else
-    /* Extends the file by writing a byte into each new block. Earlier blocks are assumed to be on the disk
-     * already. */
+    /* Without posix_fallocate, the file is extended by writing one byte into each new block. The blocks that
+     * the file has already are assumed to be on the disk. */
     struct stat status;
     if (fstat(file, &status) != 0)
         return errno;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that differ between operating systems. They use the features that the build has found (see
- * `features`), and otherwise only POSIX. 'make portable' tests the versions for POSIX. */
+/* Functions that differ between operating systems. If the build has found that the system has a certain
+ * feature (see `features`), they use it. Otherwise they use only POSIX. 'make portable' builds and tests the
+ * versions for POSIX. */
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H
 
@@ -8,8 +9,8 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* The functions of a stream. A NULL function does nothing. `write` must write all bytes; a smaller result
- * means an error. */
+/* The functions that a stream calls. If a pointer is NULL, nothing is done in the place of the function.
+ * `write` must write all bytes. If it returns a smaller number, the stream treats this as an error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);
     ssize_t (*write)(void *cookie, const char *bytes, size_t size);
@@ -19,8 +20,9 @@ struct system_stream {
 /* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Reserves disk space for the bytes `from` to `to` of a file, which may grow even on failure. On success, the
- * file has at least `to` bytes. Returns 0 or an error number. */
+/* Reserves disk space for a part of a file, from the byte `from` to the byte before `to`. Afterwards, the
+ * file has at least `to` bytes. Returns 0, or an error number. Even on failure, the file may have become
+ * longer. */
 int system_reserve(int file, off_t from, off_t to);
 
 /* Creates and opens an unnamed file in a folder. Returns -1 if this is not supported. */
@@ -32,8 +34,8 @@ void system_end_with_parent(void);
 /* Returns the number of processors that this process may use. */
 unsigned system_processors(void);
 
-/* Installs the handler of the timer that system_timer_start starts. Returns false if the system has no such
- * timer. */
+/* Installs the function that is called when the timer expires. system_timer_start starts this timer. Returns
+ * false if the system has no suitable timer. */
 bool system_timer(void (*handler)(int));
 void system_timer_start(long nanoseconds);
 

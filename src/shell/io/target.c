@@ -11,7 +11,8 @@
 
 static struct target *targets;
 
-/* Like realpath, but also accepts a file that does not exist yet. Returns NULL and sets errno on failure. */
+/* Returns the absolute path of a file without symbolic links, as realpath does. Unlike realpath, accepts a
+ * file that does not exist yet. Returns NULL and sets errno on failure. */
 static char *real_path(const char *path)
 {
     char target[PATH_MAX], *next, *real = realpath(path, NULL);

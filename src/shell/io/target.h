@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that the session is writing. Two outputs, such as a log and a redirected answer, must not write
- * the same file. */
+/* The list of files that the session is writing. Before an output opens its file, the list is searched,
+ * because two outputs must not write the same file. For example, an answer must not be redirected to the log.
+ * */
 #ifndef SHELL_TARGET_H
 #define SHELL_TARGET_H
 
@@ -16,9 +17,10 @@ struct target {
 };
 
 /*
- * Registers a file that will be written. Returns NULL, or a message on failure. Refuses a file that the
- * session is already writing, except for the target `except`, which may be NULL. Refuses standard output
- * unless `may_be_standard` is true.
+ * Registers a file that will be written. Returns NULL, or a message on failure. The session may already be
+ * writing this file for another target. In this case, registering fails, unless that other target is
+ * `except`, which may be NULL. If the file is standard output, registering fails unless `may_be_standard` is
+ * true.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);
@@ -29,7 +31,8 @@ void target_end(struct target *target);
 /* Returns true if standard output is redirected to the file. */
 bool target_is_standard(const struct target *target);
 
-/* Returns a message for a failed write. `reason` is its errno, or 0 if errno was not set. */
+/* Returns a message for a write that has failed. `reason` is the value of errno after this write, or 0 if
+ * errno was not set. */
 const char *target_error(int reason);
 
 #endif

@@ -11,7 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The topmost stream that passes its text on to standard output, or NULL if there is none yet. */
+/* The stream to which answers are written if it is not standard output itself. It passes its text on to
+ * standard output, perhaps through further streams. NULL if there has been no such stream yet. */
 static const FILE *front;
 
 void terminal_pass(const FILE *from, const FILE *to)
@@ -20,8 +21,8 @@ void terminal_pass(const FILE *from, const FILE *to)
         front = to;
 }
 
-/* Returns the descriptor of the terminal that shows the stream, or -1. Calls isatty once for each standard
- * stream. */
+/* Returns the descriptor of the terminal that shows the stream. If no terminal shows the stream, returns -1.
+ * The results of isatty for the standard streams are cached. */
 static int shown_on(FILE *stream)
 {
     static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: not a terminal, 0: not known yet */

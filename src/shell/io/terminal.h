@@ -9,19 +9,20 @@
 /* Returns true if text written to the stream appears on a terminal. */
 bool terminal_shows(FILE *stream);
 
-/* Returns true if text written to the stream appears on a terminal with colours, and NO_COLOR is not set. */
+/* Returns true if text written to the stream may contain colours. The stream must be shown on a terminal that
+ * has colours, and the environment variable NO_COLOR must not be set. */
 bool terminal_colour(FILE *stream);
 
-/* Stores the columns and rows of the stream's terminal. Without a terminal, stores 0 in both and returns
- * false. */
+/* Stores the number of columns and the number of rows of the stream's terminal. If the stream is not shown on
+ * a terminal, stores 0 in both and returns false. */
 bool terminal_size(FILE *stream, int *width, int *height);
 
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* Makes the functions above treat the stream `to` like standard output, in place of the stream `from`. Does
- * nothing if they treat a third stream like standard output. 'log', 'tee' and the pager need this function,
- * because they pass text on to standard output. */
+/* If the functions above currently treat the stream `from` as standard output, makes them treat the stream
+ * `to` as standard output instead. Otherwise nothing changes. 'log', 'tee' and the pager need this function,
+ * because each of them is a stream that passes its text on to standard output. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
@@ -36,21 +37,23 @@ int utf8_columns(const char *text);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, shows the elapsed time there every second, as in "3 s; ^C stops it". */
+/* Begins to show the progress of a long command on standard error, if it is a terminal. A line such as "3 s;
+ * ^C stops it" then shows the elapsed time, and is updated every second. */
 void progress_begin(void);
 
 /* Clears the line that progress_begin has shown. */
 void progress_end(void);
 
-/* Sets the fraction of the work that is done. The progress line then reads "12 %, 3 s left". With a fraction
- * of 1, it shows only the elapsed time. */
+/* Tells the progress line which fraction of the work is done. The line then reads "12 %, 3 s left". If the
+ * fraction is 1, the line shows only the elapsed time again. */
 void progress_show(double fraction);
 
 /* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores progress_show from now on. A thread that computes only part of the
- * work is muted, because it knows only the progress of this part. Returns the previous setting. */
+/* If `mute` is true, progress_show does nothing from now on when this thread calls it. A thread that computes
+ * only part of the work is muted, because it does not know the progress of the whole work. Returns the
+ * previous setting. */
 bool progress_mute(bool mute);
 
 #endif
