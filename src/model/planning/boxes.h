@@ -17,9 +17,9 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* Returns the height nearest to `height` to which a domino may be changed. Its height so far is `before`. A
- * domino taller than row->boxes_above is a box, and any other domino is solid. The change must not turn a
- * solid domino into a box, or a box into a solid domino. */
+/* A domino of the height `before` is to get the height `height`. But a solid domino must stay solid, and a
+ * box must stay a box. (A domino taller than row->boxes_above is a box.) Returns the nearest height that is
+ * allowed. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

@@ -37,9 +37,9 @@
  * no derivatives are computed if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* After a change of a gap or a size, the margins of the dominoes behind it change less and less. The run of
- * the changed row ends at the first domino whose margin changes by less than this fraction of the largest
- * change so far. */
+/* If a gap or a size is changed, the margins of later dominoes change less and less. The run of the changed
+ * row ends at the first domino whose margin changes by less than this fraction of the largest change so
+ * far. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */

@@ -194,8 +194,7 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that any train can have. It occurs at a growth of r
- * = 1. */
+/* Returns the largest ratio of kinetic energy to barrier that any train can have. It occurs at r = 1. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Draws the random errors of a row. The random numbers depend only on the seed, the kind of error and the
- * number of the row. So other errors stay the same if one kind is left out.
+ * Draws the random errors of a row. A random number depends only on the seed, the kind of error and the
+ * number of the row. So if one kind of error is left out, the errors of all other kinds stay the same.
  */
 #include "planning/draw.h"
 #include "planning/boxes.h"
@@ -16,8 +16,8 @@
 /* A random error never reduces a size or a mass below this fraction of its original value. */
 #define LEAST_SHARE ((dom_real)0.01)
 
-/* tightens the limits of slopes, leans, radii and thicknesses, so that they still hold after rounding to
- * float */
+/* A factor that makes the limits of slopes, leans, radii and thicknesses slightly tighter. A value that is
+ * within the tightened limits is still within the true limits after rounding to float. */
 #define INSIDE (1 - (dom_real)1e-6)
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
@@ -35,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Derives seed number i from `seed`. The bits are mixed as in splitmix64 (Steele et al., 2014), because
- * successive integers as seeds would give similar random numbers. */
+/* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers. So the
+ * bits are mixed, as in splitmix64 (Steele et al., 2014). */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -55,8 +55,9 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
     gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
 }
 
-/* Returns the next random error, the sum of numbers from two generators. The seeds of GSL have only 32 bits.
- * With one generator, some of a million rows would be identical. */
+/* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
+ * only 32 bits. With a single generator, some of a million rows would have the same seed and would be
+ * identical. */
 static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
 {
     gsl_rng *const *random = draw->random;
@@ -80,8 +81,8 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Applies a random error to a size or to the mass. Limits the thickness and the radius so that walls and
- * rounded edges still fit. */
+/* Applies a random error to a size or to the mass of a domino. The thickness and the radius are limited, so
+ * that walls and rounded edges still fit. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_random_error *error, struct dom_domino *d)
 {
@@ -109,8 +110,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Moves each domino after the first by its own random error. A domino that would overlap the previous domino
- * touches it instead. */
+/* Moves each domino after the first by a random error of its own. If a domino would overlap the previous
+ * domino, it is placed so that it touches the previous domino. */
 static void places_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
 {
     dom_real before = 0; /* distance by which the previous domino has moved */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws random rows, that is, copies of a row with random errors. Studies and budgets run many of them. */
+/* Draws random rows. A random row is a copy of a row, with random errors. Studies and budgets run many random
+ * rows. */
 #ifndef DOM_DRAW_H
 #define DOM_DRAW_H
 
@@ -17,8 +18,8 @@ struct draw {
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row);
 void draw_end(struct draw *draw);
 
-/* Draws random row number i. Leaves out each kind of error whose bit (1 << kind) is set in `off`. The other
- * errors do not change. */
+/* Draws random row number i. If the bit (1 << kind) is set in `off`, errors of this kind are left out. The
+ * random numbers for all other kinds stay the same. */
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i,
               unsigned off);
 

@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the row that falls most reliably in spite of random errors. The search minimizes the smoothed
- * fraction of random rows that do not fall (chance.h). All its steps use the same random rows. Other random
- * rows decide whether a result is kept.
+ * Finds the row that falls most reliably in spite of random errors. The search minimizes a function: the
+ * smoothed fraction of random rows that do not fall (chance.h). It uses the same random rows in all steps, so
+ * that the function has no noise. Other random rows decide whether a result is kept, because the search could
+ * have adapted to its own random rows.
  *
- * The width of the smoothing is a multiple of the standard deviation of each margin. At first, the multiple
- * is 1. Then every row contributes to the fraction, even if it is unlikely to stop. Later levels of the
- * search use more rows and less smoothing. Errors of a few mm hardly affect large dominoes. With one width
- * for all margins, large dominoes would get as much spare energy as small ones, without needing it.
+ * The smoothing has a width for each margin. This width is a multiple of the standard deviation of the
+ * margin. On the first level of the search, the multiple is 1. Then every random row contributes to the
+ * fraction, even if it is unlikely to stop. Later levels use more random rows and less smoothing.
  *
- * The minimizer is BFGS from GSL. With the same number of runs, SLSQP from NLopt was slightly better: 7.2 %
- * of rows of eleven dominoes did not fall, rather than 7.6 %. But Debian has NLopt only as a shared library.
- * Loading it would take 190,000 instructions, while the whole program starts in 440,000.
+ * A single width for all margins would be a mistake. Errors of a few mm hardly affect large dominoes. But
+ * with a single width, large dominoes would get as much spare energy as small ones, without needing it.
+ *
+ * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better with the same number of runs: 7.2 % of
+ * rows of eleven dominoes did not fall. With BFGS, it was 7.6 %. But Debian has NLopt only as a shared
+ * library. Loading this library would take 190,000 instructions, while the whole program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -29,8 +32,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search. `width` is in standard deviations of the margin. `values` limits the number of
- * evaluations that include the gradient. */
+/* The levels of the search. On each level, the function is computed from `rows` random rows. `width` is the
+ * width of the smoothing, in standard deviations of the margin. `values` is the largest number of times that
+ * the function is evaluated with its gradient. */
 static const struct level {
     size_t rows;
     double width;
@@ -47,8 +51,8 @@ enum { CHECK = 8 };
 /* The relative tolerance for computing margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
-/* The length of the minimizer's first step, and the accuracy of line searches that GSL's manual recommends.
- * The variables are logarithms. */
+/* FIRST_STEP is the length of the minimizer's first step. The variables are logarithms, so a step is a
+ * relative change. LINE_TOL is the accuracy of line searches that GSL's manual recommends. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -59,7 +63,7 @@ struct search {
     const struct dom_placement *placement; /* the rows that decide whether a result is kept */
     /* the width of the smoothing for each margin on the current level */
     double *width;
-    /* the dominoes of the row that is evaluated, of a varied row, and of the best row so far */
+    /* the dominoes of three rows: the row that is evaluated, a variation of it, and the best row so far */
     struct dom_domino *domino, *candidate, *best;
     double *by_gap, *by_size;
     double *margin;       /* the margins of all random rows */
@@ -99,8 +103,9 @@ static void level_set(struct search *s, const struct level *level)
 
 /* ---- The function that is minimized ---- */
 
-/* Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall. Unlike p, this
- * logarithm has a clear slope even where p is nearly 0 or 1. Returns infinity to end a line search. */
+/* The function that is minimized. It returns ln(p / (1 - p)), where p is the smoothed fraction of the rows
+ * that do not fall. Where p is nearly 0 or 1, p itself is almost constant, but this logarithm has a clear
+ * slope. To end a line search, the function returns infinity. */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
@@ -158,8 +163,9 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 /* ---- The search ---- */
 
 /*
- * Sets the width of the smoothing for each margin, a multiple of the margin's standard deviation. Only small
- * margins stop a row. So the standard deviation is estimated from the median and a lower quantile.
+ * Sets the width of the smoothing for each margin. The width is a multiple of the standard deviation of the
+ * margin. Only small margins stop a row, so only the lower half of the distribution matters. Hence the
+ * standard deviation is estimated from the median and a lower quantile.
  */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
@@ -188,10 +194,12 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
 }
 
 /*
- * Rounds the row with the variables x to the grid. The rounded row becomes the best row if it is within the
- * limits and passes two tests:
- * - Its smoothed fraction of failures is the smallest so far, or it is the first row within the limits.
- * - In the study, it falls more often than the original row, or the original row is outside the limits.
+ * Decides whether the row with the variables x becomes the best row. First, the row is rounded to the grid.
+ * Then the rounded row must be within the limits, and must pass two tests:
+ * - Its smoothed fraction of failures must be the smallest so far. If no row so far was within the limits,
+ *   this test is omitted.
+ * - In the study, it must fall more often than the original row. If the original row is outside the limits,
+ *   this test is omitted.
  */
 static void consider(struct search *s, const gsl_vector *x)
 {
@@ -214,8 +222,8 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Runs the minimizer on one level. The minimizer stops at kinks, and is restarted as long as restarts
- * help. */
+/* Runs the minimizer on one level. If the function has a kink, the minimizer stops there. It is then
+ * restarted, as long as restarts help. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)
 {

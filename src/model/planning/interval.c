@@ -10,9 +10,11 @@
 #define TAIL 0.025
 
 /*
- * Returns the probability that at least k, or at most k, of n rows fall if each falls with the probability p.
- * Divides the sum over the tail by the sum over all terms. gsl_cdf_beta_P is not used, because for some p it
- * does not converge if n is a million or more.
+ * Each of n rows falls with the probability p. If `at_least` is true, returns the probability that at least k
+ * rows fall. Otherwise returns the probability that at most k rows fall.
+ *
+ * The terms of the distribution are added up. The sum over the tail is divided by the sum over all terms. The
+ * function gsl_cdf_beta_P is not used: if n is a million or more, it does not converge for some p.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -42,12 +44,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the p at which binomial_tail returns TAIL. Bisection suits a tail that is almost constant near 0 and
- * near 1. */
+/* Finds the probability p at which binomial_tail returns TAIL. The tail is almost constant near p = 0 and
+ * near p = 1. Bisection works well with such a function. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 bisections give all digits of a root near 1. A root near 2^-64 (one of 2^64 rows has fallen) needs
-     * 64 more. */
+    /* If the root is near 1, 50 bisections give all its digits. A small root needs more. If one of 2^64 rows
+     * has fallen, the root is near 2^-64, and 64 more bisections are needed. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
@@ -64,9 +66,10 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
 }
 
 /*
- * Finds the exact 95 % confidence interval [low, high]:
- * - If P(a row falls) = low, P(at least s->fall rows fall) = 2.5 %.
- * - If P(a row falls) = high, P(at most s->fall + s->unknown rows fall) = 2.5 %.
+ * Finds the exact 95 % confidence interval [low, high] for the probability that a row falls. At the ends of
+ * the interval, the observed counts are just barely plausible:
+ * - If P(a row falls) = low, at least s->fall rows fall with a probability of only 2.5 %.
+ * - If P(a row falls) = high, at most s->fall + s->unknown rows fall with a probability of only 2.5 %.
  */
 enum dom_status dom_study_interval(struct dom_study *s)
 {

@@ -4,7 +4,8 @@
 
 /* ---- Gaps ---- */
 
-/* number of earlier gaps to try, besides the gap at which the fall ends; even earlier gaps hardly matter */
+/* the number of gaps that are tried before the gap at which the fall ends; gaps even farther back hardly
+ * matter */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Searches from the current gap towards `end` for the first gap at which all dominoes fall. */
@@ -15,9 +16,10 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /*
- * If the gap is too wide to reach across, finds the range of gaps at which the row falls. The range begins
- * at the widest gap within reach. Returns false if the gap is within reach, or if the row does not fall at
- * the widest gap within reach.
+ * Mends a gap that is too wide to reach across. At the widest gap within reach, the domino before the gap
+ * just touches the next domino. If the row falls at this gap, finds the range of gaps at which it falls. The
+ * range begins at the widest gap within reach. Returns false if the gap is already within reach, or if the
+ * row does not fall at the widest gap within reach.
  */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
@@ -48,8 +50,9 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gap after the domino at which the fall ends, and up to BACK gaps before this gap. If this gap is
- * too wide to reach across, tries no other gap. */
+/* Searches for single gaps whose change makes the row fall. Tries the gap after the domino at which the fall
+ * ends, and up to BACK earlier gaps. If the gap after this domino is too wide to reach across, no earlier gap
+ * is tried. Returns the number of gaps found. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -99,9 +102,12 @@ static bool falls_pushed(dom_real push, void *context)
 }
 
 /*
- * Returns the angular velocity that is just enough to tip the first domino. It satisfies
+ * Returns the angular velocity omega that is just enough to tip the first domino over its edge. The kinetic
+ * energy must lift the center of mass to its highest point above the edge:
  *
  *     I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) / 2.
+ *
+ * Here I is the moment of inertia about the edge, m is the mass, h is the height, and d is the thickness.
  */
 static dom_real push_over_edge(const struct dom_row *row)
 {
@@ -138,8 +144,8 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 
 /* ---- The growth ---- */
 
-/* Each step of the search multiplies the growth by GROWTH_STEP. With an engine, the steps are
- * GROWTH_STEP_OF_ENGINE until the row falls. */
+/* Each step of the search multiplies the growth by GROWTH_STEP. With an engine, which is slow, the steps are
+ * longer until the row falls: each of them multiplies the growth by GROWTH_STEP_OF_ENGINE. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -151,8 +157,12 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/* If `falls` is true, raises the growth *r in steps until the row no longer falls. Otherwise raises it until
- * the row falls. Sets *before to the growth one step earlier. Bisection could miss the first change. */
+/*
+ * Raises the growth *r step by step. If `falls` is true, the row falls at first, and the search ends when the
+ * row no longer falls. If `falls` is false, the search ends when the row falls. Sets *before to the growth
+ * one step before the last. Returns false if nothing changes up to `highest`. Bisection is not used, because
+ * it could miss the first change.
+ */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -165,8 +175,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds r_min, the smallest growth at which the row falls, and r_max, up to which it keeps falling. r_min
- * exceeds 1 if, for example, the gaps at r = 1 are too narrow for the first domino to tip over. */
+/* Finds r_min and r_max. The growth r_min is the smallest growth at which the row falls. From there, the row
+ * keeps falling up to the growth r_max. If the row falls at r = 1, r_min is 1. Otherwise r_min is larger. For
+ * example, the gaps at r = 1 can be too narrow for the first domino to tip over. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

@@ -6,7 +6,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Verdicts depend only on the sign of a margin. A smaller tolerance would change one verdict in a billion. */
+/* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
+ * smaller tolerance would change one verdict in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
 /* number of rows in a batch, large enough to make the time for memory allocation negligible */
@@ -48,8 +49,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i. If s->causes is true, runs it again once for each kind of error, with this kind left
- * out. Adds the results to the counts. */
+/* Runs random row number i, and adds the result to the counts. If s->causes is true, also finds out which
+ * kinds of error matter: runs the row again once for each kind of error, with this kind left out. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -124,8 +125,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The kernel would miss bad gaps or a bad tolerance, since the study changes
- * these values before the kernel sees them. */
+/* Checks the arguments of a study. The kernel cannot check all of them. The study changes the gaps and the
+ * tolerance before the kernel sees them, and could thereby hide bad values. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {

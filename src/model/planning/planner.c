@@ -19,8 +19,9 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* Returns true if a failed computation should be tried again with the tolerance that is set here. A few
- * digits can be found even if rounding errors exceed the usual tolerance. */
+/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
+ * exceed the usual tolerance. So if the computation has failed because of rounding errors, sets a larger
+ * tolerance in *compute and returns true. If the tolerance is already large, returns false. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
@@ -29,8 +30,8 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
     return true;
 }
 
-/* Records a failure. If the result did not converge or is not finite, only this separation is skipped. Any
- * other status ends the search. */
+/* Records a failed computation. If the computation did not converge, or if its result is not finite, only the
+ * present separation is skipped. Any other failure ends the search. */
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
@@ -61,8 +62,9 @@ dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 }
 
 /*
- * Records the smallest ratio of kinetic energy to barrier. The first domino does not count, since its energy
- * depends on the push. Returns false to end the run.
+ * Records the smallest ratio of kinetic energy to barrier so far. The first domino does not count, since its
+ * energy depends on the push. Returns false to end the run: if p->whole is false, the run ends as soon as a
+ * ratio is smaller than the required safety.
  */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the safety and the length of the candidates for a design: trains and rows with a constant
- * growth. */
+/* Computes how safe and how long the candidates for a design are. A candidate is an endless train, or a row
+ * of dominoes with a constant growth. */
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 
@@ -11,12 +11,13 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* A separation is k * height / GRID, where k is an integer. For the standard domino, height / GRID is 0.05
- * mm. In the first search, k is a multiple of COARSE. */
+/* The separation s is a gap divided by the height of the domino after the gap. The search only tries
+ * multiples of 1 / GRID: s = k / GRID. If k increases by 1, the gaps of the standard domino become 0.05 mm
+ * wider. In the first search, k is a multiple of COARSE. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* The state of a search for a design. After an error, `status` is not DOM_OK, nothing more is computed, and
- * every test fails. */
+/* The state of a search for a design. If an error occurs, `status` is set to a value other than DOM_OK. From
+ * then on, nothing more is computed, and every test fails. */
 struct planner {
     struct dom_train train;
     /* settings of the search, which computes in double even if the result has another precision */
@@ -30,21 +31,23 @@ struct planner {
     dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
     bool whole;
-    /* the domino with the smallest ratio of kinetic energy to barrier in the last run, counted from 1 */
+    /* number of the weakest domino in the last run, counted from 1: the one with the smallest ratio of
+     * kinetic energy to barrier */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
     bool engine_refused; /* true if a row was safe enough in the model, but did not fall in the engine */
 };
 
-/* A candidate row: the separation k/GRID, and the number of steps from the first domino to the last. */
+/* A candidate row. Its separation is k / GRID. It has steps + 1 dominoes, so there are `steps` steps from the
+ * first domino to the last. */
 struct choice {
     int k;
     size_t steps;
 };
 
-/* Prepares a search. Its `status` tells whether a value is outside its range. The caller frees its
- * `domino`. */
+/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
+ * caller must free the member `domino` of the result. */
 struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
                             const struct dom_limits *limits, const struct dom_compute *compute);
 
@@ -53,33 +56,36 @@ dom_real separation(int k);
 /* Returns the growth that leads from the first height to the last in `steps` steps. */
 dom_real growth(const struct planner *p, size_t steps);
 
-/* Returns the ratio of kinetic energy to barrier of the endless train, or 0 if the train has no cycle. */
+/* Returns the ratio of kinetic energy to barrier in an endless train with the separation s and the growth r.
+ * If there is no such ratio, for example because the next domino is out of reach, returns 0. */
 dom_real train_ratio(struct planner *p, dom_real s, dom_real r);
 
-/* Writes the dominoes of a candidate row to p->domino. Returns false and sets p->status if memory is
- * exhausted, or if the walls do not fit. */
+/* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
+ * into a domino, sets p->status and returns false. */
 bool row_write(struct planner *p, struct choice c);
 
 /* Returns a row with the dominoes that row_write wrote last. */
 struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                       const struct dom_engine *engine);
 
-/* Writes a candidate row and runs it. Returns its smallest ratio of kinetic energy to barrier, or 0 if it
- * does not fall. If `times` is false, the run ends at the first ratio that is too small. */
+/* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
+ * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
+ * first ratio that is too small. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length of the standing row with the separation s, from the back of the first domino to the
- * front of the last. Ignores rounding. */
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
+ * has the separation s. Its dimensions are not rounded to a grid. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
-/* Returns the length of the row after the last domino has fallen forwards, without rounding to a grid. */
+/* Returns the length of a candidate row after its last domino has fallen forwards. The dimensions of the row
+ * are not rounded to a grid. */
 dom_real length_of(const struct planner *p, struct choice c);
 
 /* Returns the length of the standing row that row_write wrote last. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
-/* Returns the largest k for which a row with the separation k/GRID fits into the hall, or a number below
- * 1. */
+/* Returns the largest k for which a row with the separation k / GRID fits into the hall. If there is none,
+ * returns 0. */
 int widest(const struct planner *p, size_t steps, dom_real hall);
 
 /* Computes the chosen row with the requested precision, and writes the result to *design. */

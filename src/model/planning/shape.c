@@ -11,8 +11,9 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The larger this exponent, the more abruptly gaps are narrowed as the row fills the hall. If the row exactly
- * fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
+/* If a row is too long for the hall, its gaps are narrowed. The narrowing begins a little before the row
+ * fills the hall, so that it has no kink. The larger this exponent, the more abruptly it begins. If the row
+ * exactly fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
@@ -55,8 +56,8 @@ void shape_begin(const struct shape *s, double *x)
     }
 }
 
-/* Returns the number to subtract from the logarithm of each growth so that the last domino keeps its
- * height. */
+/* The last domino must keep its height, but the growths in the variables may lead to another height. Returns
+ * the number that must be subtracted from the logarithm of each growth to correct this. */
 static dom_real growth_excess(const struct shape *s, const double *growth)
 {
     const struct dom_domino *d = s->row->domino;
@@ -75,8 +76,8 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
     d->radius *= x;
     d->height = height;
     d->thickness = thickness;
-    /* The mass of a solid domino (q = 4) is proportional to its thickness. With thin walls (q = 3), the
-     * thickness hardly matters. */
+    /* The mass of a solid domino (q = 4) is proportional to its thickness. The mass of a domino with thin
+     * walls (q = 3) hardly depends on its thickness. */
     d->mass *= wood_factor(s->row, &before, d, pow(x, q - 1) * pow(slimmer, q - 3));
 }
 
@@ -93,8 +94,9 @@ bool shape_from_board(const struct shape *s, dom_real height)
     return s->limits->boards > 0 && !is_box;
 }
 
-/* Returns the thickness of the closest board. If a domino of this height needs no board, returns `thickness`,
- * rounded to the grid if `final` is true. */
+/* Returns the thickness that a domino gets. If a domino of this height must be made from a board, this is the
+ * thickness of the board that is closest to `thickness`. Otherwise, it is `thickness`, rounded to the grid if
+ * `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -123,8 +125,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. Before a gap is rounded, the rounding error of earlier gaps is added to it, so
- * that errors do not add up. */
+/* Rounds all gaps to the grid. If each gap were rounded alone, the rounding errors could add up. So before a
+ * gap is rounded, the rounding error of the earlier gaps is added to it. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;

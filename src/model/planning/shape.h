@@ -11,29 +11,31 @@ struct shape {
 };
 
 /*
- * Returns the number of variables. Each gap has one: ln(gap / height of the domino before it). If sizes may
- * change, each gap has a second variable: ln of the growth across the gap. Adding a constant to all second
- * variables does not change the row.
+ * Returns the number of variables. Each gap has one variable: ln(gap / height of the domino before the gap).
+ * If sizes may change, each gap has a second variable: the logarithm of the growth from the domino before the
+ * gap to the domino after it. The last domino keeps its height, so only the differences between these second
+ * variables matter. If a constant is added to all of them, the row does not change.
  */
 size_t shape_variables(const struct shape *shape);
 
 /* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be as thick as one of the boards. Boxes may have any
- * thickness. */
+/* Returns true if a domino of this height must be made from a board, and be as thick as this board. A box may
+ * have any thickness. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
-/* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
+/* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change
+ * accordingly. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
-/* Writes the dominoes for the variables x. Narrows gaps that are too wide for the hall or for a domino's
- * reach. If `final` is true, rounds lengths to the grid. Returns false if the hall is too short even without
- * gaps. */
+/* Writes the dominoes that the variables x describe. If a gap is too wide for the hall, or for the reach of
+ * the domino before it, the gap is narrowed. If `final` is true, lengths are rounded to the grid. If the hall
+ * is too short even without gaps, returns false. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
-/* Rounds the dimensions of a row to the grid and to the boards. The first domino keeps its sizes, and the
- * last its height. */
+/* Rounds the dimensions of a row to the grid. If there are boards, the thicknesses are those of the closest
+ * boards. The first domino keeps its sizes. The last domino keeps its height. */
 void shape_round(const struct shape *shape, struct dom_domino *domino);
 
 /* Returns DOM_OK, or a status that says which of the limits is outside its range. */

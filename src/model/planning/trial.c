@@ -43,8 +43,9 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
         t->verdict.spare = recent->spare;
 }
 
-/* Returns true if the row is part of a train: all dominoes have the same proportions, and sizes and masses
- * grow by constant factors. Walls of equal thickness would change the proportions. */
+/* Returns true if the row is part of a train. In a train, all dominoes have the same proportions. Sizes and
+ * masses grow by a constant factor from domino to domino. If the dominoes have walls, returns false, since
+ * walls of equal thickness would change the proportions. */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -64,11 +65,13 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * Runs the first START dominoes of a train. Returns true if the result decides whether the whole row falls.
+ * Runs only the first START dominoes of a train, to save time. Returns true if their fall already shows
+ * whether the whole row falls.
  *
- * The margin, as a fraction of the kinetic energy, changes less and less from domino to domino. This test
- * assumes that every further change equals the latest one. The row is taken to fall if more than half of the
- * fraction would then be left at the end of the row.
+ * Each domino has some energy to spare: the margin, here as a fraction of the kinetic energy. In a train,
+ * this fraction changes less and less from domino to domino. To be on the safe side, this test assumes that
+ * every further change equals the latest one, and makes the fraction smaller. If more than half of the
+ * fraction would then be left at the end of the row, the row is taken to fall.
  */
 static bool start_decides(struct trial *t)
 {
@@ -128,11 +131,11 @@ void trial_end(struct trial *t)
 }
 
 /*
- * num_root and the solvers of GSL cannot be used: some tests yield no number, the result must be a tested
- * point, and GSL has only double.
+ * Neither num_root nor the solvers of GSL can be used here. Some tests yield no number. The result must be a
+ * point that was tested. And GSL has only double precision.
  *
- * Bisection alternates with the secant method if the spare energies at both ends are known and differ in
- * sign.
+ * In general, this is a bisection. If the spare energies at both ends are known, and one is positive and the
+ * other negative, every second step uses the secant method instead.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -168,7 +171,8 @@ dom_real digit_of(dom_real value, int places)
 /* the relative precision with an engine, whose results are accurate to only one percent */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* number of values to try in each direction; an engine takes thousands of times as long for each */
+/* the number of values that are tried in each direction; an engine takes thousands of times as long for each
+ * value */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)
@@ -195,8 +199,8 @@ dom_real trial_now(const struct trial *t)
     return t->domino[t->k].gap;
 }
 
-/* Sets *size, the height or the thickness of the domino. The density of the wood, the walls and the width
- * stay the same. */
+/* Changes the height or the thickness of a domino: *size becomes `value`. The density of the wood, the
+ * thickness of the walls and the width stay the same. So the mass changes too. */
 static void size_set(const struct dom_row *row, struct dom_domino *d, dom_real *size, dom_real value)
 {
     const struct dom_domino before = *d;
@@ -268,8 +272,8 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Like value_edge, but for an engine, which is slow and accurate to one percent. So values have few digits,
- * and the search ends half a percent from the edge. */
+/* Like value_edge, but for an engine. An engine is slow, and its results are accurate to only one percent. So
+ * the values that are tried have few digits, and the search ends when the edge is known to half a percent. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),
@@ -294,8 +298,8 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The steps are short near `value` and longer towards `end`. With an engine, values are rounded to a few
- * digits. */
+/* The values that are tried are close together near `value`, and farther apart towards `end`. With an engine,
+ * they are rounded to a few digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {
     const dom_real part = (dom_real)i / (dom_real)trial_steps(t);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trial runs a row with one changed value. A series of trials finds the edge between the values at which
- * all dominoes fall and the values at which some do not. */
+/* A trial changes one value of a row, and runs the row to see whether all dominoes fall. A series of trials
+ * finds an edge: on one side of it, all dominoes fall, and on the other side, some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A series of trials. After an error, `status` is not DOM_OK, no more rows are run, and trials return
- * false. */
+/* A series of trials. If an error occurs, `status` is set to a value other than DOM_OK. From then on, no more
+ * rows are run, and all trials return false. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
@@ -30,32 +30,33 @@ struct trial {
     enum dom_status status;
     struct dom_verdict verdict; /* verdict of the last run */
     enum dom_row_end ends;      /* how the fall ended in the last run in which some dominoes did not fall */
-    /* Spare energy (margin / barrier) in the last run: of the weakest domino if the row fell, or of the
-     * domino at which it stopped. NaN if the fall ended in another way. */
+    /* Spare energy in the last run, as a fraction of the barrier (margin / barrier). If the row fell, this is
+     * the spare energy of the weakest domino. If the row stopped for lack of energy, it is the spare energy
+     * of the domino at which it stopped. If the fall ended in another way, it is NaN. */
     dom_real spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its current dominoes. Returns true if all dominoes fall. Runs only the first
- * dominoes if these already decide the result. */
+/* Runs the row with its current dominoes. Returns true if all dominoes fall. To save time, the run ends early
+ * if the first dominoes already decide the result. */
 bool trial_falls(struct trial *t);
 
-/* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
- * all dominoes fall. Call trial_end afterwards, even after a failure. */
+/* Runs the unchanged row. Returns true if all dominoes fall. Also prepares trials that change one domino or
+ * the gaps beside it. The caller must call trial_end afterwards, even after a failure. */
 bool trial_begin(struct trial *t);
 void trial_end(struct trial *t);
 
 typedef bool trial_test(dom_real x, void *trial);
 
-/* Searches for the edge between `good`, where the test is true, and `bad`, where it is false. Stops when
- * |good - bad| <= absolute + relative * good, or when no number lies between them. Returns the last
- * `good`. */
+/* Searches for the edge between two values. At the value `good`, the test is true, and at the value `bad`, it
+ * is false. The search moves these two values closer and closer together. It stops when no number lies
+ * between them, or when |good - bad| <= absolute + relative * good. Returns the last value of `good`. */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns the place value of one digit of `value`: the first significant digit if places = 0, the next digit
- * if places = 1, and so on. */
+/* Returns the place value of one digit of `value`. If places = 0, this is the first significant digit. If
+ * places = 1, it is the next digit, and so on. For example, digit_of(250, 1) is 10. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- The value that is changed (t->of), in most cases a property of domino t->k ---- */
@@ -64,26 +65,31 @@ dom_real digit_of(dom_real value, int places);
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
-/* A trial_test: runs the row with this value, then restores the row. Returns true if all dominoes fall. */
+/* A trial_test. Gives the row this value, runs the row, and then restores the row. Returns true if all
+ * dominoes fall. */
 bool falls_with(dom_real value, void *context);
 
 /* A search tries trial_steps values between `value` and `end`. value_step returns value number i. */
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
-/* Returns the place value of the last digit that is kept when a number near `value` is rounded. */
+/* Values are rounded to a few digits, so that they are easy to type. Returns the place value of the last
+ * digit that is kept when a number near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* All dominoes must fall at `good`, but not at `bad`. Returns the value nearest to `bad` at which they fall,
- * rounded to a few digits towards `good`. */
+/* Searches for the edge between two values. All dominoes must fall at the value `good`, but not at the value
+ * `bad`. Returns the value nearest to `bad` at which all dominoes still fall. The result is rounded to a few
+ * digits, towards `good`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Continues the search from `now` to `end` with step i. All dominoes must fall at `good`, the value of step i
- * - 1. Returns the last value up to which they fall. */
+/* Continues a search that moves step by step from the value `now` to the value `end`. The steps before step i
+ * have been made. At the value of the latest of them, `good`, all dominoes must fall. Returns the last value
+ * up to which all dominoes fall. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end` for a range in which all dominoes fall. Stores the
- * beginning of the range in *to, and its end in *until. Returns false if no such range is found. */
+/* Searches from the current value towards `end` for a range of values at which all dominoes fall. If there is
+ * one, stores the value at which the range begins in *to, and the value at which it ends in *until. Returns
+ * false if no such range is found. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds windows. A window is the range in which one value of a row may lie so that all dominoes still fall.
- * The value is a gap, a position, a height, a thickness, a lean or the friction. */
+/* Finds windows. All dominoes of a row fall only if its gaps, sizes and so on are neither too small nor too
+ * large. The window of one value is the range in which it may lie so that all dominoes still fall. The value
+ * is a gap, a position, a height, a thickness, a lean or the friction. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
@@ -10,9 +11,9 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* The values that are tried stay this fraction away from the limits of a height, a thickness or a lean.
- * Beyond a limit, the domino falls over by itself, or its walls or edges do not fit. The fraction exceeds the
- * rounding error of a float. */
+/* A height, a thickness or a lean has limits. Beyond a limit, the domino falls over by itself, or its walls
+ * or edges do not fit. The values that are tried stay this fraction away from the limits. The fraction
+ * exceeds the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -22,9 +23,13 @@ struct range {
     enum dom_row_end above;
 };
 
-/* Returns the range of heights that are tried. A tilted domino stands if height < foot / tan |tilt|, where
- * foot = thickness - 2 radii. It must be taller than 2 radii. A solid domino stays solid, and a box stays a
- * box. */
+/*
+ * Returns the range of heights that are tried.
+ * - If a tilted domino is too tall, it falls over by itself. It stands if height < foot / tan |tilt|, where
+ *   foot = thickness - 2 radii.
+ * - A domino with rounded edges must be taller than 2 radii.
+ * - A solid domino must stay solid, and a box must stay a box.
+ */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
@@ -38,8 +43,8 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
 }
 
 /*
- * Returns the range of thicknesses that are tried. The domino must stand, and two walls or two rounded edges
- * must fit.
+ * Returns the range of thicknesses that are tried. The domino must be thick enough to stand, and to have room
+ * for two walls or for two rounded edges.
  */
 static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
 {
@@ -56,7 +61,7 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* The domino can move forwards until it touches the next one, or until the previous one barely
+        /* The domino can move forwards until it touches the next domino, or until the previous domino barely
          * reaches it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
@@ -119,8 +124,8 @@ static void window_around(struct trial *t, struct dom_window *w)
 
 /* ---- Equal dominoes ---- */
 
-/* Returns true if domino k and its two neighbours equal domino k - 1 and its neighbours. Their windows are
- * then nearly equal. */
+/* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
+ * of domino k nearly equals the window of domino k - 1. */
 static bool is_repeated(const struct dom_row *row, size_t k)
 {
     bool equal = k > 2 && k + 1 < row->count;
@@ -132,8 +137,12 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Like window_edge, but starts at `guess`, close to the edge. The first step is one unit in the last digit.
- * Each later step is eight times as long as the step before, until the edge lies between two trials. */
+/*
+ * Like window_edge, but for an edge that is expected close to the value `guess`. The first trial is at
+ * `guess`. From there, the search steps towards the edge. Its first step is one unit in the last digit, and
+ * each later step is eight times as long as the step before. The steps end when the edge lies between two
+ * trials.
+ */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
@@ -157,8 +166,8 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
     return end < now ? fmin(good, now) : fmax(good, now);
 }
 
-/* Finds the window of a domino that equals the previous domino. *last is the window of the previous
- * domino. */
+/* Finds the window of a domino that equals the previous domino. To save time, the search starts close to the
+ * edges of the previous domino's window, *last. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -171,8 +180,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* Finds the window that ends at the highest value of the range. All dominoes fall at this value, and the
- * current value is above the range. */
+/* Finds the window if the current value is above the range of values that are tried, and if all dominoes fall
+ * at the highest value of this range. The window then ends at the highest value. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -207,7 +216,7 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can affect a fall that ends at domino number `ends`. Both numbers
+/* The fall ends at domino number `ends`. Returns true if a change of domino k can affect this. Both numbers
  * count from 0. */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
