@@ -8,7 +8,8 @@ struct shape shape_make(double s, double d, double q)
     shape.q = q == floor(q) && q <= 64 ? span_of(q) : span_around(q);
     shape.L = span_add(shape.s, shape.d);
     shape.v_inf = span_over(shape.s, shape.L);
-    /* 1 - cos theta_u = [sqrt(1 + d^2) - 1]/sqrt(1 + d^2), where the numerator is d^2/(1 + sqrt(1 + d^2)). */
+    /* The value of v at theta_u is 1 - cos theta_u = [sqrt(1 + d^2) - 1]/sqrt(1 + d^2). To avoid
+     * cancellation, the numerator is computed as d^2/(1 + sqrt(1 + d^2)). */
     struct span square = span_square(shape.d), root = span_sqrt(span_add(span_of(1), square));
     shape.steepest = root.hi;
     shape.g_top = span_over(square, span_add(span_of(1), root));
@@ -16,8 +17,11 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/* sine_below and sine_above return bounds on the sine of a tilt. The computed root has a relative error below
- * 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding error of the product. */
+/*
+ * sine_below(v) and sine_above(v) return a lower and an upper bound on the sine of a tilt. The computed
+ * square root has a relative error below 2^-52. The factors 1 - 2^-51 and 1 + 2^-51 cover this error. They
+ * also cover the rounding error of the product with the factor.
+ */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));
@@ -56,7 +60,8 @@ struct span tilt_rise(const struct shape *shape, struct span v)
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }
 
-/* Sine X and cosine Y of theta_1 - theta, at one tilt and one growth. X decreases with v, and Y increases. */
+/* The sine X and the cosine Y of the angle theta_1 - theta, at one tilt and one growth. If v increases, X
+ * decreases and Y increases. */
 struct turn {
     struct span X, Y;
 };
@@ -69,14 +74,16 @@ static struct turn corner_turn(const struct corner *c, double v)
     t.X.hi = most_1(up(c->rs.hi - less));
     if (!(t.X.hi >= 0))
         t.X.hi = 0;
-    /* Y^2 = (1 - X) (1 + X), where 1 - X = (1 - r s) + r L v avoids cancellation. */
+    /* Y is computed from Y^2 = (1 - X) (1 + X). To avoid cancellation, 1 - X is computed as (1 - r s) + r L
+     * v. */
     t.Y.lo = least_0(down(sqrt(least_0(down(down(c->short_of.lo + less) * down(1 + t.X.lo))))));
     t.Y.hi = most_1(up(sqrt(up(up(c->short_of.hi + more) * up(1 + t.X.hi)))));
     return t;
 }
 
 /*
- * turned_below and turned_above return bounds on the follower's v, a sum of terms >= 0:
+ * turned_below and turned_above return a lower and an upper bound on v of the follower. The formula is a sum
+ * of terms that are not negative:
  *
  *     1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta.
  */
@@ -92,15 +99,18 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Returns a lower bound on the follower's v, from the lower corner of a box. The bound is the v of theta_1(t)
- * for some t <= theta, so it cannot exceed the v of F (chain.h). */
+/*
+ * Returns a lower bound on v of the follower, computed at the lower corner of a box. The tilt of the follower
+ * is F(theta), the maximum of theta_1(t) over all t <= theta (chain.h). So theta_1(t) for any single t <=
+ * theta gives a lower bound.
+ */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
     return turned_below(corner_turn(c, t), t);
 }
 
-/* Returns an upper bound on the follower's v, from the upper corner of a box. */
+/* Returns an upper bound on v of the follower, computed at the upper corner of a box. */
 static double follow_above(const struct corner *c, double v)
 {
     if (v >= c->leave.lo)
@@ -154,8 +164,8 @@ struct span chain_follow(const struct growth *growth, struct span v)
 struct contact chain_contact(const struct growth *growth, struct span v)
 {
     struct contact c;
-    /* Beyond theta_leave F is constant. The derivatives of F have no jump there, since dF/dtheta = 0 at
-     * theta_leave. */
+    /* Beyond theta_leave, F is constant, so all tilts beyond theta_leave are treated like theta_leave. The
+     * derivatives of F have no jump at theta_leave, since dF/dtheta = 0 there. */
     struct span u = {smaller(v.lo, growth->leave.lo), smaller(v.hi, growth->leave.hi)};
     struct turn low = corner_turn(&growth->low, u.hi), high = corner_turn(&growth->high, u.lo);
     c.X = (struct span){low.X.lo, high.X.hi};

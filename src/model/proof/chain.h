@@ -1,32 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Describes a train for all growths in an interval, and its dominoes for all tilts in an interval.
+ * Computes the chain of leaning dominoes of a train. A proof must hold for all growths in an interval, and
+ * for all tilts of the head in an interval. So most numbers are intervals, which contain the true value for
+ * all these growths and tilts.
  *
- * A tilt theta is represented by v = 1 - cos theta, which increases with theta. The sine is sqrt(v (2 - v)),
- * so no function of libm is needed.
+ * A tilt theta is represented by v = 1 - cos theta, which increases with theta. The sine of the tilt is
+ * sqrt(v (2 - v)), so no function of libm is needed.
  *
  * The follower of a domino with the tilt theta leans on it at the tilt
  *
  *     theta_1(theta, r) = theta + asin X,   X = r (L cos theta - d).
  *
- * theta_1 increases with theta up to min(theta_leave, theta_inf). Beyond that, the follower has detached and
- * keeps its tilt. So the tilt of the follower is F(theta, r), the maximum of theta_1(t, r) over all t <=
- * theta.
+ * This tilt increases with theta up to min(theta_leave, theta_inf). Beyond that, the follower has detached
+ * and keeps its tilt. So the tilt of the follower is F(theta, r), defined as the maximum of theta_1(t, r)
+ * over all t <= theta.
  *
- * F increases with theta, because it is a running maximum. F also increases with r, because theta_1(t, r)
- * increases with r for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(... theta)) increases with
- * both theta and r.
+ * F increases with theta, because it is a running maximum. F also increases with r: for every t <= theta_inf,
+ * X >= 0, so theta_1(t, r) increases with r. Domino i has the tilt theta_i = F(F(... theta)), where F is
+ * applied i times. Therefore theta_i increases with both theta and r.
  *
- * A box consists of an interval of tilts and an interval of growths. Every chain in a box lies between the
- * chains at its lower and its upper corner.
+ * An interval of tilts and an interval of growths form a box. The lower corner of the box is the smallest
+ * tilt with the smallest growth, and the upper corner is the largest tilt with the largest growth. Every
+ * chain in a box lies between the chains at these two corners.
  */
 #ifndef DOM_PROOF_CHAIN_H
 #define DOM_PROOF_CHAIN_H
 
 #include "proof/span.h"
 
-/* All parameters of a train except its growth. The intervals contain all decimal numbers that round to the
- * given doubles. */
+/* All parameters of a train except its growth. A parameter is given as a double, but it stands for a decimal
+ * number. So each interval contains all decimal numbers that round to this double. */
 struct shape {
     struct span s, d, L, q;
     /* v at the tilt theta_inf; it is s/L, because cos theta_inf = d/L (40; A16) */
@@ -80,30 +83,31 @@ struct contact {
 struct shape shape_make(double s, double d, double q);
 struct growth growth_make(const struct shape *shape, double r_low, double r_high);
 
-/* Returns an interval that contains sin theta for every tilt theta with 1 - cos theta in v. */
+/* Takes an interval v, which contains 1 - cos theta. Returns an interval that contains sin theta. */
 struct span tilt_sine(struct span v);
 
-/* For all tilts theta with 1 - cos theta in v: tilt_height returns g = d sin theta - (1 - cos theta) =
- * h(theta) - 1, and tilt_rise returns dh/dtheta. */
+/* Two functions of a tilt theta, for all theta with 1 - cos theta in the interval v. tilt_height returns g =
+ * d sin theta - (1 - cos theta), which is h(theta) - 1. tilt_rise returns the derivative dh/dtheta. */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 
 /* Given 1 - cos theta of a domino, returns 1 - cos theta of its follower. */
 struct span chain_follow(const struct growth *growth, struct span v);
 
-/* Returns the contact of a domino with its follower. v is 1 - cos theta of the domino. */
+/* Returns the contact of a domino with its follower. The interval v contains 1 - cos theta of the domino. */
 struct contact chain_contact(const struct growth *growth, struct span v);
 
 /* Returns the follower of `leader`, including derivatives. */
 struct domino chain_next(const struct growth *growth, const struct domino *leader,
                          const struct contact *contact);
 
-/* Returns a domino at theta_last, the largest tilt that any follower reaches (theta_f or theta_inf). Its
- * `shift` is dtheta_last/dr. */
+/*
+ * Returns a domino that stands at theta_last, the largest tilt that any follower reaches. This tilt is
+ * theta_f if followers detach, and theta_inf otherwise. The member `shift` of the domino is dtheta_last/dr.
+ */
 struct domino chain_last(const struct growth *growth);
 
-/* Returns 1 - cos theta_c, where sin theta_c = r s. Domino 1 has the tilt theta_c while the head is
- * upright. */
+/* Returns 1 - cos theta_c. Domino 1 has the tilt theta_c while the head is upright, and sin theta_c = r s. */
 struct span chain_hit(const struct growth *growth);
 
 #endif

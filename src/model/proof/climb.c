@@ -9,13 +9,16 @@ static struct span everything(void)
 }
 
 /*
- * Adds bounds on the contribution of domino n and all later dominoes to D. These dominoes are beyond theta_u,
- * where h decreases. Let theta_i0 be the tilt of domino i while the head is upright.
+ * Adds the contribution of domino n and all later dominoes to D. These dominoes are not computed one by one,
+ * so the contribution is known only within bounds. They are all beyond theta_u, where h decreases. Let
+ * theta_i0 be the tilt of domino i while the head is upright.
  *
- * Upper bound: domino i is at theta_i0 or beyond, so the contribution is at most 0.
+ * Upper bound: domino i is at theta_i0 or beyond, so h is at most what it was with an upright head. So the
+ * contribution to D is at most 0.
  *
- * Lower bound: for theta <= theta_c, the tilt of domino i is at most theta_(i+1)0. The sum telescopes as in
- * rest_of_fuel, so the contribution is at least
+ * Lower bound: for theta <= theta_c, the tilt of domino i is at most theta_(i+1)0, the tilt that domino i + 1
+ * has with an upright head. With these tilts, the sum telescopes as in rest_of_fuel. So the contribution is
+ * at least
  *
  *     -r^(-q n) (h(theta_n0) - h(theta_last)).
  */
@@ -37,8 +40,8 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
 {
     const struct growth *g = &u->growth;
     const struct shape *shape = g->shape;
-    /* `low` and `high` are values of sigma = 2 sin(theta/2). So v = sigma^2/2, and
-     * dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
+    /* The arguments `low` and `high` are values of sigma = 2 sin(theta/2). It follows that v = sigma^2/2, and
+     * that dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
     struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
                             .slope = {1, 1}};
     struct climb climb = {.height = {0, 0}};

@@ -35,7 +35,8 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
     return climb_find(upright, low, high, derivatives);
 }
 
-/* The level that D must stay below in a strip of growths: the kinetic energy K, or a constant. */
+/* A level for a strip, that is, for an interval of growths. The proof must show that D stays below this
+ * level. The level is the kinetic energy K, or a constant. */
 struct level {
     struct span box;   /* the level in the whole strip */
     struct span point; /* the level at the upper end of the strip */
@@ -43,8 +44,8 @@ struct level {
     bool refute;       /* if true, the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
 };
 
-/* Returns the largest amount by which K - D can fall below its value at the upper end of the strip. This is
- * max(M, 0) times the width, as in bound 3 of cover_tilts. */
+/* Returns the loss in bound 3 of cover_tilts: within the strip, K - D is smaller than at the upper end of the
+ * strip by at most this amount. The loss is max(M, 0) times the width of the strip. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);
@@ -52,17 +53,20 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Tries to prove K - D > 0 for all growths in the strip and all tilts from `low` to `high`. Tilts are given
- * as sigma = 2 sin(theta/2). It is enough that one of three lower bounds is positive.
+ * Tries to prove that K - D > 0 for all growths in the strip, and for all tilts from `low` to `high`. Tilts
+ * are given as sigma = 2 sin(theta/2). There are three lower bounds on K - D. The proof succeeds if one of
+ * them is positive.
  *
- * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
+ * Bound 1 uses the box of all these tilts and growths as a whole. K and D are computed from the corners of
+ * the box.
  *
- * Bound 2, by the mean value theorem in sigma: D(sigma) <= D(at) + |sigma - at| max |dD/dsigma|. If D is
- * monotonic in the box, the tilt `at` is the end of the interval at which D is largest. Otherwise the tilt
- * `at` is the middle of the interval.
+ * Bound 2 uses the mean value theorem in sigma. D is computed only at one tilt `at`. For the other tilts,
+ * D(sigma) <= D(at) + |sigma - at| max |dD/dsigma|. If D is monotonic in the box, `at` is the end of the
+ * interval at which D is largest. Otherwise `at` is the middle of the interval.
  *
- * Bound 3, by the mean value theorem in r: let d(K - D)/dr <= M, and let w be the width of the strip. Then
- * K - D is at least its value at the upper end of the strip, minus max(M, 0) w.
+ * Bound 3 also uses the mean value theorem in the growth r. K - D is computed only at the upper end of the
+ * strip. Let M be an upper bound on d(K - D)/dr, and let w be the width of the strip. Then K - D is at least
+ * its value at the upper end, minus max(M, 0) w.
  *
  * If all three bounds fail, the interval of tilts is halved. If they fail even for the single tilt `at`, the
  * strip is too wide.
@@ -83,8 +87,11 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* The bounds on D hold only for tilts of the cycle, so the tilt `at` may not exceed theta_c. If the box
-     * contains any tilt of the cycle, the tilt `low` is one. */
+    /*
+     * A cycle ends when the head has the tilt theta_c, and the bounds on D hold only up to theta_c. So the
+     * tilt `at` may not exceed theta_c. The tilt `low` may always be used: if any tilt in the box belongs to
+     * the cycle, `low` does.
+     */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));

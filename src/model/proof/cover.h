@@ -25,36 +25,41 @@ struct proof {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* proof_begin allocates the memory for a proof, and returns false if there is not enough. proof_end frees the
- * memory. */
+/* proof_begin allocates the memory for a proof. It returns false if there is not enough memory. proof_end
+ * frees the memory. */
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
-/* Returns true after an interrupt. One pass along a long train takes a few milliseconds, so call this
- * often. */
+/* Returns true after an interrupt. Call this often: one pass along a long train takes a few milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Tries to prove that the train keeps falling (K > D at every tilt of the cycle) for r_low <= r <= r_high. */
+/* Tries to prove that the train keeps falling for all growths from r_low to r_high. It keeps falling if K > D
+ * at every tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
- * Tries to prove that the train keeps falling for all growths from *done to r_high. Works upwards in strips
- * (intervals of growths), and raises *done after each success. Halves a strip whose outcome is OUTCOME_OPEN
- * if it is wider than `finest`. Any other failure ends the proof, and sets *stop to the upper end of the
- * strip.
+ * Tries to prove that the train keeps falling for all growths from *done to r_high. The proof works upwards
+ * in strips, which are intervals of growths. After each proved strip, *done is raised to the end of that
+ * strip. If the outcome for a strip is OUTCOME_OPEN, and if the strip is wider than `finest`, it is halved
+ * and tried again. Any other failure ends the proof, and sets *stop to the upper end of the failed strip.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Tries to prove that the train stops for r_low <= r <= r_high. The proof shows that the kinetic energy is
- * too small to reach a certain tilt theta. `top` is 2 sin(theta/2). Returns false if the proof fails. */
+/*
+ * Tries to prove that the train stops for all growths from r_low to r_high. For this, the proof shows that
+ * the kinetic energy is too small to reach a certain tilt theta. The caller chooses this tilt, with `top` = 2
+ * sin(theta/2). Returns false if the proof fails.
+ */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
-/* Tries to prove that D < level for all tilts and for all growths from r_low to r_high. */
+/* Tries to prove that D < `level` for all tilts of the cycle, and for all growths from r_low to r_high. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, where B is the barrier. Sets *top to an estimate of 2 sin(theta/2)
- * at the top of the barrier. Neither estimate proves anything. Returns NaN if the train cannot be computed,
- * or after an interrupt. */
+/*
+ * Returns an estimate of the margin K - B, where B is the height of the barrier. Sets *top to an estimate of
+ * 2 sin(theta/2), where theta is the tilt at the top of the barrier. These estimates prove nothing; they only
+ * tell which proof to try. Returns NaN if the train cannot be computed, or after an interrupt.
+ */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

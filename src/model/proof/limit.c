@@ -1,19 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops. The search works upwards from r = 1 in strips
- * (intervals of growths), and proves for each strip that the train keeps falling. The next strip is twice as
- * wide after a success, and half as wide after a failure.
+ * Encloses the smallest growth at which a train stops, that is, finds two close numbers and proves that it
+ * lies between them.
  *
- * If the train seems to stop at the upper end of a strip, the search estimates the root of the margin. It
- * then tries two proofs. One shows that the train keeps falling for all growths up to a decimal number just
- * below the root. The other shows that the train stops at a decimal number just above the root. A wrong
- * estimate can only make these proofs fail.
+ * The search works upwards from r = 1 in strips, which are intervals of growths. For each strip, it tries to
+ * prove that the train keeps falling. After a success, the next strip is twice as wide. After a failure, it
+ * is half as wide.
+ *
+ * If the train seems to stop at the upper end of a strip, the search estimates the growth at which the margin
+ * is 0 (the root). Two proofs follow. The first shows that the train keeps falling for all growths up to a
+ * decimal number just below the root. The second shows that the train stops at a decimal number just above
+ * the root. If the estimate of the root is wrong, one of the two proofs fails, but nothing wrong is proved.
  */
 #include "proof/limit.h"
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth at which the margin is 0. The train keeps falling at `low`, and stops at `high`. */
+/* Estimates the growth at which the margin is 0. The train seems to keep falling at `low`, and to stop at
+ * `high`. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -52,8 +56,11 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit at which the train certainly stops. The nearest double may be smaller
- * or larger than this number. So the proof covers the interval between the two neighbours of this double. */
+/*
+ * Finds a decimal number above n / unit at which the train is proved to stop. The double r that is nearest to
+ * this number may be a little smaller or larger than the number. So the proof covers the whole interval
+ * between the two neighbours of r.
+ */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -66,8 +73,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Tries to prove that the train keeps falling for all growths up to n / unit. If this proof fails, tries
- * smaller decimal numbers, beginning with the closest. */
+/* Tries to prove that the train keeps falling for all growths up to n / unit. If the proof fails, smaller
+ * decimal numbers take the place of n / unit, beginning with the closest. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -86,10 +93,12 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Estimates the root of the margin between *done and `high`. Tries to prove that the train keeps falling for
- * all growths up to limit->low, slightly below the root. Also tries to prove that the train stops at
- * limit->high, slightly above the root. Returns false if a proof fails, with the reason in limit->outcome. If
- * the reason is OUTCOME_REFUTED, *stop is a smaller growth at which the train stops.
+ * Estimates the growth between *done and `high` at which the margin is 0 (the root). Tries to prove that the
+ * train keeps falling for all growths up to limit->low, slightly below the root. Also tries to prove that the
+ * train stops at limit->high, slightly above the root.
+ *
+ * Returns false if a proof fails, with the reason in limit->outcome. If the reason is OUTCOME_REFUTED, the
+ * train already stops at a smaller growth, and *stop is that growth.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
@@ -154,8 +163,9 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Called for a pair that stops at r = 1. Estimates the lowest root of the margin, and returns a growth above
- * it at which the pair provably keeps falling. Returns NaN if no proof succeeds.
+ * Finds where to begin the search for a pair that stops at r = 1. Such a pair may keep falling at larger
+ * growths. Estimates the smallest growth at which the margin is 0, and returns a growth above it at which the
+ * pair provably keeps falling. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)
 {

@@ -7,7 +7,7 @@
 enum limit_kind {
     LIMIT_BRACKET, /* the train keeps falling for all growths in [from, low], and stops at `high` */
     LIMIT_REACH,   /* the train keeps falling for all growths in [from, 1/s] */
-    /* the train stops at r = 1, and no larger growth was found at which it keeps falling */
+    /* the train stops at r = 1; no larger growth was found at which the train keeps falling */
     LIMIT_NONE,
     /* the train keeps falling for all growths in [from, low]; nothing is proved about larger growths */
     LIMIT_PARTLY
@@ -22,8 +22,8 @@ struct limit_proof {
     enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Encloses the smallest growth at which the train stops. The relative width of the enclosure is about
- * `tol`. */
+/* Finds two numbers between which the smallest growth lies at which the train stops. Their relative
+ * difference is about `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

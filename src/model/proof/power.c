@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes powers, logarithms and exponentials with + - * / alone. The functions of libm have no guaranteed
- * error bounds. */
+/* Computes powers, logarithms and exponentials. Only the operations + - * / are used, because the functions
+ * of libm have no guaranteed error bounds. */
 #include "proof/power.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
@@ -14,12 +14,16 @@ static struct span power_whole(struct span x, int n)
 }
 
 /*
- * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3. With n = TERMS, the remainder
- * of the series is
+ * Returns 2 atanh t for 0 <= t <= 1/3, from the series
  *
- *     1/(2n+1) + t^2 (1/(2n+3) + ...) <= (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1) < 1/n,
+ *     2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))).
  *
- * so the interval [0, 1/n] replaces it.
+ * The series is cut off after n = TERMS terms. What follows the last factor t^2 is the remainder, which is at
+ * most
+ *
+ *     1/(2n+1) + t^2 (1/(2n+3) + ...) <= (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1) < 1/n.
+ *
+ * So the interval [0, 1/n] takes the place of the remainder.
  */
 static struct span twice_atanh(struct span t)
 {
@@ -36,8 +40,11 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for x >= 1. If x = 2^(n-1) m with 1 <= m < 2, then
- * ln x = (n - 1) ln 2 + 2 atanh((m - 1)/(m + 1)). */
+/*
+ * Returns ln x for x >= 1. The number x is split into x = 2^(n-1) m with an integer n and 1 <= m < 2, so that
+ *
+ *     ln x = (n - 1) ln 2 + 2 atanh((m - 1)/(m + 1)).
+ */
 static struct span log_of(double x)
 {
     int n;
@@ -52,10 +59,11 @@ struct span span_log(struct span x)
 }
 
 /*
- * Returns e^x = 2^n e^y for 0 <= x <= 700, where x = n ln 2 + y with |y| < 1/2.
+ * Returns e^x for 0 <= x <= 700. The argument is split into x = n ln 2 + y with an integer n and |y| < 1/2,
+ * so that e^x = 2^n e^y.
  *
- * The series of e^y ends with y^N/N!, N = TERMS. Each further term is less than 1/4 of the one before it. So
- * the remainder is at most
+ * The series of e^y is cut off after the term y^N/N!, where N = TERMS. In what is left out, each term is less
+ * than 1/4 of the one before it. So the remainder is at most
  *
  *     |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)! < 2^-63   for N = 16.
  */

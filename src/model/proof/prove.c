@@ -61,15 +61,15 @@ static bool has_effect(const struct dom_train *train)
 #undef OR_ON
 }
 
-/* Returns true if floating-point operations round to nearest, as span.h requires. A caller may have changed
- * this mode. */
+/* Returns true if floating-point operations round to nearest. The interval arithmetic in span.h depends on
+ * this mode, but a caller may have changed it. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;
 }
 
-/* Returns the reason why no proof about the train can be attempted. Returns DOM_PROOF_NONE if there is no
- * such reason. */
+/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE if a proof can be
+ * attempted. */
 static enum dom_proof_gap gap_before(const struct dom_train *train)
 {
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
@@ -144,8 +144,8 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Returns bounds on the barrier. The lower bound is D at one tilt. The upper bound is a level that D provably
- * never exceeds. */
+/* Returns a lower and an upper bound on the barrier. The barrier is the largest D, so the value of D at any
+ * single tilt is a lower bound. The upper bound is a level that D provably never exceeds. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {
@@ -226,7 +226,11 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     return DOM_OK;
 }
 
-/* Returns a * b. An exact bound is not moved outwards, so an exact product stays a single number. */
+/*
+ * Returns an interval that contains all products of a number in the interval a with b. A bound that is
+ * computed without a rounding error is not moved outwards. So if a is a single number and the product is
+ * exact, the result is a single number.
+ */
 static struct span times_exactly(struct span a, double b)
 {
     const double least = 0x1p-960; /* below this, the rounding error of a product may underflow to 0 */
@@ -237,8 +241,11 @@ static struct span times_exactly(struct span a, double b)
 
 enum { POWERS_MOST = 100000 };
 
-/* Returns the smallest n for which first * r^n >= `height` is certain. If `surely` is false, returns the
- * smallest n for which this is possible. Returns INFINITY if no such n is below POWERS_MOST. */
+/*
+ * Returns the smallest n with first * r^n >= `height`. Rounding errors may leave this n uncertain. If
+ * `surely` is true, returns the smallest n for which the inequality is certain. If `surely` is false, returns
+ * the smallest n for which it is possible. Returns INFINITY if no such n is below POWERS_MOST.
+ */
 static double count_until(struct span first, double r, double height, bool surely)
 {
     struct span tall = first;
@@ -252,8 +259,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Finds bounds on the number of dominoes, ln(height/first)/ln r rounded up, if it is large. `height` must be
- * larger than `first`. */
+/* Finds bounds on a large number of dominoes. This number is ln(height/first)/ln r, rounded up. `height` must
+ * be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},

@@ -13,8 +13,8 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
     rest.series = up(1 / left);
     /* From domino to domino, dtheta_i/dtheta is multiplied by at most p, even if followers detach. */
     rest.tilts = up(up(up(shape->steepest * power) * domino->slope.hi) / least_0(down(1 - up(rest.p * w))));
-    /* shift_(i+1) = step_i shift_i + c_i/Y_i <= p shift_i + c_n/Y_n. So no shift exceeds the larger of
-     * shift_n and (c_n/Y_n) / (1 - p). */
+    /* shift_i is dtheta_i/dr. From domino to domino, shift_(i+1) = step_i shift_i + c_i/Y_i <= p shift_i +
+     * c_n/Y_n. So no shift exceeds the larger of the two numbers shift_n and (c_n/Y_n) / (1 - p). */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
         /* If no domino detaches, shift_(n+k) <= p^k shift_n + k p^(k-1) c_n/Y_n. */

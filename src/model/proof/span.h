@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Interval arithmetic: each result is an interval that certainly contains the true value. Its bounds are
- * computed in double with + - * / and sqrt, and are then moved outwards by one step.
+ * Interval arithmetic: each result is an interval that certainly contains the true value. The bounds of an
+ * interval are computed in double with + - * / and sqrt, so they have rounding errors. Each computed bound is
+ * therefore moved outwards by one step.
  *
- * IEEE 754 rounds these five operations to the nearest double. If z is a rounded result, up(z) and down(z)
- * are at or beyond the neighbours of z. So the exact result lies between them (Rump, Zimmermann, Boldo,
- * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). The rounding mode is
- * never changed. If a caller has set another one, the functions dom_prove_... prove nothing.
+ * Why one step is enough: IEEE 754 rounds the results of these five operations to the nearest double. If z is
+ * a rounded result, the exact result lies between the two neighbours of z. The functions up(z) and down(z)
+ * return doubles that are at or beyond these neighbours (Rump, Zimmermann, Boldo, Melquiond, "Computing
+ * predecessor and successor in rounding to nearest", BIT 49, 419).
+ *
+ * The rounding mode is never changed here. If a caller has set another mode than rounding to nearest, the
+ * functions dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H
@@ -21,8 +25,11 @@
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/* PROOF_BOUND takes a bound that a proof depends on, and a deliberately wrong bound. tests/unit/test_proof.c
- * uses each wrong bound in turn, and checks that a test then fails. */
+/*
+ * PROOF_BOUND is there to check that the tests notice a wrong bound. It takes a bound that a proof depends
+ * on, and a deliberately wrong bound. Normally, the right bound is used. tests/unit/test_proof.c uses the
+ * wrong bounds, one at a time, and checks that a test then fails.
+ */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -46,8 +53,11 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* least_0 raises a negative lower bound to 0, for a number known to be >= 0. most_1 lowers an upper bound to
- * 1, for a number known to be <= 1. NaN becomes 0 in least_0, and 1 in most_1. */
+/*
+ * Rounding may move a bound beyond what is possible. If a number is known to be >= 0, least_0 raises a
+ * negative lower bound to 0. If a number is known to be <= 1, most_1 reduces an upper bound above 1 to 1. For
+ * a NaN, least_0 returns 0, and most_1 returns 1.
+ */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
@@ -118,7 +128,8 @@ static inline struct span span_square(struct span a)
     return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
 }
 
-/* Returns the square root of a number that is known to be >= 0, even if the bound a.lo is negative. */
+/* Returns the square root of a number that is known to be >= 0. The lower bound a.lo may still be negative,
+ * because of rounding; it then counts as 0. */
 static inline struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};

@@ -16,7 +16,8 @@ static struct span least_zero(struct span a)
     return (struct span){least_0(a.lo), a.hi};
 }
 
-/* Returns the total derivative of dF/dtheta = 1 - r L x / Y with respect to r, where dtheta_i/dr = shift. */
+/* Returns the total derivative of dF/dtheta with respect to r, where dF/dtheta = 1 - r L x / Y. If r changes,
+ * the tilt theta_i of the domino changes too, by dtheta_i/dr = `shift`. */
 static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
                              struct span shift)
 {
@@ -64,16 +65,19 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 }
 
 /*
- * Adds bounds on the remainders of T and dT/dr, that is, on the terms of domino n and all later dominoes.
+ * Adds bounds on the remainders of T and dT/dr. These remainders consist of the terms for domino n and all
+ * later dominoes.
  *
- * Since slope_(n+k) <= p^k slope_n (rest.h), the terms of T are bounded by a geometric series with the ratio
- * e = r^-(q+1) p^2. The terms of dT/dr are
+ * By rest.h, slope_(n+k) <= p^k slope_n. So the terms of T are bounded by a geometric series with the ratio e
+ * = r^(-(q+1)) p^2. The terms of dT/dr are
  *
  *     r^(-(q+1) i) (2 slope_i twist_i - (q+1) i/r slope_i^2),
- *     twist_(i+1) = step_i twist_i + slope_i bend_i,   |bend_i| <= Q,
  *
- * where twist_i is the derivative of slope_i with respect to r. So |twist_(n+k)| <= p^k |twist_n| + k p^(k-1)
- * slope_n Q.
+ * where twist_i is the derivative of slope_i with respect to r. The twist of the next domino is
+ *
+ *     twist_(i+1) = step_i twist_i + slope_i bend_i,   |bend_i| <= Q.
+ *
+ * So |twist_(n+k)| <= p^k |twist_n| + k p^(k-1) slope_n Q.
  */
 static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
                             const struct rest *rest)
@@ -94,8 +98,9 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
 }
 
 /*
- * Adds bounds on the remainder of the fuel, the sum of r^(-q i) (h(theta_i) - h(theta_(i+1))) over i >= n. No
- * term is negative, because h decreases beyond theta_u. Since r^(-q i) <= r^(-q n), the sum is at most
+ * Adds bounds on the remainder of the fuel. The remainder is the sum over i >= n of r^(-q i) (h(theta_i) -
+ * h(theta_(i+1))). No term is negative, because h decreases beyond theta_u. Since r^(-q i) <= r^(-q n), the
+ * sum is at most
  *
  *     r^(-q n) (h(theta_n) - h(theta_last)).
  */
@@ -106,7 +111,7 @@ static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, c
     w->fuel_by_r = span_add(w->fuel_by_r, change);
 }
 
-/* Finds K from (24; c6): K = P / E with E = r^q (1 + 1/T) - 1, if P > 0. */
+/* Finds the kinetic energy K from equation (24; c6). If P > 0, then K = P / E with E = r^q (1 + 1/T) - 1. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -122,10 +127,11 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
 }
 
 /*
- * Finds K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1 tips over its edge
- * from rest, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f of this energy:
+ * Finds the kinetic energy K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1
+ * tips over its edge from rest. By the hit, it releases the energy h(theta_u) - h(theta_c). The fraction f of
+ * this energy becomes the kinetic energy of the pair:
  *
- *     f = r k^2/(1 + k),   k = r^-(q+1),
+ *     f = r k^2/(1 + k),   k = r^(-(q+1)),
  *     df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
  */
 static void kinetic_of_pair(struct upright *u, struct span hit)
@@ -178,8 +184,8 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     u->growth = growth_make(shape, r_low, r_high);
     const struct growth *g = &u->growth;
     if (!shape->pair && g->high.last <= shape->v_top.lo) {
-        /* No domino reaches theta_u, so h increases from domino to domino, and every term of P is negative.
-         */
+        /* No domino reaches theta_u. So h increases from domino to domino, and every term of the fuel P is
+         * negative. */
         u->n = 0;
         u->exact_end = true;
         u->by_r = false;
@@ -215,9 +221,10 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
         /*
-         * Stop when the tilts hardly grow from domino to domino, since more dominoes do not help. But if
-         * equal dominoes stand close together, their tilts approach the limit slowly. So for a narrow
-         * interval, stop only when rounding hides the increase.
+         * Usually, stop when the tilts hardly grow from domino to domino, since more dominoes do not help
+         * then. But if equal dominoes stand close together, their tilts approach the limit slowly, and more
+         * dominoes do help. So if the interval of growths is narrow, stop only when rounding hides the
+         * increase.
          */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
