@@ -33,19 +33,20 @@
  *
  * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
  * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance. They do
- * not cover the rounding of the parameters to the precision. A bound is NaN if compute.errors is not set, or
- * if no bound is known. No bounds are known for
+ * not cover the first step, in which the parameters are rounded to the precision. A bound is NaN if
+ * compute.errors is not set, or if no bound is known. No bounds are known for
  * - trains with rounded edges,
  * - the motion and the limits of trains with friction.
  *
- * Precision: this header uses double. <domino_quad.h> includes this header, and declares its functions,
- * structures and macros again for the widest floating-point type of the machine. Their names there begin with
- * domq_ instead of dom_. The functions of both headers can compute in every precision.
+ * Precision: the parameters and results in this header are of type double. <domino_quad.h> includes this
+ * header, and declares its functions, structures and macros again for the widest floating-point type of the
+ * machine. Their names there begin with domq_ instead of dom_. The functions of both headers can compute in
+ * every precision (compute.precision).
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
- * "(24; c6)" in a comment is an equation of the paper: its printed number and its label in the source text.
- * "corrected" marks an equation that is misprinted in the paper.
+ * Equations: "(24; c6)" in a comment is an equation of the paper. 24 is its printed number, and c6 is its
+ * label in the source text. "corrected" marks an equation that is misprinted in the paper.
  */
 #ifndef DOMINO_H
 #define DOMINO_H
@@ -73,8 +74,8 @@ typedef double dom_real;
 
 /* ---- Simple API: each function returns a number, or NaN if it fails ---- */
 
-/* Returns the largest growth of a train. s is the separation and d the thickness, both divided by the height.
- * The exponent q is 3 for hollow and 4 for solid dominoes. */
+/* Returns the largest growth of a train. The separation s and the thickness d are both divided by the height.
+ * The mass exponent q is 4 for solid dominoes and 3 for hollow ones. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
 /* Returns the number of dominoes that it takes to topple one of the given height: the smallest n with
@@ -102,21 +103,21 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * A self-similar train. Start from dom_train_default() and change the members that differ. The last four
  * members are the effects of DOM_DYNAMICS. They are off (0) by default.
  *
- * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, the equation
- * of motion is solved instead of (21; c3) and (24; c6).
+ * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, energy is
+ * not conserved. The equation of motion is then solved in place of equations (21; c3) and (24; c6).
  *
  * alpha: the slope of the floor in radians, -1.5 ... 1.5. It is positive if the floor slopes down in the
  * direction of the train. The status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
- * walls: for dominoes that are boxes of six walls, the thickness of the walls divided by the height,
- * 1e-9 ... 1. A box is half as wide as it is tall. The status is DOM_NO_ROOM if the walls do not fit. Walls
- * increase tau (dom_scale_tau) and the friction that the floor must supply. They change nothing else.
+ * walls: the thickness of the walls divided by the height, 1e-9 ... 1. With walls, the dominoes are boxes of
+ * six walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase
+ * the unit of time tau (dom_scale_tau) and the friction that the floor must supply. They change nothing else.
  *
  * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2.
  *
- * With mu, alpha or rho, the status is DOM_NO_METHOD for the paper's fuel and for all methods except
- * DOM_METHOD_OURS.
+ * If mu, alpha or rho is not 0, only DOM_FUEL_EXACT and DOM_METHOD_OURS can be used. Any other fuel or method
+ * gives the status DOM_NO_METHOD.
  */
 struct dom_train {
     dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
@@ -178,14 +179,16 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
  * - tol is at least the tol_floor of the precision,
  * - the head reaches the next domino: r <= dom_train_reach.
  *
- * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. If r is
- * 1/s rounded to the precision, r s counts as 1. Every function below that takes a train makes this check and
- * may return these statuses.
+ * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. Every
+ * function below that takes a train makes this check and may return these statuses.
+ *
+ * If r is 1/s rounded to the precision, the product r s counts as 1, even if rounding has made it slightly
+ * larger.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
-/* Returns the largest growth at which the head still touches the next domino: (1 - 2 rho + rho pi/2)/s, which
- * is 1/s with sharp edges. Does not use train->r. */
+/* Returns the largest growth at which the head can still touch the next domino. With sharp edges this growth
+ * is 1/s. With rounded edges it is (1 - 2 rho + rho pi/2)/s. Does not use train->r. */
 dom_real dom_train_reach(const struct dom_train *train);
 
 /* A number and an upper bound on its absolute error. */
@@ -228,8 +231,8 @@ struct dom_contact {
     struct dom_contact_error error;
 };
 
-/* Finds the contact at 0 <= theta <= theta_c. This function and all functions below return DOM_BAD_TILT for
- * other tilts. */
+/* Finds the contact of a domino that leans at theta, 0 <= theta <= theta_c. For a tilt outside this range,
+ * this function and all functions below return DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -244,14 +247,16 @@ struct dom_link {
     size_t i;       /* number of the domino, 0 = head */
     dom_real theta; /* the angle theta_i of the domino (27; A2) */
     dom_real slope; /* d theta_i / d theta (33; A9) */
-    /* Lever arms of the contact with domino i + 1, in h (table 1). NaN without a contact. */
+    /* The lever arms, in h, of the contact between this domino and domino i + 1 (table 1). NaN if the two do
+     * not touch. */
     dom_real arm_a, arm_b;
     dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
     struct dom_link_error error;
 };
 
-/* Calls visit for the head, which leans at theta, and then for each follower that is not negligible at the
- * tolerance. visit returns false to end the walk early; the status is still DOM_OK. */
+/* Visits the dominoes of a train while its head leans at theta. Calls visit for the head, and then for each
+ * follower that is not negligible at the tolerance. visit may return false to end the walk early; the status
+ * is still DOM_OK. */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real theta, dom_visit *visit, void *context);
@@ -265,7 +270,7 @@ struct dom_energy_error {
 struct dom_energy {
     dom_real dH; /* H(theta) - H(0), where H is the potential energy (19; c1), in m g h / 2 */
     dom_real J;  /* inertia: the kinetic energy is J tau^2 omega^2 (20; c2) */
-    dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (50; d8, corrected) */
+    dom_real J0; /* J(0) = 1 + r^(-(q+1)) J(theta_c), by equation (50; d8, corrected) */
     struct dom_energy_error error;
 };
 
@@ -279,12 +284,13 @@ struct dom_fuels_error {
 
 struct dom_fuels {
     dom_real exact; /* the potential energy lost in one cycle: H(0) - H(theta_c) */
-    /* 1 - h(theta_f), the paper's closed form (25; c7), which holds only for r = 1 */
+    /* the paper's closed form (25; c7), 1 - h(theta_f), which holds only for r = 1 */
     dom_real paper;
     struct dom_fuels_error error;
 };
 
-/* Finds both fuels, in m g h / 2. If the fuel is <= 0, the train does not keep falling. */
+/* Finds the fuel, which is the energy that drives a cycle, by both formulas. Both fuels are in m g h / 2. If
+ * the fuel is <= 0, the train does not keep falling. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -297,7 +303,8 @@ struct dom_launch_error {
 struct dom_launch {
     dom_real fuel; /* the fuel P that train->fuel selects, minus the work of friction */
     dom_real J0;   /* J(0) */
-    /* omega(0) after the collision / omega_1(theta_c) before it (22; c4): (J(0) - 1) / J(0) */
+    /* omega(0) just after the collision, divided by omega_1(theta_c) just before the collision. By equation
+     * (22; c4) the ratio is (J(0) - 1) / J(0). */
     dom_real velocity_ratio;
     dom_real omegasq; /* tau^2 omega(0)^2 after the collision (24; c6) */
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
@@ -307,9 +314,11 @@ struct dom_launch {
 /*
  * Finds the motion just after a collision.
  *
- * With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio are written, and omegasq and kinetic are
- * NaN. With DOM_LOCKS friction prevents the cycle from beginning, and no member is written. Every function
- * that computes a cycle may return DOM_LOCKS.
+ * If the status is DOM_NO_FUEL (P <= 0), the members fuel, J0 and velocity_ratio are written, and the members
+ * omegasq and kinetic are NaN.
+ *
+ * If the status is DOM_LOCKS, friction prevents the cycle from beginning, and no member is written. Every
+ * function that computes a cycle may return DOM_LOCKS.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -322,8 +331,8 @@ struct dom_barrier_error {
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
-    /* The maximum of H(theta) - H(0) over the cycle, >= 0. With friction: the kinetic energy that the train
-     * needs just after the collision to pass every tilt. */
+    /* The energy that the train must climb in a cycle: the maximum of H(theta) - H(0), >= 0. With friction,
+     * it is instead the kinetic energy that the train needs just after the collision to pass every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -336,33 +345,43 @@ struct dom_barrier {
  * - DOM_STOPS if it stops: all members are written,
  * - DOM_NO_FUEL: theta_m and barrier are written, and the other members are NaN.
  *
- * All functions that compute a cycle give the same verdict. If the tolerance is too coarse for a verdict,
- * they compute with a finer tolerance.
+ * All functions that compute a cycle give the same verdict. If the tolerance is too coarse to tell whether
+ * the train stops, they compute with a finer tolerance.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
 
 /* ---- One cycle ---- */
 
-/* Finds tau^2 omega(theta)^2 between one collision and the next (21; c3). The value is NaN unless the status
- * is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS if the train stops before
- * theta. */
+/*
+ * Finds how fast the head rotates when it leans at theta, between one collision and the next. The result is
+ * the square of its angular velocity, tau^2 omega(theta)^2, from equation (21; c3).
+ *
+ * The value is NaN unless the status is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS
+ * if the train stops before theta.
+ */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq);
 
 /*
- * Finds the tilt at which a train that stops comes to rest: the smallest tilt at which H(theta) - H(0) has
- * used up the kinetic energy. If the train keeps falling, the value is NaN and the status is DOM_OK. The
- * status is DOM_NO_FUEL if the train does not start.
+ * Finds the tilt at which a train that stops comes to rest. It is the smallest tilt at which the climb
+ * H(theta) - H(0) has used up the kinetic energy of the launch.
+ *
+ * If the train keeps falling, the value is NaN and the status is DOM_OK. If the train does not start, the
+ * status is DOM_NO_FUEL.
  */
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_value *theta);
 
 /*
- * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. For a
- * small margin, the duration grows like ln(1 / margin). Its relative error grows like kinetic / margin times
- * the unit roundoff. The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL
- * or DOM_STOPS if there is no complete cycle.
+ * Finds the duration t_f of a cycle, in tau. It is the integral of 1/(tau omega) over the tilts from 0 to
+ * theta_c.
+ *
+ * If the margin is small, the train almost stops. The duration then grows like ln(1 / margin), and its
+ * relative error grows like kinetic / margin times the unit roundoff.
+ *
+ * The status is DOM_NO_MARGIN if the margin is 0 within rounding errors. It is DOM_NO_FUEL or DOM_STOPS if
+ * there is no complete cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -377,9 +396,10 @@ struct dom_event {
 };
 
 /*
- * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX events. With DOM_STOPS
- * the last event is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every function that finds a time, this
- * function may return DOM_NO_MARGIN (see dom_cycle_duration).
+ * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX events. If the train
+ * stops, the status is DOM_STOPS and the last event is DOM_EVENT_STOP. If there is no fuel, the status is
+ * DOM_NO_FUEL and *count is 0. Like every function that finds a time, this function may return DOM_NO_MARGIN
+ * (see dom_cycle_duration).
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -388,8 +408,8 @@ struct dom_state_error {
     dom_real theta, time, omegasq, acceleration, kinetic, climbed, fallen, before, lost, friction_work;
 };
 
-/* The train at one tilt of a cycle. Energies are in m g h / 2 of the head. Except with the paper's fuel, they
- * balance: before - lost - climbed - friction_work = kinetic. */
+/* The train at one tilt of a cycle. Energies are in m g h / 2 of the head. The energies balance, except with
+ * the paper's fuel: before - lost - climbed - friction_work = kinetic. */
 struct dom_state {
     dom_real theta;        /* tilt of the head */
     dom_real time;         /* time since the launch, in tau */
@@ -399,7 +419,8 @@ struct dom_state {
     dom_real climbed;      /* H(theta) - H(0), negative while the train is lower than at the launch */
     dom_real fallen;       /* the part of `climbed` due to dominoes that detached in this cycle */
     dom_real before;       /* kinetic energy just before the collision */
-    /* Energy lost in the collision. Without friction: before / J(0) (22; c4). */
+    /* The energy that is lost in the collision. Without friction it is `before` / J(0), by equation (22;
+     * c4). */
     dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;
@@ -416,11 +437,12 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in chronological order, for `count` states evenly spaced over the cycle, and for the state at
- * each event. For the evenly spaced states `event` is NULL. visit returns false to end the walk early.
+ * Visits the states of a cycle in chronological order: `count` states that are evenly spaced over the cycle,
+ * and one state at each event. For an evenly spaced state, `event` is NULL. visit may return false to end the
+ * walk early.
  *
  * A walk takes far less time than calling dom_cycle_state for each state. The statuses are those of
- * dom_cycle_events. DOM_STOPS is returned after all states have been visited.
+ * dom_cycle_events. If the train stops, all states are visited before DOM_STOPS is returned.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t count,
@@ -436,14 +458,15 @@ struct dom_force {
     dom_real impulse;    /* impulse of the collision, divided by the head's m g tau; NaN if theta > 0 */
 };
 
-/* Calls visit for the dominoes of a moving train at the tilt theta, from the head to the last domino that
- * contributes. visit returns false to end the walk early. The statuses are those of dom_cycle_state. */
+/* Visits the dominoes of a moving train, and the forces between them, while the head leans at theta. Calls
+ * visit for each domino from the head to the last domino that contributes. visit may return false to end the
+ * walk early. The statuses are those of dom_cycle_state. */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force and the smallest impulse. Dominoes stay in contact if both are > 0. Both are
- * infinite if there is no contact. */
+/* The smallest contact force and the smallest impulse between the dominoes of a train. If both are > 0, the
+ * dominoes stay in contact. If there is no contact at all, both are infinite. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
     dom_real theta; /* the tilt of the head at which the smallest force occurs */
@@ -451,15 +474,17 @@ struct dom_least_force {
     dom_real impulse; /* the smallest impulse of the collision, divided by the head's m g tau */
 };
 
-/* Finds the smallest contact force during the cycle or, if the train stops, until the stop. The error is at
- * most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
+/* Finds the smallest contact force during the cycle. If the train stops, finds the smallest force until the
+ * stop. The error is at most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is
+ * no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z. R is the
- * force of the floor on a foot during the motion, or its impulse in the collision. The coefficient is
- * infinite if a domino would be lifted off the floor.
+ * The friction coefficient that the floor needs so that no foot slips. The floor acts on each foot with a
+ * force R. The foot does not slip if the coefficient is at least |R_x| / R_z. The members `motion` and `hit`
+ * are the largest values of this ratio. For `hit`, R is the impulse of the floor in the collision. If a
+ * domino would be lifted off the floor, the coefficient is infinite.
  */
 struct dom_floor {
     /* The coefficient needed during the motion, and the tilt of the head at that moment. */
@@ -470,10 +495,11 @@ struct dom_floor {
 };
 
 /*
- * Finds the friction that the floor needs during the cycle or, if the train stops, until the stop. Dominoes
- * slower than a thousandth of the speed of the head are left out. The relative error of the coefficient is at
- * most a millionth if |R_x| / R_z is smooth around its maximum. The status is DOM_NO_FUEL if there is no
- * cycle.
+ * Finds the friction that the floor needs during the cycle. If the train stops, finds the friction that the
+ * floor needs until the stop. Dominoes slower than a thousandth of the speed of the head are left out.
+ *
+ * If |R_x| / R_z is smooth around its maximum, the relative error of the coefficient is at most a millionth.
+ * The status is DOM_NO_FUEL if there is no cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -494,26 +520,28 @@ struct dom_limit {
 };
 
 /*
- * Finds the largest growth: the first r >= 1 at which the margin falls to 0, or dom_train_reach if the margin
- * never reaches 0. Does not use train->r. If even equal dominoes do not keep falling, the status is DOM_OK
- * and `ends` is DOM_END_NONE.
+ * Finds the largest growth of a train. It is the first growth r >= 1 at which the margin falls to 0. If the
+ * margin never falls to 0, the largest growth is dom_train_reach. If even equal dominoes do not keep falling,
+ * the status is DOM_OK and `ends` is DOM_END_NONE. Does not use train->r.
  *
- * Without friction and with sharp edges, the search uses bounds on the margin that cover every growth up to
- * r_max. It can still miss a dip of the margin that is narrower than 1e-6 in ln r, or than 1e-4 just before
- * r_max. After 1,500 intervals it can also miss wider dips. With friction or rounded edges, growths are only
- * sampled.
+ * The margin can dip below 0 and rise again, so the search must not jump over a dip. Without friction and
+ * with sharp edges, bounds on the margin cover every growth up to r_max. Even so, the search can miss a very
+ * narrow dip: one narrower than 1e-6 in ln r, or just below r_max, one narrower than 1e-4. If the search
+ * takes more than 1,500 intervals, it can also miss wider dips. With friction or rounded edges, no bounds are
+ * known. The margin is then only sampled, and a dip between two samples can be missed.
  *
- * This function and the next two return DOM_TOO_LONG if the computation would take more than a second or two
- * in double precision.
+ * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
+ * than a second or two in double precision.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
- * Finds the largest growth of two dominoes (section "Two dominoes"). Domino 1 starts at the point of tipping
- * over, and must carry domino 0 over the barrier of the pair. Does not use train->r and train->fuel.
+ * Finds the largest growth of a pair of dominoes (section "Two dominoes"). Domino 1 pushes domino 0. It
+ * starts at the point of tipping over, and must carry domino 0 over the barrier of the pair. Does not use
+ * train->r and train->fuel.
  *
- * Domino 1 tips over only if r is large enough (5; b0), so equal dominoes can fail although larger growths
+ * Domino 1 tips over only if r is large enough (5; b0). So equal dominoes can fail although larger growths
  * succeed. r_max is then the upper end of the first interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
@@ -530,11 +558,13 @@ struct dom_best {
 };
 
 /*
- * Finds the best separation. Does not use train->s and train->r. The status is DOM_NO_GROWTH if no separation
- * allows r > 1.
+ * Finds the best separation, which allows the largest growth. Does not use train->s and train->r. The status
+ * is DOM_NO_GROWTH if no separation allows r > 1.
  *
- * Without friction and with sharp edges, bounds rule out a larger growth at any other s, except in a peak of
- * r_max(s) narrower than 0.2 % of s. Otherwise separations are only sampled.
+ * Without friction and with sharp edges, bounds rule out that another s allows a larger growth. The search
+ * can only miss a narrow peak of the function r_max(s): one narrower than 0.2 % of s, or a wider one if the
+ * search takes very long. With friction or rounded edges, no bounds are known. The separations are then only
+ * sampled, and a peak between two samples can be missed.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
@@ -565,7 +595,8 @@ struct dom_effect_argument {
     bool optional;       /* this argument and all later ones may be left out */
     bool whole;          /* the argument is a whole number */
     const char *or_file; /* the kind of file that may replace the number, or NULL */
-    /* Words that stand for 0, 1, ..., or NULL if the argument is a number. A NULL ends the list. */
+    /* The words that stand for the values 0, 1, ...; a NULL ends the list. If the argument is a number,
+     * `words` is NULL. */
     const char *const *words;
 };
 
@@ -597,8 +628,8 @@ const struct dom_effect *dom_first_effect(const struct dom_train *train);
 /* The law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;
 
-/* Returns the law of motion of a train: the first effect that is on and dissipates energy, or
- * dom_energy_balance if there is none. */
+/* Returns the law of motion of a train. It is the first effect that is on and dissipates energy. If there is
+ * no such effect, it is dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
@@ -616,12 +647,12 @@ struct dom_box {
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
-/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and more for boxes. Does
- * not check the arguments. */
+/* Returns the unit of time tau in seconds (1; a1). For solid blocks it is sqrt((h^2 + (d h)^2) / (3 g h)).
+ * For boxes it is larger. Does not check the arguments. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s: (s + d) r h / duration. `duration` is the time of one cycle, in tau. Does
- * not check the arguments. */
+/* Returns the front speed in m/s: the distance (s + d) r h divided by the duration of a cycle. The argument
+ * `duration` is in tau. Does not check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {
@@ -629,7 +660,8 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    /* n: the smallest integer with first * r^n >= height. Infinite if r = 1 and height > first. */
+    /* The number n of dominoes: the smallest integer with first * r^n >= height. It is infinite if r = 1 and
+     * height > first. */
     dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r */
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
@@ -641,9 +673,11 @@ struct dom_count {
  * the height `first`, and each domino is r times as tall as the domino before. Both heights are in the same
  * unit.
  *
- * first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in the last place. The
- * status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision
- * and compute->errors are used.
+ * Because of rounding, first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in
+ * the last place.
+ *
+ * The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only
+ * compute->precision and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

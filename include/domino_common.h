@@ -88,20 +88,18 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 /* The formula for the fuel P in (24; c6): see struct dom_fuels. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
-/*
- * The algorithm. Two methods are for comparison, and compute in double precision only: DOM_METHOD_GSL applies
- * GSL's solvers to the textbook formulas. DOM_METHOD_PAPER follows the recipe of the paper, which raises
- * theta and r in steps.
- */
+/* The algorithm. DOM_METHOD_OURS is the default. The other two methods are for comparison, and compute in
+ * double precision only. DOM_METHOD_GSL applies GSL's solvers to the textbook formulas. DOM_METHOD_PAPER
+ * follows the recipe of the paper, which raises theta and r in steps. */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
  * Effects that the paper does not include. struct dom_effect describes an effect. The code of an effect runs
  * only while the effect is on. struct dom_work counts how often it runs.
  *
- * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` of struct
- * dom_train and of struct dom_row holds the value of the effect, where 0 means off. `status` is returned if
- * the value is outside its range.
+ * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). The value of the
+ * effect is in the member `member` of struct dom_train and of struct dom_row, where 0 means off. If the value
+ * is outside its range, functions return `status`.
  */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
@@ -129,12 +127,12 @@ enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 3 };
 
-/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE: even equal
- * dominoes do not keep falling. */
+/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE means that
+ * even equal dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". This function, dom_event_text and dom_row_end_text return "unknown"
- * for a number that is not in the enumeration. */
+/* Returns "none", "barrier" or "reach". If the number is not in the enumeration, this function returns
+ * "unknown", and so do dom_event_text and dom_row_end_text. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {

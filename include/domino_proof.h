@@ -6,8 +6,9 @@
  * interval arithmetic, in double with outward rounding. They share no formula with <domino.h>.
  * domino-model(7) explains the proof.
  *
- * A proof holds for all trains whose s, d and q round to the given doubles. So it holds for decimals and for
- * fractions such as 7/48. If q is a whole number, it is taken as exact.
+ * A double can only approximate a fraction such as 7/48, and most decimals. So a proof holds for all trains
+ * whose s, d and q round to the given doubles, including the fractions and decimals that were meant. If q is
+ * a whole number, it is taken as exact.
  *
  * There is no proof for trains with friction, a slope or rounded edges. Nothing is proved unless the rounding
  * mode is round-to-nearest.
@@ -49,8 +50,8 @@ struct dom_proof_work {
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low`, and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling at growths from `from` to 1/s; low <= 1/s <= high */
-    /* The train stops at r = 1. For a pair, no growth above 1 was found at which the train provably keeps
-     * falling. */
+    /* The train stops at r = 1. For a pair it means that no growth above 1 was found at which the pair
+     * provably keeps falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, nothing is proved.
      * `gap` says why the proof is incomplete. */
@@ -69,9 +70,9 @@ struct dom_proof {
 };
 
 /*
- * Prove bounds on the largest growth of a train or a pair, as dom_limit_rmax and dom_limit_pair define it.
- * The bounds are decimal numbers. Their relative distance is compute->tol, but at least 1e-15. Rounding
- * errors may leave a larger distance; the bounds are true even then.
+ * Prove bounds on the largest growth of a train or of a pair, as dom_limit_rmax and dom_limit_pair define it.
+ * The bounds are decimal numbers. Their relative distance is compute->tol, or 1e-15 if compute->tol is
+ * smaller. Rounding errors may prevent this and leave a larger distance. Even then the bounds are true.
  *
  * Only compute->tol and compute->interrupt are used. After an interrupt the status is DOM_OK, and the gap is
  * DOM_PROOF_INTERRUPTED. Other statuses are DOM_BAD_... and DOM_NO_MEMORY.
@@ -101,18 +102,20 @@ struct dom_proof_cycle {
     struct dom_proof_work work;
 };
 
-/* Proves whether a train keeps falling at train->r, and at all growths that round to this double. Also proves
- * bounds on the barrier of dom_barrier_find. The statuses are those of dom_prove_rmax. */
+/* Proves whether a train keeps falling at the growth train->r. The proof also holds for all other growths
+ * that round to this double. Also proves bounds on the kinetic energy, the barrier and the margin of
+ * dom_barrier_find. The statuses are those of dom_prove_rmax. */
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *proof);
 
 /*
- * Proves *least <= n <= *most for the smallest n with first * r^n >= height, as in dom_count_find. Infinity
- * means that no n is large enough. If nothing is proved, the bounds are 0 and infinity.
+ * Proves bounds on the number n of dominoes: the smallest n with first * r^n >= height, as in dom_count_find.
+ * The bounds satisfy *least <= n <= *most. Infinity means that no n is large enough. If nothing is proved,
+ * the bounds are 0 and infinity.
  *
  * If the powers of r are exact in double, as for r = 2, the arguments count as exact. Otherwise the bounds
- * hold for all numbers that round to the arguments. *least < *most if n depends on that rounding. The status
- * is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
+ * hold for all numbers that round to the arguments. If n depends on that rounding, *least is less than *most.
+ * The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

@@ -50,7 +50,8 @@ enum dom_design_limit {
 
 /* What dom_row_windows changes. */
 enum dom_window_of {
-    DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
+    /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
+    DOM_WINDOW_GAP,
     /* The distance between the backs of the first domino and this one. No other domino moves. */
     DOM_WINDOW_PLACE,
     DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass is proportional to the volume of the wood */
@@ -63,11 +64,12 @@ enum dom_window_of {
 
 /*
  * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
- * error is relative to the value, except that errors of friction are added to the coefficient. From
+ * error is relative to the value. The friction between dominoes and the friction of the floor are exceptions:
+ * their errors are added to the coefficient. Each domino has errors of its own, up to the kind `radius`. From
  * `friction` on, each error is a single value for the whole row.
  */
 #define DOM_ERRORS(X)                                                                                        \
-    X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
+    X(gap, "m", "gap before each domino; when it changes, all later dominoes move by the same distance")     \
     X(place, "m", "place of each domino; all other dominoes stay in place")                                  \
     X(height, "", "height of each domino; the error is relative to the height")                              \
     X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
@@ -96,9 +98,10 @@ typedef void dom_progress(size_t done, size_t of, void *context);
 
 /*
  * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
- * run them. The callback runs task(0, context) to task(count - 1, context), each once, in any order and on
- * any threads. It waits until all tasks are done, and returns DOM_OK or the reason why tasks were left out,
- * such as DOM_INTERRUPTED. The library passes `pool` to the callback unchanged.
+ * run them. The callback must call task(0, context) to task(count - 1, context), each exactly once. It may do
+ * so in any order and on any threads. It waits until all tasks are done, and returns DOM_OK. If it has left
+ * out tasks, it returns the reason, such as DOM_INTERRUPTED. The library passes `pool` to the callback
+ * unchanged.
  */
 typedef void dom_task(size_t index, void *context);
 typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
@@ -109,14 +112,17 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 
 /*
  * A solid block. The gap is the clear distance to the previous domino, measured at the foot as if the block
- * were upright. The first domino has a gap of 0. `lean` is for a floor or a foot that is not flat: the domino
- * rests tilted about its front edge, and turns about this edge when it falls. The lean must be within
+ * were upright. The first domino has a gap of 0.
+ *
+ * If the floor or the foot is not flat, the domino leans before it is hit. `lean` is its tilt at that time.
+ * The domino then rests on its front edge, and turns about this edge when it falls. The lean must be within
  * dom_lean_limits.
  */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
-    /* Radius of the edges in m, used only if rho of the row is not 0. 0 stands for rho times the height. */
+    /* Radius of the edges in m. It is used only if rho of the row is not 0. A radius of 0 stands for rho
+     * times the height. */
     dom_real radius;
     dom_real lean; /* the tilt in rad before the domino is hit, > 0 in the direction of the fall */
     /* Width in m, used only for dominoes with walls. 0 stands for half the height. */
@@ -124,10 +130,10 @@ struct dom_domino {
 };
 
 /*
- * Finds the leans in rad, lean[0] < lean[1], between which a domino does not fall over by itself. They are
- * -(limit + alpha) and limit - alpha, where alpha is the slope of the floor. tan limit is
- * thickness / height - 2 rho, since the centre of the block must be above the flat part of its foot. With
- * sharp edges the limit is theta_u (4; b1).
+ * Finds how far a domino may lean. It stands at leans between lean[0] and lean[1], in rad, and falls over by
+ * itself at all other leans. On a floor with the slope alpha, lean[0] is -(limit + alpha), and lean[1] is
+ * limit - alpha. The angle `limit` follows from tan limit = thickness / height - 2 rho, since the centre of
+ * the block must be above the flat part of its foot. With sharp edges, `limit` is theta_u (4; b1).
  *
  * rho is the radius of the edges divided by the height, unless the domino has a radius of its own. An upright
  * domino stands if 0 is between the two leans. Does not check the arguments.
@@ -141,8 +147,8 @@ struct dom_row {
     const struct dom_domino *domino; /* array of `count` dominoes; domino[0] is number 1 */
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
-    /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. If it is NaN, the first domino
-     * is tipped over its edge and released. */
+    /* The push: the angular velocity in rad/s, >= 0, that the first domino gets while it is upright. NaN
+     * means that there is no push. The first domino is then tipped over its edge and released. */
     dom_real push;
     /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m. */
     dom_real mu, alpha, walls, rho;
@@ -162,7 +168,7 @@ struct dom_row dom_row_default(void);
  * the next domino or lies on the floor. */
 struct dom_fall {
     size_t domino; /* number of the domino, counted from 1 */
-    /* the time of the hit in s, since the push or, without a push, since the first hit */
+    /* the time of the hit in s, measured from the push. Without a push, it is measured from the first hit. */
     dom_real time;
     /* the time in s from the hit to the next hit or to the floor; NaN if neither happens */
     dom_real duration;
@@ -177,21 +183,21 @@ struct dom_fall {
     /* the last tilt in rad: at the next hit, on the floor, or at rest */
     dom_real theta;
     size_t moving; /* the number of dominoes that move just after the hit, this one included */
-    /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
-     * are NaN and the numbers of dominoes are 0. */
+    /* The friction that the floor needs, as in struct dom_floor, but with dominoes numbered from 1. Unless
+     * row->floor is set, the coefficients are NaN and the numbers of dominoes are 0. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
 };
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* The domino at which the fall ends: the last domino that was hit. With DOM_BAD_..., the domino with the
-     * bad value. */
+    /* The domino at which the fall ends: the last domino that was hit. If the status is DOM_BAD_..., it is
+     * the domino with the bad value. */
     size_t domino;
     /* the missing energy in J: > 0 for DOM_ROW_STOPS, infinite if friction locks the row */
     dom_real short_by;
-    /* the time in s until all dominoes lie on the floor or, if the fall ends early, until the last hit; NaN
-     * if times were not requested */
+    /* The time in s until all dominoes lie on the floor. If the fall ends early, the time until the last hit.
+     * NaN if times were not requested. */
     dom_real seconds;
     /* the number of the falling domino with the smallest margin / barrier; 0 if there is none */
     size_t weakest;
@@ -200,8 +206,9 @@ struct dom_verdict {
 
 /*
  * Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. visit returns false to
- * end the run early. If `times` is false, no times are computed, which is faster, and all times are NaN. If a
- * status such as DOM_BAD_HEIGHT is about one domino, verdict->domino is the number of this domino.
+ * end the run early. If `times` is false, the run is faster: no times are computed, and all times are NaN.
+ *
+ * If a status such as DOM_BAD_HEIGHT is about one domino, verdict->domino is the number of this domino.
  * compute->method is not used.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
@@ -210,10 +217,10 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
- * parameters of dom_row_run and returns the same results. Its private data are in row->engine->context.
+ * parameters of dom_row_run and returns the same results. It finds its private data in row->engine->context.
  *
- * If a row has an engine, all functions that run the row call `run`. Only dom_row_watch does not, and returns
- * DOM_NO_METHOD. Studies may call `run` from many threads at once.
+ * If a row has an engine, all functions that run the row call `run`. The only exception is dom_row_watch,
+ * which returns DOM_NO_METHOD. Studies may call `run` from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -225,7 +232,7 @@ struct dom_engine {
 
 /* The state of a row at one moment. */
 struct dom_moment {
-    dom_real time; /* the time in s, counted as in struct dom_fall */
+    dom_real time; /* the time in s, measured as in struct dom_fall */
     size_t head;   /* number of the last domino that was hit, counted from 1 */
     size_t moving; /* the number of dominoes that move, the head included */
     /* tilts in rad and angular velocities in rad/s, from domino 1 on; valid only during the visit */
@@ -234,12 +241,12 @@ struct dom_moment {
 
 /*
  * Runs a row and visits its state at given times. `times` holds `count` times in s, in ascending order. visit
- * returns false to end the run. A time after the end of the motion, such as INFINITY, gives the final state
- * and the time at which it was reached. A domino that detaches keeps its tilt from then on.
+ * returns false to end the run. For a time after the end of the motion, such as INFINITY, visit gets the
+ * final state and the time at which the row reached it. A domino that detaches keeps its tilt from then on.
  *
- * A time may be negative only if the first domino is tipped over its edge. The status is DOM_BAD_TIME for
- * other negative times, for NaN, and for times that are not in order. The status is DOM_NO_MARGIN if the row
- * comes so close to a stop that later times cannot be computed. Other statuses are those of dom_row_run.
+ * If the first domino is tipped over its edge, a time may be negative. The status is DOM_BAD_TIME for other
+ * negative times, for NaN, and for times that are not in order. If the row comes so close to a stop that
+ * later times cannot be computed, the status is DOM_NO_MARGIN. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -259,20 +266,22 @@ struct dom_row_growth {
     dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
     /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
-    /* How the fall ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
-     * r_max. */
+    /* How the fall ends just above r_max. If r_max is NaN, how the fall ends at r = 1. If `highest` limits
+     * r_max, DOM_ROW_FALLS. */
     enum dom_row_end ends;
 };
 
 /*
- * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. r is raised from 1
- * to `highest`, first until the row falls, and then until it no longer falls. `make` writes the dominoes for
- * each r; row->domino is not used. For a train, let `make` call dom_row_of_train, and let `highest` be
- * dom_train_reach.
+ * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. `make` writes the
+ * dominoes for each growth r that is tried; row->domino is not used. For a train, let `make` call
+ * dom_row_of_train, and let `highest` be dom_train_reach.
  *
- * The steps of r are 2 %. With an engine they are 10 % until the row falls. An interval of growths narrower
- * than a step can be missed. The statuses are those of dom_row_run, which also checks the dominoes, and
- * DOM_BAD_R if `highest` is not a finite number >= 1.
+ * The search starts at r = 1 and raises r in steps until the row falls. From there it raises r until the row
+ * no longer falls, or until r is `highest`. The steps are 2 %. With an engine, they are 10 % until the row
+ * falls. The search can miss an interval of growths that is narrower than a step.
+ *
+ * The statuses are those of dom_row_run, which also checks the dominoes. The status is DOM_BAD_R if `highest`
+ * is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
@@ -283,22 +292,27 @@ struct dom_mend {
     dom_real gap;  /* the current gap, in m */
     /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits. */
     dom_real to;
-    /* The other end of the interval, in m. All dominoes fall with any gap between `to` and `until`. */
+    /* The other end of the interval of gaps, in m. All dominoes fall with any gap between `to` and
+     * `until`. */
     dom_real until;
 };
 
 /*
- * Finds the changes to a single gap after which all dominoes of a row fall, the smallest change first. Writes
- * the number of changes to *count, which is 0 if the row already falls. The search tries the gap after the
- * domino at which the fall ends. Unless this gap is too wide to reach across, it also tries the 30 gaps
- * before this gap. Calls progress, which may be NULL, for each gap.
+ * Finds how to mend a row that stops. Each mend is a change to a single gap after which all dominoes fall.
+ * The mend with the smallest change comes first. Writes the number of mends to *count, which is 0 if the row
+ * already falls. Calls progress, which may be NULL, for each gap.
+ *
+ * The search tries the gap after the domino at which the fall ends, and up to 30 gaps before this gap. If the
+ * gap after the domino is too wide to reach across, the search tries no other gap.
  *
  * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
- * If the current gap is even wider, and all dominoes fall at the widest gap within reach, `to` is the widest
- * gap within reach. In each direction, the search takes up to 40 steps of increasing length, and then
- * bisects. The first step is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first
- * is 1/1,000 of the range. The search can miss an interval of gaps that is narrower than a step. The statuses
- * are those of dom_row_run.
+ * The current gap may be even wider. If all dominoes then fall at the widest gap within reach, `to` is this
+ * widest gap.
+ *
+ * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
+ * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
+ * The search can miss an interval of gaps that is narrower than a step. The statuses are those of
+ * dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -313,8 +327,8 @@ struct dom_window {
     dom_real low;  /* the smallest value, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls at some value outside the window */
-    /* How the fall ends just below and just above the window, or DOM_ROW_FALLS if this is unknown. It is
-     * unknown if no value there was tried, or if the row does not fall at the current value. */
+    /* How the fall ends just below and just above the window. DOM_ROW_FALLS means that this is unknown,
+     * because no value there was tried, or because the row does not fall at the current value. */
     enum dom_row_end below, above;
 };
 
@@ -324,9 +338,9 @@ struct dom_window {
  * - all heights, thicknesses or leans: row->count windows,
  * - friction: one window.
  *
- * If the row falls, the window is the interval around the current value, low <= now <= high. Otherwise the
- * window is the nearest interval on either side of the current value. If the fall ends early, at domino k,
- * the dominoes after domino k + 1 have no window.
+ * If the row falls, the window is the interval around the current value, low <= now <= high. If the row does
+ * not fall, the window is the interval that is nearest to the current value, on either side. If the fall ends
+ * early, at domino k, the dominoes after domino k + 1 have no window.
  *
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
@@ -337,13 +351,13 @@ struct dom_window {
  * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
  * - leans in both directions, until the domino falls over by itself.
  *
- * With a new height or thickness, the domino keeps its lean, width and density; the density of a box is that
- * of its wood.
+ * When the height or the thickness of a domino is changed, the domino keeps its lean, its width and its
+ * density. The density of a box is that of its wood.
  *
  * The search makes the same steps as dom_row_mend. All dominoes fall at `low` and at `high`. Between the two,
  * the row may stop in an interval that is narrower than a step. With an engine, `low` and `high` have three
- * digits, and a value at which the engine returns DOM_NOT_CONVERGED is outside the window. Calls progress,
- * which may be NULL, for each window. The statuses are those of dom_row_run.
+ * digits. If the engine returns DOM_NOT_CONVERGED for a value, this value is outside the window. Calls
+ * progress, which may be NULL, for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -351,22 +365,25 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
 
 /*
  * Finds the weakest push in rad/s that makes all dominoes of a row fall. The result is rounded upwards to
- * four digits. Starts from the push that turns the first domino over its edge, or from row->push if that is
- * larger. Doubles the push until all dominoes fall, and then bisects.
+ * four digits. If all dominoes already fall, writes row->push. If no push up to `strongest` is enough, writes
+ * NaN.
  *
- * Writes NaN if no push up to `strongest` is enough, and row->push if all dominoes already fall. The statuses
- * are those of dom_row_run, and DOM_BAD_PUSH if `strongest` is not a finite number > 0.
+ * The search starts from the push that turns the first domino over its edge, or from row->push if that is
+ * larger. It doubles the push until all dominoes fall, and then bisects.
+ *
+ * The statuses are those of dom_row_run. The status is DOM_BAD_PUSH unless `strongest` is finite and > 0.
  */
 enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom_compute *compute,
                                      dom_real strongest, dom_real *push);
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
-    /* For dom_row_improve: true to change sizes as well, except those of the first and the last domino. A
-     * domino keeps its proportions, but takes its thickness from a board if there are boards. */
+    /* For dom_row_improve: true to change not only gaps but also sizes, except those of the first and the
+     * last domino. A domino whose size changes keeps its proportions. If there are boards, its thickness is
+     * that of a board instead. */
     bool sizes;
-    /* A domino x times as large has x^(q - 1) times the mass. With walls, the masses follow from the walls
-     * instead. */
+    /* The mass exponent: a domino x times as large has x^(q - 1) times the mass. With walls, the masses
+     * follow from the walls instead. */
     dom_real q;
     /* the length of the hall in m. The row must fit into it even after the last domino has fallen. May be
      * infinite. */
@@ -394,14 +411,14 @@ struct dom_wish {
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
-    /* In m, as in struct dom_row. If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls
-     * of the train, and all masses follow from the volume of the wood. Every domino is half as wide as it is
-     * tall. */
+    /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
+     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, all masses
+     * follow from the volume of the wood, and every domino is half as wide as it is tall. */
     dom_real walls, boxes_above;
 };
 
-/* A row that fulfils a wish, with the dominoes and gaps of a train. Unless `limit` is DOM_DESIGN_FITS, all
- * members except `limit` and `needs` are NaN or 0. */
+/* A row that fulfils a wish, with the dominoes and gaps of a train. If the wish cannot be fulfilled, `limit`
+ * is not DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;
@@ -420,19 +437,21 @@ struct dom_design {
 /*
  * Finds a row, built like a train, that falls reliably: every cycle has at least `safety` times the energy
  * that it needs, kinetic >= safety * barrier. This condition holds in the endless train and at each domino of
- * the row after the first.
- * train->s and train->r are not used.
+ * the row after the first. train->s and train->r are not used.
  *
- * The search first finds the separation s at which a train with this safety has the largest growth r. This
- * growth gives the smallest number of dominoes. r is then reduced until the last domino is exactly `height`
- * tall. s stays as close to this separation as the hall and the start of the row allow. DOM_LEAST_LENGTH
- * finds the shortest row instead, which may have up to 30 more dominoes.
+ * The search first finds the best separation s, at which a train with this safety has the largest growth r.
+ * The largest growth gives the smallest number of dominoes. r is then reduced until the last domino is
+ * exactly `height` tall. The separation stays as close to the best one as the hall and the start of the row
+ * allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up to 30 more dominoes.
  *
  * The search computes in double, and tries separations that are multiples of 0.001. A separation at which a
- * train or a row cannot be computed is skipped. If the wish has an engine, the row must also fall in the
- * engine, which runs rows only at separations 0.1 apart. The model still computes the safety. The status is
- * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside
- * its range.
+ * train or a row cannot be computed is skipped.
+ *
+ * If the wish has an engine, the row must also fall in the engine. The engine runs rows only at separations
+ * 0.1 apart. The safety is still computed by the model.
+ *
+ * The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the
+ * wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
@@ -444,9 +463,11 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
  * - If there are boards, thicknesses are taken from them.
  * - The rounded row still has the safety of the wish and fits into its hall.
  *
- * The results about the endless train are those before rounding. The members `sizes`, `hall` and `heaviest`
- * of the limits have no effect, but `hall` and `heaviest` must be > 0. For a bad member of the limits, the
- * status is DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
+ * The results about the endless train are those before rounding.
+ *
+ * The members `sizes`, `hall` and `heaviest` of the limits have no effect, but `hall` and `heaviest` must be
+ * positive. If a member of the limits is bad, the status is DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS,
+ * DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -454,9 +475,11 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
 
 /*
  * Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last.
- * The separation is as close to the separation of dom_design_find as the hall and the start of the row allow.
- * wish->least and wish->engine are not used. `limits` may be NULL. The limit is DOM_DESIGN_SAFETY if no such
- * row falls, and DOM_DESIGN_HALL if the hall is too short even without gaps.
+ * Its separation is as close to the separation of dom_design_find as the hall and the start of the row allow.
+ * wish->least and wish->engine are not used. `limits` may be NULL.
+ *
+ * If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even without gaps, it is
+ * DOM_DESIGN_HALL.
  */
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
                                  const struct dom_limits *limits, const struct dom_compute *compute,
@@ -478,9 +501,11 @@ struct dom_random_error {
 };
 
 /*
- * The random errors of a row. A solid domino keeps its density. A box keeps the density of its wood and the
- * thickness of its walls. So the mass changes with the height and the thickness. Errors of radii count only
- * with rounded edges, errors of the floor only with an engine, and errors of the push only with a push.
+ * The random errors of a row. When an error changes the height or the thickness of a domino, its mass changes
+ * too. A solid domino keeps its density. A box keeps the density of its wood and the thickness of its walls.
+ *
+ * Errors of radii count only if the row has rounded edges. Errors of the floor count only if an engine runs
+ * the row. Errors of the push count only if the row has a push.
  *
  * Errors that are too large are cut off:
  * - Dominoes that would overlap are moved until they touch.
@@ -492,7 +517,7 @@ struct dom_placement {
     struct dom_random_error error[DOM_ERROR_COUNT];
     /* Each error of row i depends only on the seed, the kind of the error and i. */
     unsigned long seed;
-    size_t first, rows;     /* the rows first ... first + rows - 1; rows >= 1 */
+    size_t first, rows;     /* run the rows from number `first` to `first` + `rows` - 1; `rows` >= 1 */
     dom_parallel *parallel; /* runs batches of rows; NULL to run them one after the other */
     void *pool;             /* the last argument of `parallel` */
 };
@@ -508,13 +533,15 @@ struct dom_study {
 };
 
 /*
- * Counts how many rows fall. Unless `stops` is NULL, stops[k] is set to the number of rows that ended at
- * domino k + 1, not counting the unknown rows. The result does not depend on placement->parallel. The
- * tolerance is 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED, only the rows that were run
- * are counted.
+ * Runs the rows of a placement, and counts how many of them fall. The tolerance is 1e-9 or compute->tol,
+ * whichever is larger. The result does not depend on placement->parallel. After DOM_INTERRUPTED, only the
+ * rows that were run are counted.
+ *
+ * Unless `stops` is NULL, stops[k] is set to the number of rows that ended at domino k + 1. Rows that the
+ * model cannot decide (study->unknown) are not counted there.
  *
  * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN if leans
- * have errors and the row has rounded edges or an engine. Other statuses come from dom_row_run and
+ * have errors and the row has rounded edges or is run by an engine. Other statuses come from dom_row_run and
  * placement->parallel.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
@@ -522,8 +549,9 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                     size_t *stops);
 
 /*
- * Fills *study as dom_placement_study does. Then, for each kind of error, runs the same rows again without
- * the errors of this kind. All other errors stay the same. without[kind] is how many of these rows fall.
+ * Finds which kinds of error make rows stop. First runs all rows and fills *study, as dom_placement_study
+ * does. Then, for each kind of error, runs the same rows again without the errors of this kind. All other
+ * errors stay the same. without[kind] is how many of these rows fall.
  *
  * Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count numbers:
  * - The first row->count numbers are those of dom_placement_study.
@@ -539,16 +567,17 @@ enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely a row must be set up. */
 struct dom_budget {
-    /* The size of the error in its unit, or the factor for all errors, and its 95 % interval. `sigma` is
-     * infinite if enough rows fall even with the largest size. `low` is 0 if there are too few rows for a
-     * bound. */
+    /* The size of the error in its unit, `sigma`, with its 95 % interval from `low` to `high`. For all errors
+     * together, `sigma` is a factor. If enough rows fall even with the largest size that is tried, `sigma` is
+     * infinite. If there are too few rows for a lower bound, `low` is 0. */
     double sigma, low, high;
 };
 
 /*
- * Finds the size of one kind of error at which the whole row falls with the given probability, 0 <
- * probability < 1. The other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor for
- * all errors. The largest sizes that are tried are
+ * Finds how large one kind of error may be: the size `sigma` at which the whole row falls with the given
+ * probability, 0 < probability < 1. The errors of all other kinds stay as they are. If `kind` is
+ * DOM_ERROR_COUNT, all errors are multiplied by the factor `sigma` instead. The largest sizes that are tried
+ * are
  * - for gaps and places, the widest gap of the row,
  * - for relative errors and friction, 1,
  * - for angles, the steepest slope on which the row stands,
@@ -557,9 +586,9 @@ struct dom_budget {
  *
  * The status is DOM_STOPS if too few rows fall even at sigma = 0.
  *
- * If the search is interrupted after the first estimate of sigma (DOM_INTERRUPTED), `sigma` and `low` are the
- * largest sigma at which enough rows are known to fall. `high` is the smallest sigma at which too few rows
- * are known to fall, or infinity.
+ * If the search is interrupted, the status is DOM_INTERRUPTED. If a sigma > 0 at which enough rows fall was
+ * known by then, the budget is written. Then `sigma` and `low` are the largest such sigma, and `high` is the
+ * smallest sigma at which too few rows are known to fall, or infinity.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
@@ -569,18 +598,20 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 
 /*
  * Changes a row so that it falls as reliably as possible with the random errors of a placement. Writes the
- * changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the placement
- * fall before the changes, and study[1] how many fall after them. The search itself uses other random rows,
- * whose numbers follow those of the placement. The same seed gives the same result, whatever
- * placement->parallel is.
+ * changed dominoes to domino[0] ... domino[row->count - 1]. Calls progress, which may be NULL.
  *
- * If the given row is within the limits, the result is the given row unless a more reliable one is found.
- * Otherwise the result is the best row found within the limits, even if it is less reliable. If none was
- * found, the result is the given row, and study[1].rows is 0.
+ * study[0] counts how many rows of the placement fall before the changes, and study[1] how many fall after
+ * them. The search itself uses other random rows, whose numbers follow those of the placement. The same seed
+ * gives the same result, whatever placement->parallel is.
  *
- * The search runs the model in double. An engine runs only the rows that study[0] and study[1] count. Calls
- * progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so far if study[0].rows > 0.
- * Otherwise study[0].rows is 0, and the dominoes are not written.
+ * If the given row is within the limits, it is the result unless a more reliable row is found. If the given
+ * row is not within the limits, the result is the best row found within the limits, even if this row is less
+ * reliable. If no row within the limits was found, the result is the given row, and study[1].rows is 0.
+ *
+ * The search runs the model in double. An engine runs only the rows that study[0] and study[1] count.
+ *
+ * If the search is interrupted, the status is DOM_INTERRUPTED. If study[0].rows is > 0, the result is then
+ * the best row so far. If study[0].rows is 0, the dominoes are not written.
  *
  * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps. For a bad member of
  * the limits, the status is DOM_BAD_THICKNESS (a board), DOM_BAD_Q, DOM_BAD_MASS (`heaviest`) or DOM_BAD_GAP
