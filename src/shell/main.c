@@ -236,7 +236,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* If a pipe has no reader or a file gets too large, write(2) must fail rather than end the program. */
+    /* If a pipe has no reader, or a file gets too large, a signal would end the program. It is ignored, so
+     * that write(2) fails instead. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

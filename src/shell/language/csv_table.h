@@ -94,7 +94,7 @@ void csv_close(struct csv_table *csv);
 /* Reads the next row. Returns false at the end. After an error, sets the file's problem and returns false. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of column k in the current row. If the row has no such cell, returns an empty cell whose
+/* Returns the cell of column k in the current row. If the row is too short, returns an empty cell, whose
  * position is the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 

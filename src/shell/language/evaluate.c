@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Evaluates trees. A comparison gives 1 or 0, and a condition is false only if it is 0. */
+/* Evaluates trees. The value of a comparison is 1 if it is true, and 0 if it is false. As a condition, every
+ * number except 0 is true. */
 #include "language/expression.h"
 #include "language/quad.h"
 #include <stdarg.h>
@@ -174,7 +175,8 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
                             expression_kind(q));
 }
 
-/* Evaluates conditions joined by 'and' or 'or', from left to right, until one of them decides the result. */
+/* Evaluates conditions that are joined by 'and' or 'or'. They are evaluated from left to right, and only
+ * until one of them decides the result. */
 static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     bool is_true, decides = t->child->next->op == OPERATOR_OR;

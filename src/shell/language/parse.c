@@ -35,7 +35,8 @@ static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char
     return t;
 }
 
-/* Appends an operand, with the operator before it, to a chain. `last` is the last child of the chain. */
+/* Appends an operand to a chain. `op` is the operator before the operand, and `last` is the last child of the
+ * chain so far. */
 static void append(struct tree *chain, struct tree *last, enum tree_operator op, const char *at,
                    struct tree *value)
 {

@@ -34,20 +34,22 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
     return a < b ? a : b;
 }
 
-/* WIDE_DIGITS is enough for an exact round trip, and WIDE_TEXT is the size of a buffer for any number. */
+/* WIDE_DIGITS is the number of digits with which any number survives an exact round trip. A buffer of
+ * WIDE_TEXT bytes is large enough for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number as "%.*g" does. Returns `text`. The result of quad_text lives until the end of the block
- * that contains the call. Messages use 10 digits. */
+/* Writes a number as the format "%.*g" does, and returns `text`. Messages use 10 digits. quad_text needs no
+ * buffer: its result lives until the end of the block that contains the call. */
 const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 #define quad_text(value, digits) quad_write(value, digits, (char[WIDE_TEXT]){""})
 
-/* Like quad_write, but writes more digits if a growth that is not 1 would be rounded to 1. */
+/* Writes the growth of a train as quad_write does. If the growth is not 1 but would be rounded to 1, writes
+ * more digits. */
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 
-/* Writes a number with enough digits for an exact round trip, from 15 up to `most`. Omits trailing zeros.
- * Returns `text`. */
+/* Writes a number with as many digits as an exact round trip needs: at least 15 and at most `most`. Omits
+ * trailing zeros. Returns `text`. */
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);
 
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line of input, converted to ASCII for the interpreter. Greek letters become their names, and typographic
- * signs become plain ones. Error messages still count columns in the line as it was typed. */
+/* A line of input for the interpreter, converted to ASCII. Greek letters are replaced by their names, and
+ * typographic signs by plain ones. Users see only the line that they have typed, so error messages count
+ * columns in that line. */
 #ifndef SHELL_TEXT_H
 #define SHELL_TEXT_H
 

@@ -8,13 +8,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A value in SI units and radians, and the exponents of metre, second, radian and kilogram in its unit. */
+/* A value in SI units and radians, with its unit. The unit is given by the exponents of metre, second, radian
+ * and kilogram: a speed has length = 1 and time = -1. */
 struct quantity {
     domq_real value;
     int length, time, angle, mass;
 };
 
-/* Returns true if the unit has no length, time or mass, as for a plain number or an angle. */
+/* Returns true for a plain number and for an angle, whose units contain no length, time or mass. */
 static inline bool quantity_is_dimensionless(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;

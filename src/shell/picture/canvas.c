@@ -173,7 +173,8 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    /* If the terminal has too few colours, or no half blocks, the shade is shown by a character. */
+    /* A shade is normally a colour. If the terminal has too few colours, or no half blocks, a character
+     * stands for the shade. */
     if (!c->display.braille || c->display.colours < COLOURS_256)
         canvas_text(c, column, row,
                     shade < 0            ? " "
@@ -229,7 +230,8 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. `now` is the terminal's ink before the cell. Returns the terminal's ink after the cell. */
+/* Writes a cell. `now` is the ink that the terminal uses before the cell is written. Returns the ink that it
+ * uses afterwards. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures made of characters: text, shades, and lines of dots. Drawing into a cell replaces its content, but
- * new dots are added to old ones. */
+/* A canvas is a picture made of characters. It has text, shades, and lines of dots. Text and shades replace
+ * what was in a cell before. Dots also replace text, but they are added to dots that are already in the
+ * cell. */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
 
@@ -26,7 +27,8 @@ int ink_colour(enum ink ink);
 /* Returns the colour for a shade from 0 to 1 in the viridis palette, whose brightness increases steadily. */
 int shade_colour(double shade);
 
-/* Returns a step for a ruler: the smallest number >= `least` of the form 10^n, 2 10^n or 5 10^n. */
+/* Returns a round step for a ruler, which is at least `least`: the smallest such number of the form 10^n, 2
+ * 10^n or 5 10^n. */
 double ruler_step(double least);
 
 /* Returns true if $TERM begins with one of the names in this NULL-terminated list. */
@@ -64,8 +66,8 @@ void canvas_dot(struct canvas *canvas, int x, int y, enum ink ink);
 /* The number of dash patterns. Pattern 0 is an unbroken line. */
 enum { DASHES = 5 };
 
-/* Draws a straight line of dots. Updates *phase, so that the dash pattern continues in the next piece of a
- * curve. */
+/* Draws a straight line of dots. A curve consists of many such lines. *phase is the position in the dash
+ * pattern, which continues from one line to the next. */
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
@@ -75,7 +77,7 @@ void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sam
 /* Writes text, starting in the given cell. Characters outside the canvas are not drawn. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Draws a shade from 0 to 1 into each half of a cell. A NaN is not drawn. */
+/* Draws two shades from 0 to 1 into a cell, one into each half. NaN stands for a half without a shade. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
 /* Returns true if a cell is empty or outside the canvas. */

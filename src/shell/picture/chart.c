@@ -191,7 +191,8 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-/* Applies the user's range to an axis. Returns false if the range contains no cell of the map. */
+/* Applies the range that the user has chosen, if any, to axis k. If the chart has a map and no part of the
+ * map is in the range, returns false. */
 static bool range_choose(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;

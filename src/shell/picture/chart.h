@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
- * chart_show (show.h) draws the chart to the destination of the answer. */
+/* Charts with two axes. They show curves, points, ranges or a map. A command fills a chart with data, and
+ * chart_show (show.h) then draws the chart to the destination of the answer. */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
 
@@ -122,8 +122,7 @@ bool chart_prepare(struct chart *chart);
 /* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font, with defaults for the sizes that the user has not
- * chosen. */
+/* Returns the sizes of the picture and of its font. If the user has not chosen a size, it is the default. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* Returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end. */

@@ -147,8 +147,8 @@ static void legend_script(const struct chart *c, FILE *out)
                 most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
-/* Writes the title and the labels. A long label would be cut off beside the y axis, so the label is written
- * above the axis. */
+/* Writes the title and the labels. The label of the y axis is written above the axis. If a long label were
+ * beside the axis, it would be cut off. */
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];
@@ -207,7 +207,8 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
     fprintf(out, "END\n");
 }
 
-/* Writes the data of a map, and the command that draws it: as an image, or as boxes on logarithmic axes. */
+/* Writes the data of a map, and the command that draws it. If both axes are linear, the map is drawn as an
+ * image. If an axis is logarithmic, each cell of the map is drawn as a box. */
 static void map_script(const struct chart *c, FILE *out)
 {
     const struct chart_map *m = &c->map;

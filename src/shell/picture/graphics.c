@@ -102,7 +102,8 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* The text of a stage scales with the picture. A small chart has small text, to leave room for curves. */
+    /* The text of a stage becomes larger or smaller with the picture. In a small chart, the text is small, so
+     * that there is room for the curves. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,

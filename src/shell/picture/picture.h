@@ -30,8 +30,8 @@ bool program_exists(const char *name);
 /* Opens a temporary file, which is deleted when it is closed. On failure, sets *problem and returns NULL. */
 FILE *temporary_open(struct problem *problem);
 
-/* Runs a program with `in` as standard input and `out` as standard output. `what` completes the message
- * "PROGRAM did not WHAT: REASON". Returns false on failure. */
+/* Runs a program, whose standard input is `in` and whose standard output is `out`. If the program fails,
+ * returns false. The message is then "PROGRAM did not WHAT: REASON", where WHAT is the string `what`. */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -12,7 +12,8 @@
 enum {
     CORNERS = 4,
     ARC = 5, /* the number of points on a rounded edge */
-    /* the maximum number of points of an outline: three edges can be arcs, but not the lower back edge */
+    /* The maximum number of points of an outline. Three edges of a domino can be rounded, and an arc has ARC
+     * points. The lower back edge is always sharp. */
     OUTLINE = 3 * ARC + 1,
 };
 
@@ -90,7 +91,8 @@ bool drawn_covers(const struct drawn *domino, double up, double back);
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 
-/* Returns true for a domino that is touched at its hinge (r s = 1). No push can turn such a domino. */
+/* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a
+ * domino. */
 bool drawn_locked(const struct drawn *domino);
 
 /* Returns true for the weakest domino, and for the domino at which the fall ends. */
@@ -116,7 +118,8 @@ enum dom_status stage_forces(struct stage *stage, const struct domq_train *train
 bool stage_make(struct stage *stage, size_t room);
 void stage_free(struct stage *stage);
 
-/* Returns the unit of the ruler, and its size in the unit of the stage. `across` is the visible width. */
+/* Returns the unit of the ruler, and the size of this unit in the unit of the stage. `across` is the width of
+ * the visible part of the stage. */
 struct axis_unit stage_unit(const struct stage *stage, double across);
 
 /* ---- In characters ---- */

@@ -127,7 +127,8 @@ static void emit_units(const struct completion *c)
     }
 }
 
-/* Returns the end of the number at the beginning of a name, or NULL if there is no number. */
+/* If a name begins with a number, as in "5c", the user may be typing a unit. Returns the end of the number,
+ * or NULL if there is no number. */
 static const char *number_end(const char *name)
 {
     char *end = NULL;

@@ -97,7 +97,8 @@ void history_load(struct session *session)
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     FILE *in = fopen(history_file, "re");
-    /* No other session may append a line until the file has been replaced, because the line would be lost. */
+    /* While the file is being replaced, no other session may append a line to it. The line would be lost with
+     * the old file. */
     bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)
@@ -139,8 +140,8 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends a line to a file of `size` bytes, as a whole or not at all. On failure, sets errno and returns
- * false. */
+/* Appends a line to a file of `size` bytes. If the line cannot be written as a whole, nothing is appended:
+ * sets errno and returns false. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;

@@ -8,8 +8,8 @@
 /* Reads and runs lines from the terminal, until the session ends. */
 void line_prompt(struct session *session);
 
-/* Calls `emit` with each candidate for the last word of a line. A candidate is a whole word. If `files` is
- * true, paths are candidates, too. */
+/* Finds the candidates for the last word of a line, and calls `emit` with each of them. A candidate is a
+ * whole word. If `files` is true, the paths of files are candidates, too. */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
@@ -25,8 +25,8 @@ char **complete_word(const char *text, int start, int end);
  */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
 
-/* Loads the history from the file that DOMINO_HISTORY names, or from $XDG_STATE_HOME/domino/history. If
- * DOMINO_HISTORY is empty or a device, no history is kept. */
+/* Loads the history. The variable DOMINO_HISTORY names the file. If it is not set, the file is
+ * $XDG_STATE_HOME/domino/history. If DOMINO_HISTORY is empty or a device, no history is kept. */
 void history_load(struct session *session);
 
 /* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,

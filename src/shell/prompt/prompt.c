@@ -48,7 +48,8 @@ static bool has_warned; /* The user has been warned that unsaved changes will be
 
 static void prompt_set(struct session *session);
 
-/* Handles ^C at the prompt: discards the typed line or, if the line is empty, prints how to leave. */
+/* Handles ^C at the prompt. If the user has typed something, discards it. If the line is empty, prints how to
+ * leave the program. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;

@@ -31,8 +31,9 @@ bool scene_has_engine(const struct scene *scene);
 /* Returns why the engine runs the row, such as "feet is on" or "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
-/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if the engine is not
- * installed, cannot run that many dominoes, or does not include an active effect. */
+/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false in these cases: the
+ * engine is not installed, the row is too long for it, or it cannot compute one of the effects that are
+ * on. */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 

@@ -46,8 +46,8 @@ bool parameter_is_number(const struct parameter *parameter);
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
 /*
- * Returns the range of value number i, such as "1e-12 .. 1", or a list of words, such as "exact
- * paper". The text lives until the end of the caller's block.
+ * Returns the range of value number i, such as "1e-12 .. 1". If the value must be one of several words,
+ * returns the list of these words, such as "exact paper". The text lives until the end of the caller's block.
  */
 enum { PARAMETER_RANGE = 64 };
 #define parameter_range(state, parameter, i)                                                                 \

@@ -28,8 +28,8 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
  * 'change' changes the height, the width stays as it was. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Returns true if the masses of the row are known. If they are, energies are in J; otherwise they are in
- * units of m g h/2 of the first domino. */
+/* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,
+ * the unit of energy is m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
 /* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino

@@ -95,7 +95,8 @@ static inline bool row_unsaved(const struct scene *scene)
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
-/* Copies a row. The copy shares the arrays that were read from a file. Returns false if memory runs out. */
+/* Copies a row. The arrays that were read from a file are not copied: both rows share them. Returns false if
+ * memory runs out. */
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
