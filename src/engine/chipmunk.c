@@ -19,9 +19,9 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Creates the first space of the process. When Chipmunk creates its first space, it prints its name to
- * `stdout`. To suppress this line, `stdout` is /dev/null during the call. The file descriptor of standard
- * output is not redirected, since a signal handler or another thread may write to it.
+ * Creates the first space of the process. While it does so, Chipmunk prints its own name to `stdout`. To
+ * suppress this line, `stdout` is /dev/null during the call. The file descriptor of standard output is not
+ * redirected, since a signal handler or another thread may write to it.
  */
 static void make_first(void)
 {

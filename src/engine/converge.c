@@ -3,8 +3,8 @@
  * Ends the iterations of Chipmunk's solver when they have converged. Chipmunk has no test for convergence: in
  * each step, it makes a fixed number of iterations. But in each iteration, it calls a function of every
  * constraint, and it reads the number of iterations again. So a constraint is added that applies no impulses
- * and only observes the velocities. When these hardly change any more, the constraint ends the loop by
- * lowering the number of iterations.
+ * and only observes the velocities. When the velocities hardly change any more, the constraint ends the loop
+ * by lowering the number of iterations.
  */
 #include "world.h"
 #include <math.h>

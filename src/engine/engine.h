@@ -12,7 +12,7 @@
 /* A box of a row. `gap` is the clear distance to the previous box, and is ignored for the first box. */
 struct engine_box {
     double height, thickness, gap, mass;
-    /* moment of inertia about the centre, relative to that of a solid box; 0 means a solid box */
+    /* moment of inertia about the centre, divided by that of a solid box; 0 means a solid box */
     double inertia;
     /* Radius of the edges of this box. 0 means the radius of struct engine_row times the height. Ignored if
      * the row has sharp edges. */
@@ -28,8 +28,8 @@ struct engine_row {
     double slope;  /* angle at which the floor slopes down in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
-    /* Friction coefficient of the floor. If infinite, feet with sharp edges turn on hinges, and rounded feet
-     * roll. */
+    /* Friction coefficient of the floor. If it is infinite, feet with sharp edges turn on hinges, and rounded
+     * feet roll without slipping. */
     double feet;
     double radius; /* radius of the edges, relative to the height; 0 means sharp edges */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
@@ -50,8 +50,8 @@ struct engine_grain {
      * radian instead.
      */
     double steps;
-    /* The engine finds impulses by iteration. It stops when the errors of the velocities are smaller than
-     * this fraction of the largest change of a velocity in the step. */
+    /* The engine finds impulses by iteration, so the velocities after a step have errors. The iteration ends
+     * when the errors are at most this fraction of the largest change of a velocity in the step. */
     double tolerance;
 };
 
@@ -75,7 +75,8 @@ struct engine_hit {
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* true if the first box, tipped over its edge, already touches the second; the row is then not run */
+    /* true if the first box already touches the second when it is tipped over its edge; the row is then not
+     * run */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
@@ -144,12 +145,13 @@ struct engine_settled {
     /* How much the last halving of the step length changed the times: the largest change of any time, divided
      * by the duration. NaN if the verdict changed. Valid only if times were requested. */
     double change;
-    /* true if the last halving of the step length did not change the verdict, or if one run was enough */
+    /* True if the verdict is reliable: the last halving of the step length did not change it, or the verdict
+     * of a single run was certain. */
     bool same;
 };
 
-/* engine_settle stops when no time changes by more than ENGINE_AGREES times the duration, or after a run with
- * ENGINE_FINEST steps per unit of time. */
+/* Two limits for engine_settle. It stops when no time changes by more than ENGINE_AGREES times the duration.
+ * It also stops after a run with ENGINE_FINEST steps per unit of time. */
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 

@@ -23,8 +23,8 @@ static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0 */
 /* a box counts as stopped after it has rested for this time */
 static const double hinged_rest = 0.1, any_rest = 3;
-/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need a
- * twentieth of these steps. */
+/* The largest number of steps in a run is most_work * (boxes + 20) * (steps per unit of time). Most rows need
+ * only a twentieth of these steps. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
@@ -123,8 +123,8 @@ static void step(struct run *r)
         r->calm--;
 }
 
-/* Returns the angle in rad by which box k must turn forwards to balance on its lower front corner. The angle
- * is negative if the box is past its balance point. */
+/* Returns the angle, in rad, by which box k must turn forwards until it balances on its lower front corner.
+ * If the box is already past its balance point, the angle is negative. */
 static double to_balance(const struct world *w, size_t k)
 {
     const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = world_gravity(w->row);

@@ -61,10 +61,8 @@ struct dynamics {
     /* Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
      * motion inside this interval, lowers *hi to the tilt at which it locks, and returns DOM_LOCKS. */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
-    /*
-     * Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. edge[0] and
-     * edge[1] are the ends of the smooth piece that contains `start`.
-     */
+    /* Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The smooth piece
+     * in which the motion starts reaches from edge[0] to edge[1]. */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
     /* Optional if friction cannot lock a motion. Called only if friction locks the motion at the tilt `head`.
@@ -111,8 +109,8 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if error bounds are known, including bounds on the margin between two samples. Otherwise error
- * bounds are NaN, and searches rely on samples alone. */
+/* Returns true if this law of motion has error bounds, including a bound on the margin at tilts between two
+ * samples. Without them, error bounds are NaN, and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

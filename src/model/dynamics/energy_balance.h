@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The paper's law of motion: contacts without friction dissipate no energy. So the total energy is constant
- * in a cycle; see (21; c3) and (51; d9). With w = tau^2 omega^2,
+ * The paper's law of motion: contacts without friction dissipate no energy. So the sum of kinetic and
+ * potential energy is constant in a cycle; see (21; c3) and (51; d9). With w = tau^2 omega^2,
  *
  *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
  *
- * The collision leaves the fraction T / (1 + T) of the angular velocity, with T = J(0) - 1 (22; c4). A cycle
- * releases the fuel P (25; c7). If each cycle repeats the one before (23; c5), it begins with the kinetic
- * energy (24; c6)
+ * The collision at the start of the cycle does dissipate energy. It multiplies the angular velocity by T / (1
+ * + T), where T = J(0) - 1 is the inertia ratio (22; c4). During the cycle, the train releases the fuel P
+ * (25; c7). If each cycle repeats the one before (23; c5), a cycle begins with the kinetic energy (24; c6)
  *
  *     K = P T / (r^q + T (r^q - 1)).
  *

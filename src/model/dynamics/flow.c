@@ -129,9 +129,11 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes. So the loop below sets the number of dominoes
-     * for each piece. A number computed from a tilt near an end of the piece could be wrong because of
-     * rounding. */
+    /*
+     * All sums over one piece must include the same dominoes. If the number of dominoes were computed from
+     * the tilt, rounding could make it wrong near an end of the piece. So the loop below sets the number once
+     * for each piece.
+     */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -149,8 +151,9 @@ static real flow_end(const struct flow *flow, real lo)
 }
 
 /*
- * Solves the equation of motion up to the tilt at which friction locks the motion (A = 0). Each step covers
- * half of the remaining distance, because panels must be short near the pole of 2 B / A.
+ * Solves the equation of motion up to the tilt at which friction locks the motion (A = 0). The term 2 B / A
+ * has a pole there, and near the pole, panels must be short. So each step covers only half of the remaining
+ * distance.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -197,8 +200,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/* If the motion stops soon after lo, solves a short piece that contains the stop, and lowers *hi to the end
- * of this piece. The wide panels of a longer piece might not locate the stop. */
+/* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So
+ * this function solves a short piece that contains the stop, and lowers *hi to the end of the short piece. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {

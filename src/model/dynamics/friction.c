@@ -39,10 +39,8 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/*
- * Sets *slope to -2 C, or to du/dtheta if `rough` is true. Both have the sign of the derivative of the
- * required energy.
- */
+/* Sets *slope to a number that has the sign of the derivative of the required energy. The number is du/dtheta
+ * if `rough` is true, and -2 C otherwise. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {

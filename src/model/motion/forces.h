@@ -13,9 +13,11 @@
 struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
-    /* True at the start of a motion that begins with a collision. `omega` is tau times the angular velocity
-     * of the head after the collision. In the collision, the angular velocity of follower i decreases by
-     * theta_i' * `omega_lost` / tau. */
+    /*
+     * True at the start of a motion that begins with a collision. `omega` is then tau times the angular
+     * velocity of the head after the collision. `omega_lost` describes what the followers lose: in the
+     * collision, the angular velocity of follower i decreases by theta_i' * `omega_lost` / tau.
+     */
     bool hit;
     real omega, omega_lost;
     bool floor;        /* true if the forces of the floor are needed */
@@ -60,8 +62,8 @@ KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns the friction coefficient |x| / z that a hinge needs for the force (x, z) of the floor. The result
- * is infinite if the floor would have to pull. */
+/* Returns the friction coefficient |x| / z that a hinge needs if (x, z) is the force of the floor on it. If
+ * the floor would have to pull (z <= 0), the friction coefficient is infinite. */
 KERNEL real friction_needed(real x, real z);
 
 /*

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API, as the library's own sources include it. Some sources are compiled with dom_real as double,
- * others with DOMQ defined, and the rest both ways. With DOMQ, lines such as "#define dom_train domq_train"
- * (domq_names.h) replace the names in domino.h with the names in domino_quad.h.
+ * The public API, as the library's own sources include it. A source can be compiled in two ways: with
+ * dom_real as double, or with DOMQ defined. Some sources are compiled only in one of these ways, and the rest
+ * in both. With DOMQ, the file domq_names.h replaces the names in domino.h with the names in domino_quad.h.
+ * It does so with lines such as "#define dom_train domq_train".
  */
 #ifndef DOM_API_H
 #define DOM_API_H

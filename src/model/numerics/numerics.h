@@ -18,8 +18,8 @@ typedef real num_function(real x, void *context);
 
 /*
  * Finds the root x of f between lo and hi, to the relative tolerance tol. f(lo) and f(hi) must have different
- * signs; zero counts as either sign. The method is inverse quadratic interpolation if that is safe, otherwise
- * bisection (Chandrupatla, Advances in Engineering Software 28, 1997).
+ * signs; zero counts as either sign. The method is Chandrupatla's (Advances in Engineering Software 28,
+ * 1997). It uses inverse quadratic interpolation where that is safe, and bisection elsewhere.
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
