@@ -31,7 +31,7 @@ load common
     same bail '-e:1: assert: not true: the train keeps falling' "$stderr"
     [[ $output != *77* ]]
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'assert design 8 m hall 9 m'
-    same design '-e:1: assert: not true: a row fulfils the wishes' "$stderr"
+    same design '-e:1: assert: not true: a row meets the wishes' "$stderr"
     run -1 "$DOMINO" --keep-going -e 'assert count 8 2.2'
     same csv 'verdict,domino' "$("$DOMINO" -e 'set output csv; effect row 5; assert verdict' | head -n 1 | cut -d , -f 1,2)"
     "$DOMINO" -e 'effect row 5; assert verdict > verdict.csv'

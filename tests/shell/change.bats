@@ -88,7 +88,7 @@ change 4 lean 5 cm|domino 4: with its top 5 cm off plumb, this domino falls over
 change 3 radius 20 mm|domino 3: radius = 0.02 m is more than 0.007875 m, half of the thickness
 change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, radius, lean
 change 2 height|X is missing
-change 2 height 3 s|the height is a length, not a time; enter one such as '48 mm'
+change 2 height 3 s|the height is a length, not a time; enter a value such as '48 mm'
 change 5-2 gap 1 cm|'5-2' names no dominoes
 change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; to change the gap by a percentage, write a percent sign, as in '+10 %'
 change 2 mass 20 g|the masses of this row are not known; enter the mass of its first domino with 'set mass'

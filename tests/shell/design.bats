@@ -71,7 +71,7 @@ END
     done
 }
 
-@test "design: if no row fulfils the wishes, the answer says which value would help" {
+@test "design: if no row meets the wishes, the answer says which value would help" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
     same hall "infeasible: the shortest row with a safety of 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"

@@ -189,7 +189,7 @@ END
         done
     done <<END
 $record|draw|10 dominoes, 24 cm to 5.5 m tall, on 8.85 m of floor.
-$record|draw|All 10 fall: the last lies 7.65 s after the first hit.
+$record|draw|All 10 fall: the last one lies flat 7.65 s after the first hit.
 $record|draw|Weakest: domino 8 (
 $record|draw at domino 8|3.348 s after the first hit: domino 8 falls; 2 dominoes still stand.
 $record|draw at -0.1|0.100 s before the first hit: domino 1 falls; 9 dominoes still stand.
@@ -271,7 +271,7 @@ END
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
     one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
     one_line "domino 5 is never hit: the fall ends at domino 2; 'draw at end' shows how far the row falls" 'set r 1.6; effect row 12; draw at domino 5'
-    one_line "the clock starts at 0 s, with the push; 'draw at 0' shows the row at this time" 'effect row 5; effect push 5; draw at -1'
+    one_line "times count from the push and cannot be negative; 'draw at 0' shows the row at the push" 'effect row 5; effect push 5; draw at -1'
     one_line "'at' needs a time, not a length; write, for example, 'draw at 2.5 s'" "$record; draw at 2 m"
     one_line "'at' needs a time, 'domino N' or 'end'; usage: draw, draw at 2.5 s, " "$record; draw at"
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"

@@ -74,8 +74,8 @@ END
 
 @test "sentences say 'both' for two, do not round digits before the point, and write m g s with blanks" {
     local push='set s 0.05; set r 1; effect row 3; effect push 1000'
-    [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last lies '* ]]
-    [[ $("$DOMINO" -n -e 'effect row 3; verdict') == 'All 3 fall; the last lies '* ]]
+    [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last one lies flat '* ]]
+    [[ $("$DOMINO" -n -e 'effect row 3; verdict') == 'All 3 fall; the last one lies flat '* ]]
     [[ $("$DOMINO" -n -e 'effect row 1; verdict') == 'It falls.'* ]]
     [[ $("$DOMINO" -n -e "$push; verdict") =~ 'it has '[0-9]{4,}' times the energy that it needs.' ]]
     [[ $("$DOMINO" -n -e "$push; draw") =~ 'with '[0-9]{4,}' times the energy that it needs.' ]]

@@ -135,9 +135,9 @@ END
 0|set h 5|^set: a height of 5 without a unit would be 5 m, but the height is 4\.8 cm now; write 'set h 5 m'
 0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
-10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$
-7|set h 10 g|^set: h is a length, not a mass; enter one such as '48 mm'$
-13|set density 5 kg|^set: density is a density, not a mass; enter one such as '600 kg/m\^3'$
+10|set mass 3 mm|^set: mass is a mass, not a length; enter a value such as '10 g'$
+7|set h 10 g|^set: h is a length, not a mass; enter a value such as '48 mm'$
+13|set density 5 kg|^set: density is a density, not a mass; enter a value such as '600 kg/m\^3'$
 7|set s 3 g|^set: s is a plain number, not a mass; enter it without a unit, or as a length$
 7|set q 3 kg|^set: q is a plain number, not a mass; enter it without a unit$
 13|set mass 10 kgs|^set: 'kgs' is not a unit; did you mean 'kg'

@@ -269,9 +269,9 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
     double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
-    char than[64 + CELL_TEXT] = "as long as 3 digits";
+    char than[64 + CELL_TEXT] = "as long as 3 digits do";
     if (isfinite(quad))
-        snprintf(than, sizeof than, "as long as 3 digits; quad takes %s times as long as double",
+        snprintf(than, sizeof than, "as long as 3 digits do; quad takes %s times as long as double",
                  measured((domq_real)quad, "", 3).text);
     answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
     times_say(a, "For 6 digits the paper's recipe takes",

@@ -55,8 +55,8 @@ struct tower {
     bool falls;
 };
 
-/* Runs a row of `dominoes` dominoes, followed by the domino to topple. Also finds the largest growth of the
- * train, and of a row that starts from rest. */
+/* Runs a row of `dominoes` dominoes, followed by the domino to topple. Also finds two limits: the largest
+ * growth at which a moving train keeps falling, and the largest growth at which a row starts from rest. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -87,8 +87,8 @@ static struct words enough_words(const struct query *query, domq_real height, do
     return words;
 }
 
-/* Prints whether a row with mass exponent q falls. Also prints the largest growths, and how many dominoes are
- * enough at each growth. */
+/* Prints whether a row with mass exponent q falls. Also prints the largest growth for a moving train and for
+ * a row that starts from rest, and how many dominoes are enough at these growths. */
 static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
                      const struct tower *t)
 {
@@ -190,7 +190,8 @@ static const char *count_reason(const struct query *query, const struct answer *
                                 char reason[START_TEXT])
 {
     if (!isfinite(dominoes))
-        snprintf(reason, START_TEXT, "with r = 1 dominoes do not grow, so no number of them is enough");
+        snprintf(reason, START_TEXT,
+                 "with r = 1 all dominoes are equally tall, so none of them reaches this height");
     else if (t->falls || (!t->stops && answer_for_people(a)))
         return NULL;
     else if (t->stops)

@@ -46,8 +46,8 @@ static const struct column rmax_columns[] = {
     {"r_max", "", "largest growth at which the train keeps falling", 0},
     {"ends_by", "",
      "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
-    {"r_max_exact", "", "r_max when the fuel is computed from the energy balance", 0},
-    {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
+    {"r_max_exact", "", "r_max if the fuel is computed from the energy balance", 0},
+    {"r_max_paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
     {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -83,8 +83,9 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* Prints the largest growth at which a row starts from rest, if this limit is below the limit for a moving
- * train. If the session's growth lies between the two limits, also prints the push that the row needs. */
+/* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
+ * smaller, prints it. If the growth of the session lies between the two limits, also prints the push that the
+ * row needs. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
@@ -203,8 +204,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
 
 static const struct column curve_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"exact", "", "r_max when the fuel is computed from the energy balance", 0},
-    {"paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
+    {"exact", "", "r_max if the fuel is computed from the energy balance", 0},
+    {"paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
     {"pair", "", "r_max of the two-domino model", 0},
     {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",
      0},

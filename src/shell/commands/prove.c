@@ -123,7 +123,8 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* For each verdict about the session's train, the word in the table and the sentence below the table. */
+/* What is printed for each verdict about the session's train: a word in the table, and a sentence below the
+ * table. */
 static const struct {
     const char *result, *sentence;
 } cycle_verdicts[] = {
@@ -188,7 +189,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
                                                                : "no start",
               proof.work,
               !is_known    ? "not proved: the result depends on the last digit of a height or of r"
-              : !is_enough ? "with r = 1 dominoes do not grow, so no number of them is enough"
+              : !is_enough ? "with r = 1 all dominoes are equally tall, so none of them reaches this height"
               : goes_on && !start.falls ? ends
                                         : NULL);
     if (is_enough)

@@ -126,9 +126,9 @@ const struct command script_commands[] = {
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "also write all answers into FILE, until 'tee off'",
-     .help = "An existing FILE is overwritten. After 'set output csv' or 'set output json', the data of "
-             "all answers is written into FILE. 'COMMAND > FILE' writes a single answer into FILE and does "
-             "not print it.",
+     .help = "An existing FILE is overwritten. If 'set output' has chosen csv or json, the data of all "
+             "answers is written to FILE. 'COMMAND > FILE' writes a single answer to FILE and does not "
+             "print it.",
      .see = "log",
      .files = true,
      .act = run_record},

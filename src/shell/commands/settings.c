@@ -311,7 +311,7 @@ const struct command session_commands[] = {
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
-     .help = "FILE also gets the effects that are on, the name of the row's file, the dimensions that "
+     .help = "FILE also records the effects that are on, the name of the row's file, the dimensions that "
              "'change' has changed, and what 'let' has defined.",
      .see = "source",
      .files = true,

@@ -113,7 +113,7 @@ static void contact_say(const struct query *query, struct answer *a, const struc
         answer_say(
             a,
             "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu with "
-            "a force of %s of that domino's weight, at a head tilt of %.4g %s.",
+            "a force equal to %s of that domino's weight, at a head tilt of %.4g %s.",
             c->domino, weight.text, tilt, unit);
     else if (c->force > 0)
         answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: in the "

@@ -220,7 +220,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
     const char *example = expression_example(unit);
     return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name, expression_kind(unit),
                          expression_kind(*q),
-                         example    ? "one such as '"
+                         example    ? "a value such as '"
                          : is_share ? "it without a unit, or as a length"
                                     : "it without a unit",
                          example ? example : "", example ? "'" : "");

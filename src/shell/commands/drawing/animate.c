@@ -28,8 +28,9 @@ struct row_film {
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
-/* Points the view of a frame at domino `head`, counted from 1, which was hit last. Until the next hit, the
- * view moves to the next domino, and grows exponentially to that domino's size. */
+/* Chooses the part of the row that a frame shows. The view begins at the domino `head` (counted from 1),
+ * which was hit last. Until the next hit, the view moves on to the next domino. Meanwhile its size changes
+ * exponentially, so that it fits the next domino when it arrives there. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];
@@ -160,8 +161,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
             problem,
             "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
     if (a->path && !film.answer)
-        return problem_error(problem, "the film is written to FILE, and nothing is left to redirect with "
-                                      "'>'; leave out the '>'");
+        return problem_error(problem, "the film is written to FILE, so there is no other output to redirect; "
+                                      "leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || options->train || options->tower)

@@ -93,7 +93,8 @@ static bool moment_time(struct problem *problem, const struct draw_options *opti
     *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(
-            problem, "the clock starts at 0 s, with the push; 'draw at 0' shows the row at this time");
+            problem,
+            "times count from the push and cannot be negative; 'draw at 0' shows the row at the push");
     /* An end time that the user copied from an answer may have been rounded up. */
     return options->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",

@@ -108,7 +108,8 @@ double falling_row_hit(const struct falling_row *row, size_t k)
 {
     const struct domq_domino *d = &row->run.scene.domino[0];
     domq_real flat = d->thickness / d->height;
-    /* The time, in s, in which a small tilt beyond the balance point grows by a factor of e. */
+    /* The time in s in which the tilt of a domino beyond its balance point grows by a factor of e. The growth
+     * is exponential while this tilt is small. */
     domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
     return row_run_tipped(&row->run, k) ? -3 * (double)growth
            : k < row->run.hits          ? (double)row->run.fall[k].time
@@ -150,8 +151,8 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
                        ? (double)fall_share(&row->run.fall[end - 1])
                        : (double)NAN;
     if (v->end == DOM_ROW_FALLS && isfinite(row->end) && count > 1)
-        snprintf(text, SENTENCE, "%.40s: the last lies %.40s after the %s.", all_fall_words(count).text,
-                 measured((domq_real)row->end, "s", 3).text, start_of(row));
+        snprintf(text, SENTENCE, "%.40s: the last one lies flat %.40s after the %s.",
+                 all_fall_words(count).text, measured((domq_real)row->end, "s", 3).text, start_of(row));
     else if (v->end == DOM_ROW_FALLS)
         snprintf(text, SENTENCE, "%.40s.", all_fall_words(count).text);
     else if (share < 1)

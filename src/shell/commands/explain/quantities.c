@@ -56,7 +56,7 @@ const struct derived derived_list[] = {
       "thetac.theta_f", "rad", "42; A18",
       "the largest tilt of a follower, at which it slides off its leader"),
     Q("theta_f", "θ_f", "\\theta_f", 0, 0, SUM_NONE, "theta_inf", "thetac.theta_f", "rad", "41; A17",
-      "the largest tilt of a follower, which never slides off its leader"),
+      "the largest tilt of a follower, in a train whose followers never slide off"),
     Q("X", "X", "X", 0, 0, SUM_NONE, "r*(L*cos(theta) - d)", "sin(theta1(@).theta_1 - @)", "", "30; A5",
       "sine of the angle between the head and its follower"),
     Q("Y", "Y", "Y", 0, 0, SUM_NONE, "sqrt(1 - X^2)", "cos(theta1(@).theta_1 - @)", "", "30; A5",

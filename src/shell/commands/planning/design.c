@@ -97,8 +97,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(
             text, size,
-            "infeasible: the start is too weak for a safety of %s at the second domino; a push of %.40s "
-            "rad/s (%.40s at the top of domino 1) is enough: enter 'effect row 2; effect push %.40s' first",
+            "infeasible: the start is too weak for a safety of %s at the second domino; it needs a push of "
+            "%.40s rad/s (%.40s at the top of domino 1); first enter 'effect row 2; effect push %.40s'",
             safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(

@@ -34,7 +34,7 @@ const struct command design_commands[] = {
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
-     .holds = "a row fulfils the wishes",
+     .holds = "a row meets the wishes",
      .changes = true,
      ANSWER(design)},
     {.name = "plan",
@@ -165,10 +165,11 @@ const struct command design_commands[] = {
                    .parse = assert_parse,
                    .choices = assert_names}},
      .summary = "report an error unless COMMAND answers yes or the comparison is true",
-     .help = "'assert' runs the command, and reports an error if its verdict is no: the row does not fall, "
-             "for example, or no row fulfils the wishes. A script then ends at once with exit status 1; a "
-             "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
-             "or a condition, as in 'assert rmax(0.4) < 1.7'.",
+     .help =
+         "'assert' runs the command, and reports an error if its verdict is no: for example, if the row does "
+         "not fall, or if no row meets the wishes. A script then ends at once with exit status 1; a "
+         "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
+         "or a condition, as in 'assert rmax(0.4) < 1.7'.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .sweep_refusal = "it is about one scene",

@@ -77,8 +77,8 @@ static void watch_draw(struct watch *w, FILE *out)
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
     if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
         chart_text(&chart, display_of(out), width - 1, height - 3, out);
-    fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter keeps it  q leaves"
-                      : "arrows move, Enter keeps, q leaves",
+    fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter: keep it  q: quit"
+                      : "arrows: move, Enter: keep, q: quit",
           out);
     fflush(out);
     chart_free(&chart);

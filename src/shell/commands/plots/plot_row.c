@@ -129,7 +129,7 @@ static void speed_chart(const struct row_run *run, struct chart *chart)
 {
     end_note(run, chart);
     if (run->verdict.end == DOM_ROW_FALLS && isfinite(run->verdict.seconds))
-        text_add(chart->note, sizeof chart->note, "; the last lies after %.40s.",
+        text_add(chart->note, sizeof chart->note, "; the last one lies flat after %.40s.",
                  measured(run->verdict.seconds, "s", 4).text);
     chart->x.low = chart->y.low = 0;
 }

@@ -65,7 +65,7 @@ static void all_fall_say(struct answer *a, const struct falling *f)
     if (count == 1 && !pushed)
         answer_say(a, "%s.", fall.text);
     else if (isfinite(f->run.verdict.seconds))
-        answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
+        answer_say(a, "%s%s lies flat %s after the %s.", fall.text, count == 1 ? ", and" : "; the last one",
                    measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
     else
         answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",

@@ -18,8 +18,9 @@ enum {
 };
 
 static const struct column block_columns[] = {
-    {"sigma", "m", "standard deviation of the errors in the gaps (their limit, if uniform)", 0},
-    {"heights", "", "standard deviation of relative errors in the heights (their limit, if uniform)", 0},
+    {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
+    {"heights", "",
+     "standard deviation of relative errors in the heights; for uniform errors, the largest error", 0},
     {"seed", "", "seed of the random rows", 0},
     {"scene", "", "checksum of the row and of everything that decides how it falls", 8},
     {"dominoes", "", "number of dominoes in the row", 8},

@@ -121,7 +121,7 @@ struct change_parsed {
     struct selected *first; /* NULL selects all dominoes */
     int count;
     struct item value;
-    bool is_set;   /* a '=' precedes the value */
+    bool is_set;   /* an '=' precedes the value */
     bool has_sign; /* the value begins with a sign */
     bool is_share; /* the value ends with '%' */
 };
@@ -218,7 +218,7 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
         return true;
     }
     if (!is_bare && !change->is_angle && !quantity_alike(*value, wanted))
-        return problem_error(problem, "the %s is %s, not %s; enter one such as '%s'", name,
+        return problem_error(problem, "the %s is %s, not %s; enter a value such as '%s'", name,
                              expression_kind(wanted), expression_kind(*value), expression_example(wanted));
     if (is_relative && is_bare)
         return problem_error(problem,

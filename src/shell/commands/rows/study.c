@@ -92,7 +92,7 @@ static const struct column budget_columns[] = {
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows narrow the interval", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
-    {"scaled", "", "the error whose size is sigma, or 'all' if sigma multiplies all errors", 0},
+    {"scaled", "", "the kind of error whose size is sigma; 'all' if sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -347,7 +347,7 @@ const struct command study_commands[] = {
     {.name = "slip",
      .synonyms = "foot feet slide slippery ground",
      .train = true,
-     .summary = "the friction of the floor at which no foot slips",
+     .summary = "the least friction of the floor at which no foot slips",
      .help = "Finds how much friction the floor needs so that no foot slips, while dominoes fall and at the "
              "moment of a hit.",
      .example = "effect floor 0.5; slip",

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 
 const struct column placement_columns[] = {
-    {"sigma", "m", "standard deviation of the errors in the gaps (their limit, if uniform)", 0},
-    {"heights", "share", "standard deviation of relative errors in the heights (their limit, if uniform)", 0},
+    {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
+    {"heights", "share",
+     "standard deviation of relative errors in the heights; for uniform errors, the largest error", 0},
     {"rows", "", "the number of rows that were set up", 0},
     {"fall", "", "the number of rows that fall completely", 0},
     {"probability", "share", "fall / rows", 0},

@@ -179,8 +179,7 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a, "No value of the friction between the dominoes saves this row; it is %s now.",
-                   now.text);
+        answer_say(a, "No value of the friction between the dominoes (now %s) saves this row.", now.text);
     else if (!w->falls)
         answer_say(a, "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
                    range, now.text);

@@ -14,7 +14,7 @@ const struct command sweep_commands[] = {
      .argument =
          {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid},
           {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
-     .summary = "the answers of a command over a grid of any parameters",
+     .summary = "the answers of a command over a grid of parameter values",
      .help = "GRID has a part for each parameter or effect. NAME FROM TO N is N values in equal steps. NAME "
              "FROM TO N log is N values with equal ratios. NAME VALUE, VALUE, ... is a list. The first "
              "parameter changes slowest. ANSWER is a command or an expression, evaluated at each point, as "
