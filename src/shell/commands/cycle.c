@@ -155,8 +155,9 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
              place);
 }
 
-/* Returns true if there is an answer in spite of `status`, perhaps with missing numbers. Sets *why to the
- * reason why numbers are missing, or to NULL. `reason` is a buffer for *why. */
+/* Decides whether there is an answer after a computation that ended with `status`. If the train stops or
+ * friction locks a collision, there is one, but some of its numbers are missing: *why is set to the reason,
+ * for which `reason` is a buffer. Otherwise *why is NULL. Returns false if there is no answer. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
 {

@@ -34,8 +34,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Adds to *work the work that the main answer takes without random errors. If `random` is true, also adds the
- * work of one random row. */
+/* Counts the work of the main answer without random errors, and adds it to *work. If `random` is true, also
+ * adds the work of one random row. Sets *dominoes to the number of dominoes in the row. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -80,8 +80,9 @@ static double scene_price(const struct scene *scene)
     return seconds;
 }
 
-/* Returns how many seconds an answer takes with one effect on or off, or NaN if there is no answer. The
- * effects that this effect needs are on in both cases. */
+/* Returns how many seconds an answer takes if one effect is on, or if it is off. Returns NaN if there is no
+ * answer. Some effects need others: the effects that this effect needs are on in both cases, so that the two
+ * times can be compared. */
 static double price_with(const struct query *query, int effect, bool on)
 {
     struct scene scene = *query->scene; /* this copy shares the row of the original */
@@ -148,9 +149,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_random_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(
-        a,
-        "adds source"); /* a table has no columns 'adds' and 'source'; effects_say prints them as sentences */
+    answer_leave_out(a, "adds source"); /* a table does not have the columns 'adds' and 'source'; effects_say
+                                           prints them as sentences */
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {

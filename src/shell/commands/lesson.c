@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command 'lesson', which runs a script and shows its lines. At a terminal it waits until the reader has
- * typed each command. In a file, 'lesson' runs the rest of that file. Otherwise it runs the tutorial: the
- * build copies examples/tutorial.dom into tutorial.h. */
+/* The command 'lesson', which runs a script and shows its lines. At a terminal, it waits until the reader has
+ * typed each command. If the command 'lesson' stands in a file, the script is the rest of that file.
+ * Otherwise the script is the tutorial: the build copies examples/tutorial.dom into tutorial.h. */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"

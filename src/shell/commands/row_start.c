@@ -3,9 +3,10 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* If this many dominoes fall, and the endless train keeps falling, then any longer row also falls. A row
- * forgets its start: the energy of a cycle is a linear function of the energy of the cycle before, with a
- * slope below 1. */
+/* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
+ * dominoes falls, then any longer row also falls, because a row forgets its start. The reason: the energy of
+ * a cycle is a linear function of the energy of the cycle before it, and the slope of this function is below
+ * 1. */
 enum { START_DOMINOES = 64 };
 
 /* The search for the largest growth runs rows of this many dominoes. */
@@ -15,8 +16,8 @@ enum { START_SEARCHED = 24 };
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* Growths whose relative difference is below this count as equal. Otherwise, rounding errors would decide
- * whether a row falls at the largest growth, where the margin is 0. */
+/* Two growths count as equal if their relative difference is below this number. At exactly the largest growth
+ * the margin is 0, and rounding errors would otherwise decide whether the row falls. */
 #define START_SAME ((domq_real)1e-8)
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
@@ -58,7 +59,8 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
         start->stops_at = verdict.domino;
-        /* If omega^2 h/2 > g, the weight cannot keep the centre on its circle, and the domino lifts off. */
+        /* The centre of a falling domino moves on a circle. If omega^2 h/2 > g, its weight is too small to
+         * keep it on the circle, and the domino lifts off the floor. */
         const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
             status = domq_row_weakest_push(&made.row, &made.compute, lifting, &start->push);

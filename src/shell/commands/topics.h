@@ -20,14 +20,14 @@ bool topic_at(int k, struct topic *topic);
 /* Fills in the topic for a variable or function that was defined with 'let'. */
 void topic_of_variable(const struct variable *variable, struct topic *topic);
 
-/* Where a topic has a word: */
+/* The part of a topic in which a word occurs: */
 enum topic_match {
     MATCH_TOPIC,   /* in the name, the summary, the synonyms, or the words for a parameter's values */
     MATCH_DETAILS, /* only in the help text, the equations or the columns */
     MATCH_NONE
 };
 
-/* Returns where a topic has a word, ignoring case. */
+/* Returns in which part of a topic a word occurs. Upper and lower case count as equal. */
 enum topic_match topic_match(const struct topic *topic, const char *word);
 
 /* Adds a row for a topic to an answer in csv or json. */

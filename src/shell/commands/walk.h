@@ -5,8 +5,9 @@
 
 #include "session/query.h"
 
-/* The units of the model in one cycle. They grow with the head. If no mass is known, `energy` and `weight`
- * are relative to the energy and the weight of the first head. */
+/* The units in which the model measures one cycle. The head of each cycle is larger than the head before it,
+ * and the units grow with the head. If the mass of the dominoes is not known, `energy` and `weight` are
+ * relative to the energy and the weight of the first head. */
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */

@@ -57,8 +57,9 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns the largest n in 1 .. most with r^n <= grown_most, or 1 if there is none. After n cycles, the head
- * hits a domino r^n times as tall as the first head. */
+/* Returns how many cycles a film can show before the dominoes are too large. After n cycles, the head hits a
+ * domino that is r^n times as tall as the first head. The function returns the largest n from 1 to `most` for
+ * which r^n is at most `grown_most`, or 1 if there is none. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;

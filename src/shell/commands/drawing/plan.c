@@ -116,7 +116,7 @@ static bool person_add(struct stage *stage)
     return true;
 }
 
-/* Writes how to start the row. A push is given as a speed, which a builder can judge. */
+/* Writes the instruction for starting the row. A push is given as a speed, which a builder can judge. */
 static void push_words(const struct scene_row *scene, char *text, size_t size)
 {
     const struct domq_row *row = &scene->row;

@@ -21,8 +21,8 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
         snprintf(cell, GUIDE_CELL, "%.1f", tenths / 10);
 }
 
-/* Writes a value and its window into three cells. They are bold if this is the tightest window of its
- * kind. */
+/* Writes a value into a cell, and the limits of its window into the next two cells. The three cells are bold
+ * if the domino has the tightest limits of all dominoes, for this kind of window. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {
@@ -126,7 +126,8 @@ static int piece_order(const void *one, const void *other)
                                             : (a->length > b->length ? -1 : 1);
 }
 
-/* Writes the pieces of one domino, a solid block or a box. Returns how many kinds of pieces it has. */
+/* Lists the pieces of wood for one domino. A solid block is one piece. A box consists of six boards: three
+ * pairs of equal boards. Returns the number of different pieces, which is 1 or 3. */
 static size_t pieces_of(const struct plan *p, size_t k, struct piece piece[3])
 {
     const struct scene_row *scene = &p->row.run.scene;

@@ -13,8 +13,8 @@
 #define TOO_SMALL 0.012
 /* The largest width of the enlarged copy, as a fraction of the width of the picture. */
 #define ZOOM_WIDE 0.36
-/* The largest height of the enlarged copy, and its distance from the floor, both divided by the tower's
- * height. */
+/* The copy is at most this high, and stands this far above the floor. Both numbers are divided by the height
+ * of the tower. */
 #define ZOOM_HIGH  0.4
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
@@ -77,8 +77,9 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Puts the tower behind the last domino, after a gap of `distance` times that domino's height. Does not add
- * the tower to stage->count. Allocates room for `copies` more dominoes. */
+/* Stores the tower in the element after the last domino, and leaves stage->count unchanged. The gap between
+ * the last domino and the tower is `distance` times the height of that domino. Also allocates room for
+ * `copies` more dominoes. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
     const size_t count = stage->count;

@@ -5,8 +5,8 @@
 
 #include "commands/drawing/falling_row.h"
 
-/* Sets *changed to a query about the row that the last 'count' found, and *height to the height of the
- * tower, in m. *changed uses *state, which borrows memory from the state of `query`. */
+/* Finds the row that the last 'count' found. Sets *changed to a query about this row, and *height to the
+ * height of the tower in m. The query uses *state, and *state borrows memory from the state of `query`. */
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);
 

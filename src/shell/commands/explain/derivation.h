@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Derivations show where a number comes from.
- *
- * Each quantity has an equation, and an expression that computes the same number with the library. The
- * program shows the number from the library. A test checks that the equation gives the same number.
- */
+/* Derivations show where a number comes from. Each quantity has an equation, which the user sees. It also has
+ * an expression that computes the same number with the library. The program shows the number that the library
+ * computes. A test checks that the equation gives the same number. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -23,8 +20,8 @@ enum {
     HAS_DETACHED_AT_TILT = 128, /* at the tilt that the user asked about, the head's follower has detached */
 };
 
-/* The tilt of the head at which a sum over all dominoes is evaluated. For a sum, the member `equation` is the
- * term of domino i. */
+/* Some quantities are sums over all dominoes. For such a quantity, the member `equation` is the term of
+ * domino i, and this enum tells at which tilt of the head the terms are evaluated. */
 enum sum {
     SUM_NONE,
     SUM_LAUNCH, /* the tilt 0 */
@@ -37,8 +34,8 @@ struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
 
-/* A quantity, and how it follows from others. If several entries have the same name, the first one whose
- * conditions hold is used. */
+/* A quantity, and the equation by which it follows from other quantities. The equation may depend on the
+ * train, so a name can have several entries. The first entry whose conditions hold is used. */
 struct derived {
     struct symbol_names names;
     unsigned with; /* the conditions under which this entry is used, as bits */
@@ -111,15 +108,16 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes a step for each quantity that the answer to a question needs. `fall` is the hit on a domino in a
- * row, or NULL. The caller must call derivation_end, even after a failure. */
+/* Makes the steps of a derivation: one for each quantity that the answer to the question depends on. `fall`
+ * is the hit on a domino if the question is about a row, and NULL otherwise. The caller must call
+ * derivation_end, even after a failure. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Writes the equation of a step with numbers instead of names. For a sum, writes the first terms and the sum
- * of the others. */
+/* Writes the equation of a step with numbers instead of names. A sum can have many terms: only the first ones
+ * are written, and the others are added up. */
 void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
                   int digits);
 

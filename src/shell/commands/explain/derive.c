@@ -99,8 +99,9 @@ static bool chain_add(const struct domq_link *link, void *context)
     return true;
 }
 
-/* Fills the chain `d->at` for the given tilt of the head, and the chain `d->launch` for the tilt 0. Pads the
- * shorter chain with dominoes at theta_f, whose terms are 0. */
+/* Computes the tilts of all dominoes, in the chain `d->at` for the given tilt of the head, and in the chain
+ * `d->launch` for the tilt 0. The shorter chain is extended to the length of the longer one by dominoes with
+ * the tilt theta_f, whose terms are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -241,8 +242,9 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
-/* For a question about the largest growth, sets s and r of the train. *reach is set to true if the reach
- * limits the growth. */
+/* Prepares a question about the largest growth. The train gets the separation s of the question, and the
+ * largest growth at this separation. Sets *reach to true if the reach limits the growth. Does nothing for
+ * other questions. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

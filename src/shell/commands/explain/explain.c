@@ -86,7 +86,8 @@ static bool explain_bind(const struct question *q, const struct query *query, st
 
 /* ---- Rows ---- */
 
-/* Returns the equation of a step, in names or in numbers, or NULL. The caller frees the text. */
+/* Returns the equation of a step, written with names or, if `numbers` is true, with numbers. Returns NULL if
+ * memory runs out. The caller frees the text. */
 static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
 {
     char *text = NULL;

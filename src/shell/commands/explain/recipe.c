@@ -27,8 +27,9 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds the tilt theta_m at which the potential energy is largest, the barrier B, and tau^2 omega^2 = (K - B)
- * / J(theta_m) at this tilt. */
+/* Finds the hardest moment of a cycle. At the tilt theta_m, the potential energy is largest. B is the
+ * barrier, the energy needed to get there, and the train arrives with tau^2 omega^2 = (K - B) /
+ * J(theta_m). */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {

@@ -24,7 +24,7 @@ struct fit_point {
     size_t run;      /* index of the run to which the measurement belongs */
     double gap;      /* for a speed: the gap of the row */
     size_t domino;   /* for a hit or an angle: the number of the domino, from 1 */
-    double time;     /* for an angle: when it was measured, on the clock of its run */
+    double time;     /* for an angle: the time of the measurement, on the clock of its run */
     double measured; /* a speed, an angle, or a time on the clock of its run */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
@@ -77,9 +77,9 @@ struct fit {
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/* Computes the model's result for each measurement, with the unknowns set to `value`. If the data are
- * angles, clock[k] is the time when the motion of run k begins. Returns false and sets fit->problem if there
- * is no answer. */
+/* Computes what the model predicts for each measurement if the unknowns have the values `value`. If the data
+ * are angles, the model also needs a start: clock[k] is the time when the motion of run k begins. Returns
+ * false and sets fit->problem if there is no answer. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
 /* If the data are angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
@@ -91,8 +91,9 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the error of measurement k. If no errors are known, returns 1 or, for a speed, the speed itself:
- * all speeds then have the same relative error. */
+/* Returns the standard error of measurement k. If no errors are known, the measurements of times and angles
+ * all get the error 1. Speeds then get their own value as the error, so that all speeds have the same
+ * relative error. */
 double fit_error(const struct fit *fit, size_t k);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard

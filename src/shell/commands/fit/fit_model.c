@@ -136,8 +136,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds the time at which the domino of the first point first reaches an angle, by interpolation. Returns NaN
- * if it never does. */
+/* Finds the time at which a domino first reaches an angle, by interpolation between the measurements. The
+ * domino is that of the first measurement. Returns NaN if the domino never reaches the angle. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;
@@ -152,8 +152,9 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when a run began. With this start, the first measured domino reaches half of its largest angle at
- * the same time as in the model. */
+/* Estimates when the motion of a run began. The function compares the first measured domino with the same
+ * domino in the model. It finds the start with which both reach half of the largest measured angle at the
+ * same time. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };

@@ -102,7 +102,8 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-/* Adds the current row of the file to the last run. If the row has another run number, begins a new run. */
+/* Adds the current row of the file to the last run. If the row has a different run number, begins a new run
+ * with it. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,

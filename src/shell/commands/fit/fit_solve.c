@@ -37,8 +37,9 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Reflects a value back into the range of its parameter. If the sum of squares decreases all the way to a
- * limit of the range, this limit then becomes a minimum. */
+/* Reflects a value at the limits of its parameter's range, so that it lies in the range. The sum of squares
+ * then has a mirror image beyond a limit. If the sum decreases all the way to a limit, the limit is therefore
+ * a minimum. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -95,7 +96,8 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
     return GSL_SUCCESS;
 }
 
-/* Returns the step h of the difference quotients, whose error is of the order h^2 + tol / h. */
+/* Returns the step h of the difference quotients. The error of such a quotient is of the order h^2 + tol / h:
+ * a large step is inexact, and a small step amplifies the errors of the model. */
 static double step_of(const struct fit *f, size_t i, double x)
 {
     /* The engine's answers are accurate to about three digits. */
@@ -152,8 +154,8 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Stores the best combination of starting values in the unknowns and in *clock. Fails if the model has
- * no answer for any combination. */
+/* Tries all combinations of starting values. Stores the combination with the smallest sum of squares in the
+ * unknowns, and its start times in *clock. Fails if the model has no answer for any combination. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -185,8 +187,8 @@ static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 
 /* ---- The search ---- */
 
-/* Finds standard deviations and correlations from the derivatives at the minimum. A deviation is infinite if
- * the measurements do not determine the unknown. */
+/* Finds the standard deviations and the correlations of the unknowns from the derivatives at the minimum. If
+ * the measurements do not determine an unknown, its deviation is infinite. */
 static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
 {
     const size_t n = derivatives->size2;
@@ -205,8 +207,8 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
-    /* If the errors are not known, or are smaller than the residuals, their size is estimated from the
-     * residuals. */
+    /* The residuals also show how large the errors are. Their size is used if the user gave no errors, or
+     * errors that are smaller than the residuals. */
     const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
     for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
@@ -262,8 +264,8 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* If an unknown is close to a limit of its range, sets it to this limit and returns true. Close means within
- * `near` times the width of the searched range. */
+/* Looks for an unknown that is close to a limit of its range. If there is one, sets it to this limit and
+ * returns true. Close means within `near` times the width of the searched range. */
 static bool limit_take(struct fit *f, double near)
 {
     for (int i = 0; i < f->unknowns; i++) {
@@ -282,8 +284,8 @@ static bool limit_take(struct fit *f, double near)
     return false;
 }
 
-/* Finds the minimum. Near a limit of the range of an unknown, the search would jump back and forth across the
- * limit. The unknown is therefore set to the limit, and the others are fitted again. */
+/* Finds the minimum. If an unknown is near a limit of its range, the search would jump back and forth across
+ * the limit. Such an unknown is set to the limit, and the others are fitted again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;
@@ -302,8 +304,9 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
     return GSL_SUCCESS;
 }
 
-/* Returns the Durbin-Watson statistic sum (e_k - e_(k-1))^2 / sum e_k^2. The statistic is near 2 if the
- * residuals e_k are independent, and near 0 if they drift. */
+/* Returns the Durbin-Watson statistic sum (e_k - e_(k-1))^2 / sum e_k^2 of the residuals e_k. It is near 2 if
+ * the residuals are independent. It is near 0 if they change slowly from one to the next, which shows that
+ * the model does not fit. */
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the design that falls with a given probability, by running random rows of more and more dominoes. */
+/* Finds the design that falls with a given probability. It tries larger and larger numbers of dominoes. For
+ * each number, it runs random rows and counts how many of them fall. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/rows.h"
@@ -21,8 +22,9 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run. If each of them falls with this probability, then on average at least
- * 20 rows do not fall, or 10 in the engine. */
+/* Returns how many random rows to run, so that about 20 of them can be expected not to fall (10 in the
+ * engine) if each row falls with this probability. With fewer failures, the measured probability would be too
+ * uncertain. */
 static size_t rows_for(domq_real probability, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - probability)),

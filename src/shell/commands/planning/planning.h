@@ -73,7 +73,8 @@ struct wishes {
 };
 extern const struct wishes usual_wishes;
 
-/* Checks that `grid` allows a gap that is shorter than the height `first` of the first domino. */
+/* All gaps of a design are multiples of the length `grid`. Checks that `grid` is less than `first`, the
+ * height of the first domino. Otherwise every gap would be too long for this domino to reach the next one. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */

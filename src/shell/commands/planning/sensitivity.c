@@ -102,7 +102,7 @@ bool run_sensitivity(const struct query *query, struct answer *a, struct problem
         return probe_report(&probe, problem);
     if (!influences_find(query, problem, &probe, now, list, &count))
         return false;
-    if (now == 0) { /* if the answer is 0, its change cannot be a percentage */
+    if (now == 0) { /* if the answer is 0, its change cannot be given as a percentage */
         struct column *columns = answer_columns(a, sensitivity_columns);
         columns[3].unit = columns[4].unit = "";
     }

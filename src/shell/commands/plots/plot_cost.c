@@ -45,7 +45,7 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
                              "'plot cost' needs the NAME of an answer: fuel, launch, barrier, duration, "
                              "rmax or pair");
     int which = (int)query->given->number[1];
-    if (!chart) { /* csv and json have the rows of the command 'cost' */
+    if (!chart) { /* as csv or json, the answer is the same as that of the command 'cost' */
         const struct command *command = command_find("cost");
         const struct arguments given = {.count = 1, .number = {query->given->number[1]}};
         struct query cost_query = *query;

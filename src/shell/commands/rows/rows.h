@@ -15,15 +15,17 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* How much friction a foot needs, and when: while the domino `head` falls, or when `head` is hit. Dominoes
- * are counted from 1. */
+/* A foot, the friction that it needs, and the moment at which it needs this friction. The moment is during
+ * the fall of the domino `head`, or the instant when the domino `head` is hit: struct feet has a member for
+ * each case. Dominoes are counted from 1. */
 struct slip {
     domq_real needs; /* infinite if the foot is lifted off the floor */
     size_t domino;   /* the domino whose foot this is */
     size_t head;     /* 0 if no foot was found */
 };
 
-/* How much friction the feet of a row need, while dominoes fall and at the moment of a hit. */
+/* The friction that the feet of a row need. The member `motion` is for the fall of the dominoes, and the
+ * member `hit` for the instants at which a domino is hit. */
 struct feet {
     domq_real floor; /* the friction of the floor */
     struct needs {
@@ -82,8 +84,9 @@ struct windows {
     /* kind[K][k] is the window of kind K, an enum dom_window_of, for domino k, counted from 0. The friction
      * is the same for all dominoes, and has its window in kind[DOM_WINDOW_FRICTION][0]. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* For each kind, the number of the domino with the tightest limits, or 0. If the row does not fall, only
-     * the element for leans is set, to the domino that needs the smallest change. */
+    /* For each kind of window, the number of one domino, or 0. If the row falls, it is the domino with the
+     * tightest limits. If the row does not fall, only leans are considered: critical[DOM_WINDOW_LEAN] is the
+     * domino that needs the smallest change, and the other elements are 0. */
     size_t critical[WINDOW_KINDS];
     bool falls;
 };

@@ -27,7 +27,7 @@ struct grid_parsed {
         struct value_parsed {
             struct item item;
             struct value_parsed *next;
-        } * first;    /* all values of a list; otherwise only FROM */
+        } * first;    /* in the form FROM TO N, only FROM; in a list, all values */
         size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
         struct item to, steps;
         const char *log_at; /* points to the word 'log' in the command, or is NULL */

@@ -36,7 +36,8 @@ static void list_columns(struct sweeper *w)
     }
 }
 
-/* Returns the columns of the answer at each point, without the columns of the grid. */
+/* Returns the columns of the answer that is computed at each point. The columns for the parameters of the
+ * grid are not among them. */
 static const struct column *answered_columns(const struct sweeper *w)
 {
     return w->question->next ? w->columns.answer : w->question->question.command->columns;

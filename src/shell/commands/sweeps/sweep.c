@@ -59,7 +59,8 @@ static bool answer_parse(struct reader *r, struct question *q)
     return is_good;
 }
 
-/* Parses a list of answers: commands with a principal number, COMMAND.KEY, or expressions. */
+/* Parses a list of answers. Each of them is a command that has a principal number, or COMMAND.KEY, or an
+ * expression. */
 static bool list_parse(struct reader *r, struct point_question *s)
 {
     while (question_parse_any(r, &s->question, true)) {
@@ -129,7 +130,8 @@ static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        /* Unless the values are a list, the first and the last value are enough. */
+        /* The values of a list may have any order. Otherwise the first and the last value are the extremes,
+         * and it is enough to announce these two. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_announce(a, axis->parameter->name, axis_value(axis, k));
