@@ -416,8 +416,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The first bracket extends this relative distance to either side of the double kernel's best separation. The
- * distance exceeds the error of that separation. */
+/* The double kernel has found a best separation. The first bracket extends this relative distance to either
+ * side of it. The distance is larger than the error of that separation. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -435,8 +435,8 @@ static void line_to(struct line *line, struct margin_context *c, real s)
     line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
 }
 
-/* Finds a kink of r_max very close to b->s. On each side of the kink, r_max is extrapolated as a smooth
- * branch. The kink is the point where the two branches meet. Returns false if there is no kink. */
+/* Finds a kink of r_max very close to b->s. Each side of the kink is extrapolated as a straight line. The
+ * kink is the point where the two lines meet. Returns false if there is no kink. */
 static bool search_kink(struct search *b, real tol)
 {
     struct line up = {.slope = 0}, down = up;

@@ -13,8 +13,8 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples per unit of ln r, from r = 1 to 0.9 of the reach. One more sample is taken at the
- * reach. */
+/* The number of samples per unit of ln r. They lie between r = 1 and 0.9 of the reach. One more sample is
+ * taken at the reach itself. */
 #define PROBE_PER_E 5
 
 /* Returns the growth of sample k. Beyond the last sample, the result is the reach. */
@@ -29,9 +29,9 @@ static real probe_place(const struct margin_context *c, int k)
 #define PROBE_HALVES 17
 
 /*
- * The margin is taken to keep its sign between two samples if it exceeds PROBE_SAFETY f w^2 at both. w is the
- * distance between the samples in x, and f is a second divided difference. For a parabola, f w^2 / 4
- * suffices.
+ * The margin is assumed to keep its sign between two samples if it exceeds PROBE_SAFETY f w^2 at both
+ * samples. Here w is the distance between the samples in x, and f is a second divided difference, which
+ * measures the curvature. If the margin were a parabola, f w^2 / 4 would be enough.
  */
 #define PROBE_SAFETY 3
 
@@ -41,8 +41,8 @@ static real probe_place(const struct margin_context *c, int k)
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    /* The smallest growth found so far at which the sign changes, or infinity. If `positive` is false, it is
-     * the growth of `after`, a sample just past the root. */
+    /* The smallest growth found so far at which the sign changes, or infinity if none is known. If `positive`
+     * is false, this is the growth of `after`, which is a sample just past the root. */
     real root;
     real falls; /* probe_value at a root that was found before any sample was taken */
     struct margin_sample after;
@@ -75,8 +75,8 @@ static real probe_value(const struct probe *p, const struct margin_sample *sampl
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, sample->r)) : value;
 }
 
-/* Returns true if the margin has too little curvature to change sign between lo and hi, except at p->root.
- * `third` is a sample outside the interval. */
+/* Returns true if the margin is not curved enough to change sign between the samples lo and hi. A known root
+ * p->root does not count. `third` is a sample outside the interval, from which the curvature is estimated. */
 static bool probe_keeps(const struct probe *p, const struct margin_sample *third,
                         const struct margin_sample *lo, const struct margin_sample *hi)
 {
@@ -119,8 +119,8 @@ static enum dom_status probe_between(struct probe *p, const struct margin_sample
 
 /*
  * Takes the next sample after `lo` whose number is at least k, and stores it in *hi. If the sign has not
- * changed at *hi, first searches the samples after *hi, by recursion. Only then looks for sign changes
- * between `lo` and *hi. `last` is the sample before `lo`.
+ * changed at *hi, searches the samples after *hi first, by recursion. The sign changes between `lo` and *hi
+ * are searched only after that. `last` is the sample before `lo`.
  */
 static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
                                   const struct margin_sample *lo, int k, struct margin_sample *hi)

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds a root of the margin, and then proves that it is the first root. The secant method finds the root
- * from a guess in a few passes. The proof takes a few strips of growths below the root. The margin decreases
- * over the strip that ends at the root, and is positive over the other strips.
+ * Finds a root of the margin, and then proves that it is the first root. Both steps are fast: the secant
+ * method needs only a few passes to find the root from a guess, and the proof needs only a few strips of
+ * growths below the root. The proof shows two things. Over the strip that ends at the root, the margin
+ * decreases. Over all lower strips, the margin is positive.
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel, which
- * decreases with r. */
+/*
+ * Returns -d ln K / d ln r, approximately: how fast the kinetic energy K falls with the growth. K is
+ * proportional to r^(-(2q+1)), by equation (24; c6). K is also proportional to the fuel, which decreases with
+ * r.
+ */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -17,12 +21,14 @@ KERNEL real margin_falls(const struct margin_context *c, real r)
 
 /* ---- The root ---- */
 
-/* A point of the search: the growth r, margin_share at r, the margin itself, and its relative tolerance. */
+/* A point of the search: the growth r, margin_share at r, the margin itself (`value`), and the relative
+ * tolerance of the margin. */
 struct root_point {
     real r, share, value, tol;
 };
 
-/* The margin is positive at lo and negative at hi. at[2] is the newest of the `known` valid points. */
+/* The bracket, and the newest points of the search. The margin is positive at lo and negative at hi. `known`
+ * of the points at[] are valid, and at[2] is the newest one. */
 struct root_search {
     real lo, hi;
     struct root_point at[3];
@@ -54,8 +60,8 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. The next step then changes r by at least a
- * factor of r^ROOT_STEP. */
+/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. The next step then multiplies or divides r by
+ * at least r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -111,8 +117,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = root_next(s, c), step = fabs(next - r);
-        /* The next error is approximately the product of the last two errors, divided by a length. In the
-         * first two steps, this length is min(r, reach - r) / 16. */
+        /* The error after the next step is approximately the product of the last two errors, divided by a
+         * length. In the first two steps, this length is estimated as min(r, reach - r) / 16. */
         real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
              length = fmin(r, c->geometry.span / c->s - r);
         bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
@@ -139,8 +145,8 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct margi
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), r);
 }
 
-/* The slope is measured at this relative distance from an approximate root. The relative error of that
- * root may be at most ROOT_ASIDE^2. */
+/* To get the slope, the margin is evaluated at this relative distance below an approximate root. The relative
+ * error of the approximate root may be at most ROOT_ASIDE^2. */
 #define ROOT_ASIDE ((real)1e-5)
 
 /* Finds the root close to `near`. Evaluates the margin slightly below `near` first, to get the slope. */
@@ -178,24 +184,27 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The barrier at the root is assumed to exceed the last barrier of the search by at most this fraction. */
+/* The last barrier of the search was found close to the root. The barrier at the root itself is assumed to
+ * exceed it by at most this fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns thickness / height of the flat part. Sharp-edged dominoes of these proportions have nearly the
- * same root. */
+/* Returns the thickness of the flat part of a domino divided by its height. A sharp-edged domino of these
+ * proportions has nearly the same root. */
 static real flat_thickness(const struct geometry *geometry)
 {
     return geometry->rounded.wide / geometry->rounded.tall;
 }
 
-/* Returns max(s / d - 2 d^2 / (1 - d^2), 0). Without growth, a train has fuel only if this is positive. */
+/* Returns max(s / d - 2 d^2 / (1 - d^2), 0). A train of equal dominoes (r = 1) has fuel only if this number
+ * is positive. */
 static real root_room(const struct margin_context *c)
 {
     const real d = flat_thickness(&c->geometry), s = c->s / (1 - c->geometry.rounded.rho);
     return fmax(s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Estimates the root by a fit. For ordinary dominoes, ln of the estimate is correct to a few percent. */
+/* Estimates the root by a fitted formula. For ordinary dominoes, the logarithm of the estimate is correct to
+ * a few percent. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(flat_thickness(&c->geometry), (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -262,15 +271,16 @@ KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sa
 
 enum { DOWN_STRIPS = 32, DOWN_FAILS = 8 };
 
-/* Returns the width of the first strip below the root, in ln r. `whole` is the total width of the strips. */
+/* Returns the width in ln r of the first strip below the root. `whole` is the width of all strips
+ * together. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
     return whole < (real)0.03 ? whole : fmin(width, whole / 2);
 }
 
-/* Returns a width, in ln r, for the strip just below a growth r near the reach. At this width, the bounds
- * usually show that the margin decreases over the strip. */
+/* Returns a width in ln r for the strip just below a growth r near the reach. A strip of this width is
+ * usually narrow enough for the bounds to show that the margin decreases over it. */
 static real down_near(const struct margin_context *c, real r)
 {
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
@@ -278,8 +288,8 @@ static real down_near(const struct margin_context *c, real r)
 
 /*
  * Tries to show that the margin is positive between `from` and `root`. Goes down from `root`, strip by strip.
- * *down receives the lower end of the last strip that succeeded, or `root` if there is none. If the margin is
- * positive even at the reach, `root` is the reach.
+ * *down receives the lower end of the last strip for which this succeeded. If it succeeded for no strip,
+ * *down is `root`. If the margin is positive even at the reach, the caller passes the reach as `root`.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
@@ -321,8 +331,8 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Raises *lo towards `to`, as far as a few strips can show that the margin stays positive. The margin is
- * positive at the initial *lo. */
+/* Raises *lo towards the growth `to`. The margin is positive at the initial *lo. A few strips are tried, and
+ * *lo is raised as far as they show that the margin stays positive. */
 static enum dom_status positive_to(struct margin_context *c, struct margin_sample *lo, real to)
 {
     struct margin_sample ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};

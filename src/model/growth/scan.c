@@ -5,10 +5,11 @@
 /* Relative errors of the barrier from margin_sign and from scan_sure. */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
-/* A root is taken to be the first if its bracket is narrower than this in ln r. */
+/* If the bracket of a root is narrower than this in ln r, the root is assumed to be the first one. */
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/* Follows one maximum of H to the root. If another maximum is higher there, searches for all maxima. */
+/* First follows one maximum of H to the root. If another maximum is higher at that root, starts again with a
+ * search for all maxima at each growth. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
                                  const struct margin_sample *hi, real *r)
 {
@@ -67,7 +68,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.barrier_is_bound && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* From any growth in the strip up to hi, the margin increases by at most margin_slope * ln_r. */
+        /* The margin can rise from one growth in the strip to hi, but by at most margin_slope * ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -88,8 +89,8 @@ static real scan_ahead(const struct margin_context *c, const struct margin_sampl
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the width of the narrowest step. The width increases after 1500 strips, so that about 3000 strips
- * are enough. */
+/* Returns the width of the narrowest step in ln r. After 1500 strips, this width grows. In this way about
+ * 3000 strips are enough for any train. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));

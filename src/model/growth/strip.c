@@ -61,7 +61,8 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* Bounds on sums over the followers. In a strip of separations, s takes the place of ln r. */
+/* Bounds on sums over the followers. The comments are about a strip of growths. In a strip of separations, s
+ * takes the place of ln r. */
 struct strip_sums {
     real least, most;              /* lower and upper bound on the fuel */
     real advance;                  /* upper bound on d theta_i(0) / d ln r */
@@ -73,8 +74,11 @@ struct strip_sums {
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or on d theta_1 / ds in a strip of
- * separations. The bound is the derivative at hi when the leader has its smallest tilt. */
+/*
+ * Returns an upper bound on a derivative: on d theta_1 / d ln r in a strip of growths, or on d theta_1 / ds
+ * in a strip of separations. The derivative is largest at hi, when the leader has its smallest tilt. `leader`
+ * is this tilt.
+ */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -82,8 +86,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* strip_advance returns an upper bound on a derivative. This function returns a lower bound on the same
- * derivative. The bound is the derivative at lo when the leader has its largest tilt. */
+/* Returns a lower bound on the derivative for which strip_advance returns an upper bound. The derivative is
+ * smallest at lo, when the leader has its largest tilt. `leader` is this tilt. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -92,21 +96,22 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
 }
 
 /*
- * Adds follower i to the sums, which bound d margin / d ln r. Let theta be the tilt at the maximum of H, and
+ * Adds follower i to the sums. Together, the sums bound d margin / d ln r. Let theta be the tilt of the head
+ * at the maximum of H, and let
  *
- *     u_i = d theta_i / d ln r,   m_i = theta_i(theta) - theta_i(0),   g = -dh/dtheta,   w = r^-q,
+ *     u_i = d theta_i / d ln r,   m_i = theta_i(theta) - theta_i(0),   g = -dh/dtheta,   w = r^(-q),
  *     D = r^q / T + r^q - 1,   K = P / D,   c = (1 - w) T / (1 + (1 - w) T).
  *
- * By the envelope theorem
+ * At the maximum, the barrier does not change to first order if only theta changes (the envelope theorem). So
  *
  *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_(i+1))
  *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))].
  *
- * Beyond theta_u, the bound uses three inequalities:
+ * If the follower is beyond theta_u, the bound uses three inequalities:
  *
  *     g_i(theta) - g_i(0) <= h_i(0) m_i,   u_i(theta) <= u_i(0),   h_i(0) - h_i(theta) >= g_i(0) m_i.
  *
- * Before theta_u, it adds the absolute values of the parts.
+ * If the follower is before theta_u, the bound adds up the absolute values of the parts.
  */
 static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
@@ -129,15 +134,16 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     s->rests += weight * fmax(g_hi, 0) * u;
 }
 
-/* Returns a lower bound on the tilt of the head at the maximum of H, if the barrier is at least `kinetic`. */
+/* Returns a lower bound on the tilt of the head at the maximum of H. The barrier must be at least
+ * `kinetic`. */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
 {
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* Upper bound on h(theta_u) - h(theta) of the head, since the head has already gained kinetic + loss
-         * or more. */
+        /* The head has already gained kinetic + loss or more. So this is an upper bound on the rest of its
+         * climb, h(theta_u) - h(theta). */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->steepest - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
@@ -151,14 +157,15 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of domino 1, or infinity if no bound is found. The bound is finite at
- * the reach, although u_1(0) = tan theta_c (strip_follower) is infinite there. If the head leans by at least
- * `least`, u_1(theta) is at most `part` times u_1(0):
- * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
- * - After domino 1 has detached, u_1(theta) = d theta_f / d ln r < sqrt(d / L) u_1(0).
+ * Returns an upper bound on the terms of domino 1, or infinity if no bound is found. At the reach, u_1(0) =
+ * tan theta_c (strip_follower) is infinite. The bound on the terms is finite even there.
  *
- * With part u_1(0) instead of u_1(theta), the terms are a convex function of u_1(0). So they are largest at
- * lo or at hi.
+ * If the head leans by at least `least`, u_1(theta) is at most u_1(0) multiplied by `part`:
+ * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
+ * - After domino 1 has detached, u_1(theta) is d theta_f / d ln r, which is less than sqrt(d / L) u_1(0).
+ *
+ * If u_1(theta) is replaced by part * u_1(0), the terms are a convex function of u_1(0). So they are largest
+ * at lo or at hi.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -202,8 +209,8 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
-    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. The right
-     * side is monotone in T, so it is smallest at one end. */
+    /* T r^(q+1) decreases with r. So d ln D / d ln r is at least (2 q + 1 + q T) / (1 + (1 - w) T). This
+     * fraction is monotone in T, so it is smallest at the smallest or at the largest T. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
@@ -226,13 +233,14 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns tan(t / 2), where t is an upper bound on the tilt of the head at the maximum of H. t is theta_u, or
- * less if the first follower pulls. At the maximum dH/dtheta is 0, so
+ * Returns tan(t / 2), where t is an upper bound on the tilt of the head at the maximum of H. Without
+ * followers, the maximum is at theta_u. If the first follower pulls, it is at a smaller tilt. At the maximum
+ * dH/dtheta is 0, so
  *
- *     sqrt(1 + d^2) sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i).
+ *     sqrt(1 + d^2) sin(theta_u - theta) = sum r^(-q i) theta_i' g(theta_i).
  *
- * No term of the sum is negative, so the first term alone is a lower bound. Each of its factors is replaced
- * by a bound from one end of the strip.
+ * No term of the sum is negative, so the sum is at least its first term. Each factor of the first term is
+ * replaced by a lower bound, which comes from one end of the strip.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -244,16 +252,16 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        /* Since theta_1' decreases with the tilt of the head, `below` is a lower bound on
-         * (theta_u - theta) / 2, and on the tangent of this angle. */
+        /* `below` is a lower bound on (theta_u - theta) / 2, since theta_1' decreases with the tilt of the
+         * head. The tangent of this angle is larger still. */
         const real below = geometry_contact(hi, head).slope * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
 
-/* Counts a pass along both chains. A step takes about as long as twelve dominoes of a plain pass, and counts
- * as twelve in the effort. */
+/* Counts a pass along both chains, with n steps. One step takes about as long as twelve dominoes of a plain
+ * pass. So it counts as twelve in the effort. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
@@ -309,8 +317,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds, at lo and at hi, on the energy that later dominoes can still lose. NaN if no bound is
-         * known. */
+        /* `rest` and `rest_hi` are upper bounds on the energy that later dominoes can still lose, at lo and
+         * at hi. They are NaN if no bound is known. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -365,12 +373,12 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * A follower beyond theta_u loses energy, and thus lowers the barrier. The loss is the integral of w^i
- * theta_i' g(theta_i) over theta. For every train in the strip, the loss is at least the loss at hi divided
- * by `grows`:
+ * Returns an upper bound on all barriers in the strip. A follower beyond theta_u loses energy, and thus
+ * lowers the barrier. Its loss is the integral of w^i theta_i' g(theta_i) over theta. For every train in the
+ * strip, this loss is at least the loss at hi divided by `grows`, for two reasons:
  * - theta_i' and w^i are at least their values at hi.
- * - g(theta_i) is at least its value at hi divided by `grows`. The ratio of the two values is largest for an
- *   upright head, because h/g and d theta_i / dr decrease with theta.
+ * - g(theta_i) is at least its value at hi divided by `grows`. The ratio of the two values is largest when
+ *   the head is upright, because h/g and d theta_i / dr decrease with theta.
  *
  * The head itself rises by at most `most`.
  */

@@ -26,25 +26,33 @@ struct strip {
     /* The largest factor, over all followers i, by which g(theta_i(0)) increases from lo to hi, where
      * g(theta) = sin theta - d cos theta. Infinite if a follower has not yet reached theta_u at lo. */
     real grows;
-    /* Upper bound on the energy that the followers after the last visited one can still lose. `grows` does
-     * not cover these followers. */
+    /* Upper bound on the energy that later followers, behind the last visited one, can still lose. `grows`
+     * does not cover these followers. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds; >= 0 */
-    /* Upper bounds on d margin / d ln r over a strip of growths. root_slope holds only where the barrier is
-     * at least kinetic_least, which is the case at every root of the margin. */
+    /*
+     * Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds at every growth of the
+     * strip. root_slope holds only where the barrier is at least kinetic_least. At a root of the margin, this
+     * is always the case.
+     */
     real margin_slope, root_slope;
     /* True if K > `enough` over the whole strip. Only kinetic_least is then set. */
     bool clear;
 };
 
-/* Computes the bounds for the trains between lo and hi, without friction; hi has the larger r or s. Ends
- * early if K > `enough` for all trains. tol limits the relative error of K that the omitted tails cause. */
+/*
+ * Computes the bounds for the trains between lo and hi, without friction. Of the two, hi has the larger r or
+ * s. If K > `enough` for all trains, the computation ends early. The omitted tails cause a relative error of
+ * K; tol is the limit of this error.
+ */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
-/* strip_barrier_most returns an upper bound on all barriers in the strip, from the barrier at hi.
- * strip_barrier_least returns a lower bound, from the barrier at lo. `most` is a known upper bound. `width`
- * is the difference of ln r, or of s, between hi and lo. */
+/*
+ * strip_barrier_most returns an upper bound on all barriers in the strip, from the barrier at hi.
+ * strip_barrier_least returns a lower bound, from the barrier at lo. `most` is an upper bound that is already
+ * known. `width` is the width of the strip: the difference of ln r, or of s, between hi and lo.
+ */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);
 
