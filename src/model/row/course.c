@@ -77,11 +77,12 @@ struct course {
 /* A change below NOISE times the tolerance counts as a rounding error. */
 #define NOISE 64
 
-/* Changes at successive heads count as decaying if each is at most this fraction of the previous one. */
+/* If the change at each head is at most this fraction of the change at the previous head, the changes count
+ * as decaying. */
 #define DECAYS ((real)0.9)
 
-/* Runs head k with this omegasq. Returns the smallest contact force, or -1 if the head does not complete its
- * motion. */
+/* Runs head k as if it had been hit with this omegasq. Returns the smallest contact force, or -1 if the head
+ * does not complete its motion. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Describes a finite row as a chain. Two neighbours form a joint, which has the geometry of a train with
- * their r, s and d. The unit of length is the height of the domino, and the unit of energy is its m g h / 2.
+ * Describes a finite row as a chain, so that the formulas for trains can be used. Two neighbours form a
+ * joint. The joint has the geometry of a train with the r, s and d of these two dominoes. Each domino has
+ * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
 #include "dynamics/walls.h"
@@ -55,14 +56,17 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* If a sum along the chain ends at domino k, dominoes k - 1, k - 2, ... are left out. `weights` and
-     * `moments` are upper bounds on their weights and moments of inertia, divided by those of domino k. */
+    /*
+     * A sum along the chain may end at domino k and leave out the dominoes k - 1, k - 2, ... To know how much
+     * is left out, upper bounds are needed. `weights` is a bound on the weights of the dominoes left out, as
+     * a multiple of the weight of domino k. `moments` is the same bound for moments of inertia.
+     */
     real weights = geometry->weight * follower->steepest / geometry->steepest *
                    (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While the domino leans backwards, the slope is 1 + r L |x| / Y. Y is smallest for an upright
-         * domino. */
+        /* While the domino leans backwards, the slope is 1 + r L |x| / Y. The denominator Y is smallest when
+         * the domino is upright, so its value there gives an upper bound on the slope. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
@@ -97,7 +101,8 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : lies;
 }
 
-/* Returns the tilt at which domino k, as a head, hits the next domino or lies on the floor. */
+/* Returns the tilt at which the motion of domino k as a head ends. There it hits the next domino, or lies on
+ * the floor if there is nothing to hit. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
@@ -189,14 +194,15 @@ static bool walls_room(const struct row_request *row, size_t k, const struct blo
     return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
-/* Returns true if a leaning domino stands, that is, does not tip over either edge of its foot. */
+/* Returns true if a leaning domino stands by itself. It must not tip over the front edge or the back edge of
+ * its foot. */
 static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
 {
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Checks that the values of a domino, and the values computed from them, are in the range of the
- * precision. */
+/* Checks the values of domino k, and the values that are computed from them. The kernel must be able to
+ * represent all of them in its precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

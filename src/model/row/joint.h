@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks the dominoes of a row, and describes each joint (contact between neighbours) as if it were in a
- * train. */
+/* Checks the dominoes of a row. Describes each joint, that is, the contact of two neighbours, as if these
+ * were dominoes of a train. */
 #ifndef DOM_JOINT_H
 #define DOM_JOINT_H
 
 #include "dynamics/choose.h"
 
 /*
- * A head still reaches the next domino if the gap exceeds the height of the head by this fraction. In a row
- * made from a train with r = 1/s, the gap equals the height except for rounding errors. These come from r,
- * two powers, four products and the kernel's precision.
+ * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
+ * height of the head by this fraction. Example: if a row is made from a train with r = 1/s, the gap should
+ * equal the height. But the gap has rounding errors from r, from two powers, from four products, and from the
+ * kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
@@ -23,23 +24,27 @@ struct block {
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* row_check checks a whole row, and row_domino_check only domino k. If a domino is bad, row_check sets *wrong
- * to the number of the first bad one, counted from 1. */
+/* row_check checks all dominoes of a row. If it finds a bad one, it sets *wrong to the number of the first
+ * bad domino, counted from 1. row_domino_check checks only domino k, counted from 0. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* row_make allocates memory, and fills in the geometry of the first `count` dominoes. Call
- * dynamics_end(&row[0]) afterwards, even if row_make fails. row_geometry fills in only row[k], for which it
- * uses row[k - 1]. */
+/*
+ * row_make allocates memory, and fills in the geometry of the first `count` dominoes. Afterwards, even if
+ * row_make fails, the caller must call dynamics_end(&row[0]). row_geometry fills in only the element row[k].
+ * For this, row[k - 1] must be filled in already.
+ */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row after changes of gaps. All dominoes must be plumb and have sharp edges. */
+/* Updates the geometry of a row of which only the gaps have changed. All dominoes must be plumb and have
+ * sharp edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /*
- * Finds the contact of dominoes k and k + 1, one of which leans. Also finds the tilt of domino k there.
- * Returns false if the edge of domino k misses the back face, or if the dominoes touch at the start.
+ * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
+ * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the
+ * back face of domino k + 1, or if the two dominoes touch already at the start.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 

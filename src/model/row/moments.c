@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the state of a row at given times. The motion of a head is divided into passages. A new passage
- * begins when a domino detaches. That domino then keeps its tilt. In each passage, time is a Chebyshev series
- * in the tilt of the head. */
+/*
+ * Finds the state of a row at given times. The motion of each head is divided into passages: whenever a
+ * domino detaches, a new passage begins. A detached domino keeps its tilt. In each passage, time is expressed
+ * as a Chebyshev series in the tilt of the head. The tilt at a given time is the root of this series.
+ */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -21,7 +23,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and angular velocities of all moving dominoes from those of the head, in rad and rad/s. */
+/* Sets the tilts and angular velocities of all moving dominoes, in rad and rad/s. The arguments `theta` and
+ * `omega` are those of the head. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -36,8 +39,8 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* All n dominoes lean on each other, so only a rounding error at the end of a passage can make
-         * `leads` false. */
+        /* All n dominoes lean on each other, so `leads` should be true. Only a rounding error at the end of a
+         * passage can make it false. */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
@@ -64,16 +67,18 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns a scale for the tilts: the last tilt, or the range of the tilts if the head leans backwards at
- * first. */
+/* Returns a scale for the tilts in a passage. The scale is the last tilt. If the head leans backwards at
+ * first, the scale is the range of the tilts. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
 /*
- * Returns the integrand, at x, for the time until the head comes to rest at the tilt b = `to`. Near b,
- * 1/omega grows like (b - theta)^(-1/2). With theta = b - (b - lo) x^2, the time is a smooth function of x.
+ * The time until the head comes to rest, at the tilt b = `to`, is an integral over the tilt theta. Its
+ * integrand 1/omega grows like (b - theta)^(-1/2) near b, so it cannot be integrated directly. The
+ * substitution theta = b - (b - lo) x^2 removes the infinity, and time becomes a smooth function of x.
+ * Returns the new integrand at x.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -114,9 +119,11 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* passage_tilt finds the root of this function. Returns the time from the beginning of the passage to the
- * tilt `at`, minus s->into. If s->rests is true, `at` is the variable x of slowness_to_rest, and the time is
- * counted from x until the head comes to rest. */
+/*
+ * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. passage_tilt finds the
+ * root of this function. If s->rests is true, `at` is not a tilt, but the variable x of slowness_to_rest. The
+ * time then runs from x until the head comes to rest.
+ */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -164,8 +171,11 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* The series is needed if requested times lie in this passage, or if its duration is unknown. An unknown
-     * duration means that the run ends here. watch_rest then needs the time of the end. */
+    /*
+     * The series is needed in two cases. In the first case, requested times lie in this passage. In the
+     * second case, the duration of the passage is unknown, because the run ends here; watch_rest then needs
+     * the time of the end.
+     */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -246,20 +256,26 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi beyond theta_u at the time `left`, in tau, before a domino with rounded edges hits
- * the next one. */
+/* A domino with rounded edges tips over from theta_u, and will hit the next domino. Returns its angle phi
+ * beyond theta_u at the time `left` before the hit, in tau. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The moment of inertia is at least a quarter of its value for sharp edges. In each tau, p therefore
-     * grows by at most sqrt(2 R), where R is the reach. This bound yields `first`. */
+    /*
+     * The root p lies between `first` and the value of p at the hit. The moment of inertia is at least a
+     * quarter of its value for sharp edges. So in each tau, p grows by at most sqrt(2 R), where R is the
+     * reach. This gives `first`.
+     */
     real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
 }
 
-/* Let theta_u + phi be the tilt of a single domino. With sharp edges, tau^2 omega^2 = 2 u sin^2(phi / 2),
- * where u = sqrt(1 + d^2) is the reach. So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
+/*
+ * A single domino tips over from theta_u. Let its tilt be theta_u + phi. With sharp edges, tau^2 omega^2 = 2
+ * u sin^2(phi / 2), where u = sqrt(1 + d^2) is the reach. So at the time t in tau, tan(phi / 4) is
+ * proportional to exp(t sqrt(u / 2)).
+ */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

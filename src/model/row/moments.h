@@ -22,8 +22,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    /* the time at which the tilt is to be found, in tau from the beginning of the passage. If `rests` is
-     * true, the time is counted backwards from the end. */
+    /* the time at which the tilt of the head is to be found, in tau. If `rests` is false, this time is
+     * counted from the beginning of the passage. If `rests` is true, it is counted backwards from the end. */
     real into;
     struct num_series series;
 };
@@ -44,16 +44,17 @@ struct watch {
 KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
 KERNEL void watch_free(struct watch *watch);
 
-/* Reports the states at requested times before the first hit, while the first domino tips over its edge. */
+/* Reports the states at those requested times that lie before the first hit. Until then, the first domino
+ * tips over its edge. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
-/* Reports the states at requested times in one passage. The passage ends at the tilt `to`. `lasts` is its
- * duration in tau, or NaN if unknown. */
+/* Reports the states at those requested times that lie in one passage. The passage ends when the head has the
+ * tilt `to`. `lasts` is the duration of the passage in tau, or NaN if the duration is unknown. */
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Stores the tilts of the dominoes that detach at the end of a segment. The first `moving` dominoes, counted
- * from the head, do not detach. */
+/* Stores the tilts of the dominoes that detach at the end of a segment; they keep these tilts. The first
+ * `moving` dominoes, counted from the head, do not detach. */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head,
                                     size_t moving);
 

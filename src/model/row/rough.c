@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/rough.h"
 
-/* A verdict is certain if the margin exceeds ROUGH_CLEAR times the estimated error, and ROUGH_ROOM times the
- * energy. */
+/* A rough computation has errors. Its verdict counts as certain if the margin is larger than ROUGH_CLEAR
+ * times the estimated error, and also larger than ROUGH_ROOM times the energy. */
 #define ROUGH_CLEAR 8
 #define ROUGH_ROOM  ((real)1 / 64)
 
@@ -53,8 +53,8 @@ static bool rough_sharp(const struct geometry *head, struct tilt tilt, struct ro
     return true;
 }
 
-/* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometric
- * functions. */
+/* Finds the equation of motion as a function of p = tan(theta / 2). Unlike theta itself, p needs no
+ * trigonometric functions. */
 static bool rough_rate(real p, void *context, struct num_rate *rate)
 {
     const struct geometry *head = ((const struct rough_context *)context)->head;

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rough computation of a head's motion with friction. Eight evaluations of the equation of motion give a
- * few digits and an error estimate, which suffice for most verdicts. */
+/*
+ * A quick, rough computation of a head's motion with friction. It evaluates the equation of motion only eight
+ * times. This gives a few digits of omegasq, and an estimate of the error. For most verdicts, a few digits
+ * suffice.
+ */
 #ifndef DOM_ROUGH_H
 #define DOM_ROUGH_H
 
@@ -17,12 +20,15 @@ struct rough_motion {
 /* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
 KERNEL real rough_error(const struct geometry *head);
 
-/* Returns true if the head certainly reaches the tilt 2 atan hi. The dominoes must be plumb, and no contact
- * force may be negative. */
+/* Returns true if it is certain that the head reaches the tilt theta with tan(theta / 2) = `hi`. All dominoes
+ * must be plumb. The caller must make sure that no contact force is negative. */
 KERNEL bool rough_reaches(struct rough_motion *s, const struct geometry *head, real hi, real omegasq);
 
-/* Sets *after to omegasq at the end of the motion, and *after_off to a bound on its error. Returns false if
- * the head may come to rest earlier. The dominoes must be plumb, and no contact force may be negative. */
+/*
+ * Computes the motion of a head to its end. Sets *after to omegasq at the end, and *after_off to a bound on
+ * the error in *after. Returns false if the head may come to rest earlier. All dominoes must be plumb. The
+ * caller must make sure that no contact force is negative.
+ */
 KERNEL bool rough_descend(struct rough_motion *s, const struct geometry *head, real omegasq, real *after,
                           real *after_off);
 

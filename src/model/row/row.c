@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of dominoes. Each domino has its own size, weight and gap. The dominoes before the head lean
- * on it in a chain. Energies, motion and collisions are computed as for a train, with two differences:
- * - Each head begins with the energy that the previous head leaves to it, since no cycle repeats.
- * - A domino that detaches takes along all dominoes that lean on it.
+ * Runs a finite row of dominoes. Each domino has its own size, weight and gap. The dominoes before the head
+ * lean on it in a chain. Energies, motion and collisions are computed as for a train, with two differences:
+ * - In a train, the same cycle repeats. In a row, each head begins with the energy that the previous head
+ * leaves to it.
+ * - If a domino detaches, all dominoes that lean on it detach from the chain as well.
  *
- * The units of length, energy and time are the current head's height, m g h / 2 and tau.
+ * The unit of length is the height of the current head, the unit of energy is its m g h / 2, and the unit of
+ * time is its tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends. If `used_up` is true, the energy runs out there. Otherwise
- * friction stops or locks the head. */
+/* Finds the tilt at which the motion of a head ends early. If `used_up` is true, it ends because the head has
+ * used up its energy. If `used_up` is false, it ends because friction stops or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -52,8 +54,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes one segment and prepares the next. For a stopped head, only finds the energy that the segment
- * would need. */
+/* Computes the motion of the head in one segment, and prepares the next segment. If the head has already
+ * stopped, only finds the energy that it would need for the segment. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -67,8 +69,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->moving);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* Converts the margin to an energy at the launch. With friction, only the fraction st->gain of a change
-     * in omegasq at the launch arrives here. */
+    /* The margin is the energy to spare at the launch of the head. With friction, a change of omegasq at the
+     * launch is only partly felt in this segment. The fraction that is felt is st->gain. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
@@ -90,8 +92,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /*
- * Finds the inertia J of all moving dominoes after head k is hit. Without a closed form, sums along the chain
- * are slow. The inertia ratio then gives J, unless friction has changed this ratio.
+ * Finds the inertia J of all moving dominoes after head k is hit. If there is no closed form, a sum along the
+ * chain would be slow, so the inertia ratio gives J instead. But friction changes the inertia ratio, so with
+ * friction the sum is computed.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
@@ -154,8 +157,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is its lost potential
- * energy (9; b5). */
+/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is the potential energy
+ * that it has lost (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -191,8 +194,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Head k touches the next domino, and one of the two leans. Returns how the fall ends, or DOM_ROW_FALLS if
- * it goes on. */
+/* Finds what happens when head k reaches the next domino, if at least one of the two leans. Returns how the
+ * fall ends, or DOM_ROW_FALLS if it goes on. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;
@@ -267,7 +270,8 @@ KERNEL void row_launch(struct run *run)
     run->moving = 1;
 }
 
-/* Runs a stopped head k again, with slightly more energy than it needs, so that the run can go on. */
+/* Called when head k has stopped, but the run must go on. Runs head k again, with slightly more energy than
+ * it needs. */
 static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
 {
     const real more = 1 + (real)1e-4;

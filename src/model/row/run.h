@@ -17,8 +17,8 @@ struct run {
     bool forces;   /* true if the smallest contact force is wanted, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* for the collision that set the head in motion: J(0) - 1, or with friction A(0) - 1; 0 if there was no
-     * collision */
+    /* inertia ratio of the collision that set the head in motion. Without friction, the ratio is J(0) - 1.
+     * With friction, it is A(0) - 1. If there was no collision, it is 0. */
     real inertia_ratio;
     real time;           /* time since the start in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */
@@ -46,11 +46,14 @@ KERNEL void row_launch(struct run *run);
 /* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Runs head k from its first to its last tilt, without updating the verdict. *d receives the final state. */
+/* Runs head k from its first tilt to its last tilt, and stores the final state in *d. Unlike row_head, does
+ * not update the verdict. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Computes the collision of head k with domino k + 1, which becomes the head. *at and *hitting are the state
- * and the geometry of head k. If the fall ends here, sets run->verdict.end. */
+/*
+ * Computes the collision of head k with domino k + 1, which then becomes the head. The arguments *at and
+ * *hitting are the state and the geometry of head k at the hit. If the fall ends here, sets run->verdict.end.
+ */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
 

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
- * the energy exceeds the barrier, and that no contact force is negative. One pass down the chain then gives
- * the energy of the next head. The pass needs the tilts at two times: when the head is hit (mostly known from
- * the previous pass), and when the head hits the next domino. If the bounds are not sharp enough, or if a
- * domino detaches, row_head runs the head.
+ * Runs many rows with random errors as fast as possible, since only the verdict on each row is wanted.
+ *
+ * A head need not be run precisely if it clearly keeps falling. For most heads, quickly computed bounds show
+ * that the energy exceeds the barrier, and that no contact force is negative. The energy of the next head
+ * then follows from one pass down the chain. This pass needs the tilts at two times: when the head is hit,
+ * and when the head hits the next domino. The tilts at the first time are mostly known from the pass for the
+ * previous head.
+ *
+ * If the bounds are not sharp enough, or if a domino detaches, row_head runs the head.
  */
 #include "row/rough.h"
 #include "row/run.h"
@@ -14,8 +18,8 @@ struct random_row {
     struct row_request request;
     bool plain; /* true if the edges are sharp and the dominoes are plumb */
     bool rolls; /* true if the edges are rounded and there is friction */
-    /* True if there is friction. A rough run then comes first, and a precise run follows if the verdict is in
-     * doubt. */
+    /* True if there is friction. Each row is first run roughly. Only if the verdict is then in doubt, the row
+     * is run again, precisely. */
     bool has_friction;
     bool rough, doubt;
     struct rough_motion motion;
@@ -25,15 +29,17 @@ struct random_row {
     /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
     struct link *link;
     size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
-    /* The dynamics for which dynamics_begin was called, or NULL. geometry[0].dynamics may change later, since
-     * a random row may have no friction. */
+    /*
+     * The dynamics for which dynamics_begin was called, or NULL if it was not called. This value is kept
+     * because geometry[0].dynamics may change later: one random row may have friction, and the next one none.
+     */
     const struct dynamics *begun;
 };
 
 /*
- * Sums along a chain between two tilts of its head. A few digits suffice, so rounding errors are not
- * compensated. With a = `rise` and b = `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2. So the barrier is
- * at most a^2 / (2 b).
+ * Sums along a chain while its head turns from one tilt to another. A few digits of these sums suffice, so
+ * rounding errors are not compensated. The sums yield an upper bound on the barrier. With a = `rise` and b =
+ * `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, and the maximum of the right side is a^2 / (2 b).
  */
 struct glide {
     real J, dH;
@@ -44,7 +50,8 @@ struct glide {
     bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds a domino to the sums. Its state is *b at the first tilt of the head, and *a at the last tilt. */
+/* Adds a domino to the sums. Its state is *b when the head has its first tilt, and *a when the head has its
+ * last tilt. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -60,8 +67,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Computes the bound `curve` for the next domino. From *b to *a, X and theta_1' decrease. Y is smallest at *a
- * or at *b. */
+/* Computes the bound `curve` for the next domino. From the state *b to the state *a, X and theta_1' decrease.
+ * So both are largest at *b. Y is smallest at one of the two states, and this smallest value is used. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -70,7 +77,8 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->contact_slope * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The bound on the barrier ignores the chain's last dominoes, so the energy must exceed it by this factor. */
+/* The last dominoes of the chain are left out of the bound on the barrier. To make up for this, the energy
+ * must exceed the bound by this factor. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
 /* Returns true if the kinetic energy certainly exceeds the barrier. */
@@ -84,8 +92,8 @@ static bool glide_passes(const struct glide *g, const struct link *head, real ki
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true if all dominoes after *a are negligible. `shrink` is g->t of the next domino divided by
- * g->t. */
+/* Returns true if all dominoes after *a are negligible, so that the sums may end there. `shrink` is g->t of
+ * the next domino, divided by g->t of the current one. */
 static bool glide_done(struct glide *g, const struct link *a, real shrink, real tol)
 {
     const struct geometry *self = a->geometry;
@@ -99,8 +107,11 @@ static bool glide_done(struct glide *g, const struct link *a, real shrink, real 
     return true;
 }
 
-/* Returns the state of domino j, which leans on `leader`, when the head is hit. If j >= known, the stored
- * chain contains domino j. */
+/*
+ * Returns the state of domino j at the moment when the head is hit. Domino j leans on `leader`. If j >=
+ * `known`, the state is known from the stored chain. If j < `known`, it is computed from the state of
+ * `leader`.
+ */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;
@@ -187,7 +198,8 @@ static bool head_certain(struct random_row *s, const struct run *run, size_t k, 
            (s->plain ? head_goes(s, run, k, at) : s->rolls && s->rough && head_rolls(s, run, k, at));
 }
 
-/* Computes the collision of head k with the next domino. The relative error in omegasq does not change. */
+/* Computes the collision of head k with the next domino. The collision does not change the relative error in
+ * omegasq. */
 static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
                                   const struct geometry *hitting, const struct start *at)
 {
@@ -196,11 +208,12 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A rough run trusts the sign of a contact force above this fraction of the pushed domino's weight. */
+/* After a rough run, the sign of a contact force is certain only if the force is large enough. It must exceed
+ * this fraction of the weight of the pushed domino. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. Sets s->doubt if an error of s->motion.off in omegasq may change the
- * verdict. */
+/* Runs head k as in any other row. In a rough run, omegasq has an error of up to s->motion.off. Sets s->doubt
+ * to true if such an error may change the verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;

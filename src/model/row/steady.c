@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A motion is repeated only if the equal dominoes outnumber the longest pass along a chain by at least
- * STEADY_MORE. */
+/* A motion can be repeated only if the head stands in a long sequence of equal dominoes. The sequence up to
+ * the head must be longer, by at least STEADY_MORE, than the longest pass along a chain. */
 enum { STEADY_MORE = 2 };
 
-/* Of the equal dominoes at the end of a row, only about STEADY_FIRST have their geometry filled in before the
- * run. */
+/* A row may end with a long sequence of equal dominoes. Only about the first STEADY_FIRST of them have their
+ * geometry filled in before the run. */
 enum { STEADY_FIRST = 256 };
 
-/* A motion is repeated if all later heads together would change omegasq by at most this fraction of the
- * tolerance. */
+/* A motion is repeated when omegasq hardly changes any more. All further changes of omegasq together must be
+ * at most this fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */

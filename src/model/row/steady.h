@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a long sequence of equal dominoes, all heads eventually move alike. Then the last computed motion is
- * repeated. */
+/* Makes long sequences of equal dominoes fast. In such a sequence, all heads eventually move alike. From then
+ * on, heads are no longer computed, and the last computed motion is repeated. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -11,23 +11,27 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* increase in the number of moving dominoes from head to head: 0 or 1 */
     size_t more;
-    /* true if the motion is steady: the next head repeats it if two more dominoes equal the current one */
+    /* true if the motion is steady. The next head then repeats the motion, provided that the next two
+     * dominoes both equal the current one. */
     bool found;
 };
 
 /* Fills in the geometry of the dominoes up to domino k, if this has not been done yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns the number of dominoes whose geometry is filled in before the run. All later dominoes equal the
- * last of these, so filling in their geometry cannot fail. */
+/*
+ * Returns the number of dominoes whose geometry is filled in before the run. The geometry of later dominoes
+ * is filled in only when it is needed. This cannot fail, because all later dominoes equal the last domino
+ * that is filled in before the run.
+ */
 KERNEL size_t steady_made(const struct row_request *request);
 
-/* Called when head k begins to move. If it repeats the previous motion, fills in *fall, advances the run and
- * returns true. */
+/* Called when head k begins to move. If head k repeats the motion of the previous head, fills in *fall,
+ * advances the run and returns true. Otherwise returns false. */
 KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall);
 
 /* Called when head k has hit the next domino. Determines whether the next domino will repeat the motion of
- * head k, which began with the omegasq `before`. */
+ * head k. The argument `before` is the omegasq with which head k began to move. */
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
