@@ -73,7 +73,7 @@ END
     wrong 'let x =' "the value of 'x' is missing"
     wrong 'let x 2' "enter, for example, 'let x"
     wrong 'let f(a = 3' 'enter, for example,'
-    wrong 'let f(a,b,c,d,e) = 3' 'a function of 1 .. 4 values'
+    wrong 'let f(a,b,c,d,e) = 3' 'a function with 1 to 4 arguments'
     wrong 'let f(a,a) = 3' "two values of 'f' have the same name 'a'"
     wrong 'let f(a) = a +' "ends before '\+'"
     wrong 'let f(a) = (a' "this '\(' is never closed"
