@@ -9,8 +9,8 @@
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest ratio of kinetic energy to barrier, over all separations, for equal dominoes with
- * friction mu. */
+/* Returns the largest safety that equal dominoes with the friction mu can have. The safety is the ratio of
+ * kinetic energy to barrier. It depends on the separation, so several separations are tried. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;
@@ -27,8 +27,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, up to the scene's friction, at which equal dominoes have this safety.
- * Returns 0 if there is none. */
+/* Looks for a friction, not above that of the scene, at which equal dominoes can have this safety. Returns
+ * the largest one, or 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -133,8 +133,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* Finds out whether a design would be possible without the boards and the grid. If so, writes to `reason`
- * that they rule it out, and returns true. */
+/* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
+ * without them. In this case, `reason` receives a message that says so. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;

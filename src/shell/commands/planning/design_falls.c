@@ -9,7 +9,8 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search tries rows of at most DOMINOES_MOST dominoes. It runs random rows for at most MORE designs. */
+/* The search ends at DOMINOES_MOST dominoes. It also ends after random rows have been run for MORE
+ * designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
 /* The table also shows this many designs with more dominoes than necessary. */

@@ -42,9 +42,10 @@ bool design_scene(const struct scene *from, const struct domq_design *design, co
 
 enum { REASON = 640 };
 
-/* Finds the design with the fewest dominoes that falls with the given probability. The lower end of the 95 %
- * interval must reach `probability`. Prints a table of the designs that were tried. If there is no design,
- * `reason` says why, and design->limit is not DOM_DESIGN_FITS. */
+/* Finds the design with the fewest dominoes that falls with the given probability. The probability is
+ * measured with random rows, so it is known only to within a 95 % interval: the lower end of this interval
+ * must reach `probability`. Prints a table of the designs that were tried. If there is no design, `reason`
+ * says why, and design->limit is not DOM_DESIGN_FITS. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real probability, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem);

@@ -91,8 +91,9 @@ struct improved {
     bool interrupted;           /* true if ^C ended the search: the row is the best one so far */
 };
 
-/* Improves the row of the scene, prints the changes, and stores the row in the next state, if there is one.
- * Returns false after an interrupt. found->interrupted is then true if the best row so far was stored. */
+/* Improves the row of the scene, and prints the changes. If there is a next state, stores the row in it.
+ * Returns false after an interrupt. The best row so far may still have been stored: found->interrupted is
+ * true in this case. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
                  struct improved *found, struct problem *problem);
 

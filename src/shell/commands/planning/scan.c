@@ -84,7 +84,8 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points with opposite signs of f. If f jumps past 0 there, stores the jump. */
+/* Finds the root between two points at which f has opposite signs. If f has no root there, but jumps from one
+ * sign to the other, stores the place of the jump. */
 static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -102,8 +103,8 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* If the answer jumps past the value, the solver ends at the jump, where the answer is not
-     * close to the value. */
+    /* The solver also stops at a place where the answer jumps past the value. There the answer is not close
+     * to the value, and this shows that x is no root. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -127,8 +128,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Bisects between `good`, where is_good is true, and `bad`, where it is false. Returns the good point closest
- * to a bad one. */
+/* Finds where is_good changes, by bisection. It is true at the point `good`, and false at the point `bad`.
+ * Returns a point where it is true, as close as possible to the change. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
@@ -167,8 +168,10 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         root_between(s, a, b);
 }
 
-/* Near an extremum, the answer may cross the value twice between two points of the grid. If m is the extremum
- * of three points, refines it by a golden-section search, and finds the roots on both sides. */
+/* Near a maximum or a minimum, the answer may cross the value twice between two points of the grid, and then
+ * both points are on the same side of the value. If m is the highest or the lowest of three points, a
+ * golden-section search looks for a point on the other side of the value. If it finds one, there is a root to
+ * the left of this point, and another one to the right. */
 static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

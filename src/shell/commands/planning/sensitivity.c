@@ -45,7 +45,8 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the larger of |less| and |more|. Ignores an unknown change, and returns -1 if both are unknown. */
+/* Returns the size of an influence: the larger of |less| and |more|. If one of them is unknown, returns the
+ * other one, and if both are unknown, returns -1. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -61,8 +62,8 @@ static int compare(const void *one, const void *other)
     return sa > sb ? -1 : sa < sb ? 1 : strcmp(a->parameter->name, b->parameter->name);
 }
 
-/* Returns the change in the answer, divided by |now| unless `now` is 0. A change within 10 times the
- * tolerance counts as 0. */
+/* Returns the relative change of the answer if the parameter is set to `value`. If the answer is 0 now,
+ * returns the change itself. A change of at most 10 times the tolerance counts as 0. */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
     domq_real by = probe_at(p, value) - now, size = quad(fabs)(now);

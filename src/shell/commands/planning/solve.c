@@ -10,7 +10,8 @@
 
 /* ---- The question ---- */
 
-/* The usual range of a parameter, which is searched by default. The range of allowed values is too wide. */
+/* The usual range of a parameter. If the user gives no range, this one is searched, because the range of all
+ * allowed values is too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;

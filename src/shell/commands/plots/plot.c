@@ -165,8 +165,9 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     }
 }
 
-/* Parses the text after the name of a plot. Keywords may stand before or after the plot's argument. If the
- * argument is a grid or a fit, they must stand before it, because it extends to the end of the command. */
+/* Parses the text after the name of a plot. Keywords may stand before or after the plot's argument. There is
+ * one exception: if the argument is a grid or a fit, it extends to the end of the command, so keywords must
+ * stand before it. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];

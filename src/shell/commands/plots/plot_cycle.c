@@ -10,11 +10,13 @@
 
 enum { STEPS = 160 };
 
-/* If the train stops, the chart extends to this multiple of the tilt at the stop, to show the barrier. */
+/* If the train stops, the barrier lies beyond the tilt at which it stops. To show the barrier, the chart
+ * extends to this multiple of that tilt. */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
-/* A line is drawn for domino i only if, at the launch, theta_f - theta_i > LINES_APART theta_f. */
+/* The lines of distant dominoes would lie too close to the line for theta_f. A line is drawn for domino i
+ * only if theta_f - theta_i > LINES_APART theta_f at the launch. */
 #define LINES_APART ((domq_real)2 / 100)
 
 struct cycle {
@@ -69,7 +71,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the lines that 'plot chain' draws. The lines of further dominoes would lie too close to theta_f. */
+/* Counts the lines that 'plot chain' draws: see LINES_APART. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;

@@ -11,8 +11,9 @@
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-/* Chooses the largest size of the errors in the chart, well above the size at which half of the rows fall.
- * `now` is the size that 'effect placement' sets, or NaN if the effect is off; the chart includes it. */
+/* Chooses the largest size of the errors in the chart. With this size, most of the random rows must stop, so
+ * it is well above the size at which half of the rows fall. The chart also includes the size `now` that
+ * 'effect placement' has set. If this effect is off, `now` is NaN. */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
 {

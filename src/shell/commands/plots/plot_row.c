@@ -49,7 +49,8 @@ static void fall_axes(const struct row_run *run, struct chart *chart)
     chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
 }
 
-/* Marks the dominoes that need no energy, the weakest one, and the one at which the fall ends. */
+/* Marks three kinds of dominoes: those that need no energy to fall, the weakest one, and the one at which the
+ * fall ends. */
 static void fall_marks(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -117,7 +118,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    /* Numbers begin at 1 and indices at 0, so the number of a domino is the index of the next domino. */
+    /* The number of a domino begins at 1, and its index at 0. The number of one domino is therefore the index
+     * of the next one. */
     size_t next = run->fall[i].domino;
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;
@@ -172,14 +174,16 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns the distance from a gap to the nearer end of its window, or infinity if it has no window. */
+/* The window of a gap is the range of sizes with which the row falls. Returns the distance from the present
+ * size to the nearer end of the window, or infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Notes which gap has the tightest limits or, if the row does not fall, which gap could save it. */
+/* Writes the note below the chart. If the row falls, the note tells which gap has the tightest limits. If the
+ * row does not fall, it tells which gap could be changed so that the row falls. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

@@ -11,9 +11,9 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* Computes the rows of a plot, and writes them to `a`. `chart` is NULL if the output is csv or json.
- * Otherwise the function adds notes and marks to the chart, and plot_write adds the curves that struct plot
- * defines. On failure, sets *problem and returns false. */
+/* Computes the rows of a plot, and writes them to the answer `a`. For csv and json, nothing else is needed,
+ * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. It leaves the curves to
+ * plot_write, which finds them in struct plot. On failure, sets *problem and returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain;
@@ -40,8 +40,8 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    /* Key of the column that gives the unit of the axis. The x axis also gets its values from this column.
-     * NULL for a y axis without a unit. */
+    /* Key of the column that belongs to the axis. It gives the unit of the axis, and for an x axis also the
+     * values. NULL for a y axis that has no unit. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
     bool percent;      /* show the numbers as percentages */
@@ -75,7 +75,8 @@ struct plot {
 bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
                 struct answer *a, struct problem *problem);
 
-/* The keywords for the look of a chart. The keyword for x is followed by the keyword for y. */
+/* The keywords for the look of a chart. In pairs of keywords for the two axes, the keyword for y comes
+ * directly after the keyword for x. */
 enum look_word {
     LOOK_WIDTH,
     LOOK_HEIGHT,

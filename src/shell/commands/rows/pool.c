@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes a study of random rows in parts. Each part writes counts for blocks of 100 rows. The command
- * 'pool' adds the counts, and prints the answer that 'placement' would have printed. */
+/* Computes a study of random rows in parts, for example on several computers. Each part writes counts for
+ * blocks of 100 rows. The command 'pool' reads the blocks of all parts and adds the counts. It then prints
+ * the answer that 'placement' would have printed for the whole study. */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
 #include "session/random_errors.h"
@@ -81,8 +82,8 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes "5:12 6:3" if 12 rows stop at domino 5, and 3 rows at domino 6. Each entry begins with the prefix.
- * Returns the length of the text. */
+/* Writes how many rows stop at each domino. For example, "5:12 6:3" means that 12 rows stop at domino 5, and
+ * 3 rows at domino 6. Each entry begins with the prefix. Returns the length of the text. */
 static int stops_text(const size_t *stops, size_t count, const char *prefix, char *text, int size)
 {
     int n = 0;
@@ -93,8 +94,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes entries such as "gap:98 gap@5:1" for each kind of error. Here 98 rows fall without errors in the
- * gaps. With these errors, 1 of the 98 rows stops at domino 5. */
+/* Writes how many rows fall if one kind of error is left out. For example, "gap:98 gap@5:1" means: without
+ * errors in the gaps, 98 rows fall. With these errors, 1 of the 98 rows stops at domino 5. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';

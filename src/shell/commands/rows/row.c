@@ -201,7 +201,8 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit. Decides whether the value replaces the old value, is added to it, or multiplies it. */
+/* Checks the unit of the new value. Decides what happens to the old value: it is replaced by the new value,
+ * or the new value is added to it, or it is multiplied. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {

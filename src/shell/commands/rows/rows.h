@@ -54,13 +54,13 @@ struct study {
     size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
 };
 
-/* Runs a study of the scene's row with `rows` random rows. `error` receives the sizes of the errors. If the
- * scene has no errors, study->rows is 0. */
+/* Runs a study of the scene's row with `rows` random rows. Stores the sizes of the scene's errors in `error`.
+ * If the scene has no errors, runs nothing and sets study->rows to 0. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_random_error error[DOM_ERROR_COUNT]);
 
-/* Runs a study. If there are several kinds of errors, runs the rows again with each kind left out in turn.
- * The caller frees study->stops, even after a failure. */
+/* Runs a study. If there are several kinds of errors, finds out which of them matter: for each kind, runs the
+ * rows again without errors of this kind. The caller frees study->stops, even after a failure. */
 enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
                                       const struct domq_placement *placement, struct study *study);
 
@@ -81,8 +81,9 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* kind[K][k] is the window of kind K, an enum dom_window_of, for domino k, counted from 0. The friction
-     * is the same for all dominoes, and has its window in kind[DOM_WINDOW_FRICTION][0]. */
+    /* kind[K][k] is the window of domino k, counted from 0, for the kind of window K, which is an enum
+     * dom_window_of. All dominoes have the same friction, so there is only one window for it:
+     * kind[DOM_WINDOW_FRICTION][0]. */
     struct domq_window *kind[WINDOW_KINDS];
     /* For each kind of window, the number of one domino, or 0. If the row falls, it is the domino with the
      * tightest limits. If the row does not fall, only leans are considered: critical[DOM_WINDOW_LEAN] is the

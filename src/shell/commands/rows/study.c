@@ -96,7 +96,8 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 if the share has at most two decimals, 1000 if it has three, and 0 otherwise. */
+/* Finds out how to write a share as a fraction. Returns 100 if the share has at most two decimals, as in "95
+ * of 100", and 1000 if it has three. Returns 0 if it has more. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -130,7 +131,8 @@ struct budget_call {
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns an error with its unit or, for a budget of all errors, the factor that multiplies them. */
+/* Returns the size of an error with its unit. In a budget of all errors together, `size` is a factor that
+ * multiplies the errors, and has no unit. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);

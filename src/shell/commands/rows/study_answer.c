@@ -51,8 +51,8 @@ enum dom_status study_run_with_causes(const struct domq_row *row, const struct d
                : domq_placement_study(row, compute, p, &study->result, study->stops);
 }
 
-/* Iterates over the indices of number[0 .. count - 1], from the largest number to the smallest, without
- * zeros. Returns the index after `last`, or `count` at the end. To begin, pass `count` as `last`. */
+/* Visits the positive numbers in number[0 .. count - 1], the largest first. Returns the index of the number
+ * that follows the one with the index `last`, or `count` at the end. To begin, pass `count` as `last`. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -64,8 +64,8 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Iterates over the kinds of error, starting with the kind that makes the most rows fail. Returns the kind
- * after `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
+/* Visits the kinds of error, the most harmful first: without it, the most rows would fall. Returns the kind
+ * that follows the kind `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */

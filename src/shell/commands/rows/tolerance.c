@@ -42,15 +42,16 @@ const struct column tolerance_columns[] = {
 
 enum { KINDS = WINDOW_KINDS };
 
-/* Returns the distance from the current value to the nearer end of the window. It is negative outside the
- * window, and NaN if there is no window. */
+/* Returns the distance from the current value to the nearer end of the window. The distance is negative if
+ * the value is outside the window, and NaN if there is no window. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Returns the number of the domino that is closest to an end of its window, or 0 if there are no windows.
- * This domino has the tightest limits or, in a row that does not fall, needs the smallest change. */
+/* Finds the domino that is closest to an end of its window. If the row falls, this domino has the tightest
+ * limits. If the row does not fall, this domino needs the smallest change. Returns its number, or 0 if there
+ * are no windows. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -149,7 +150,8 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
 
 /* ---- Sentences, with windows rounded inwards ---- */
 
-/* Rounds both ends of a window inwards, each by at most a hundredth of the width of the window. */
+/* Rounds both ends of a window, so that they are easier to read. The ends move inwards, so that every value
+ * in the rounded window is allowed. Each end moves by at most a hundredth of the window's width. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
@@ -162,7 +164,8 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-/* How many digits to print for a limit, and for the current value, which was measured with a tape. */
+/* The number of digits for a limit, and for a current value. A current value needs fewer digits, because it
+ * was measured with a tape. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
 static struct measured length(domq_real value, int digits)
@@ -222,7 +225,9 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Prints how many height windows may be too narrow, because of limits of the search or of the model. */
+/* Some windows of heights may be wider in reality than they are here. The search does not try very tall
+ * dominoes, and the model does not include every contact. Prints how many windows end for each of these two
+ * reasons. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;

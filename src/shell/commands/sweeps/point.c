@@ -117,8 +117,8 @@ static int column_find(const struct column *columns, const char *key)
     return -1;
 }
 
-/* Receives a row of the answer at a point, and writes it as a row of the sweep. Columns and units may differ
- * from point to point. */
+/* A callback that receives a row of the answer at a point, and writes it as a row of the sweep. The columns
+ * of the answer, and their units, may differ from point to point. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
@@ -152,8 +152,8 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Writes the answers to a list of questions as one row, with an empty cell for a missing answer. Sets
- * w->problem and returns false if a question has an error. */
+/* Asks all questions of a list at one point, and writes the answers as one row. If an answer is missing, its
+ * cell is empty. If a question has an error, sets w->problem and returns false. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -173,8 +173,8 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Evaluates the question at point k, and writes the rows to w->to, if any. Sets w->problem and returns false
- * if the question has an error. */
+/* Evaluates the question at point k. Writes the rows of the answer to w->to, unless this pointer is NULL. If
+ * the question has an error, sets w->problem and returns false. */
 static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;

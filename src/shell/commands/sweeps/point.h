@@ -13,8 +13,8 @@ struct point_question {
 
 enum { SWEEP_REASON = 256 };
 
-/* Counts points without any answer, and points with a reason why a value is missing. A point without an
- * answer has a reason, too, and is in both counts. */
+/* Counts two kinds of points: points without any answer, and points with a reason why a value is missing. A
+ * point without an answer also has a reason, so it is in both counts. */
 struct tally {
     size_t without_answer, with_reason;
     size_t first; /* index of the first point that has a reason */
@@ -40,7 +40,8 @@ struct sweeper {
     /* query->run_context without --shard, because the answer at a point is not divided */
     struct run_context run_context;
     bool styled; /* true if the grid changes the precision or the tolerance */
-    /* This worker's part of the answer of the sweep, and the template for the answer at each point. */
+    /* Receives this worker's part of the sweep. It is also the template from which the answer at each point
+     * is made. */
     struct answer answer;
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by point_probe */
@@ -54,15 +55,16 @@ struct sweeper {
     struct problem problem;
 };
 
-/* Makes the columns of the sweep: the parameters of the grid, then the answer. Leaves out columns that only
- * repeat a parameter, or that take much longer than the others. Fails if there are too many. */
+/* Makes the columns of the sweep: first the parameters of the grid, then the columns of the answer. Two kinds
+ * of columns are left out: columns that only repeat a parameter, and columns that take much longer to compute
+ * than the others. Fails if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Computes the values of the parameters at point k. */
 void point_values(struct sweeper *w, size_t k);
 
-/* Looks for a point with an answer among the first 256. Stores its row in w->sample, and sets w->answered. If
- * the question has an error, sets w->problem and returns false. */
+/* Looks for a point with an answer among the first 256 points. If there is one, stores its first row in
+ * w->sample, and sets w->answered. If the question has an error, sets w->problem and returns false. */
 bool point_probe(struct sweeper *w);
 
 /* Callbacks of struct workers. On an error, point_write stores it in sweeper->problem and returns false. */

@@ -155,7 +155,8 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
         return point_failed(w, problem);
     a->columns = w->columns.column;
     a->csv.has_reasons = true;
-    /* The first row depends on workers and on --shard, so the layout must not depend on the first row. */
+    /* The columns must be laid out in the same way in every part of a sweep. The first row that is written
+     * cannot decide their layout, because it depends on the workers and on --shard. */
     a->layout.sample = w->answered ? w->sample : NULL;
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
