@@ -96,8 +96,7 @@ struct command {
     bool rows;             /* the answer is a table that may have several rows */
     /* The name of a parameter, if the answer has a column that only repeats the value of this parameter. A
      * sweep over the parameter has such a column already, so it leaves out the column of the answer. If an
-     * argument of the command replaces the parameter's value, as in 'rmax 0.4', the sweep keeps the column.
-     * */
+     * argument of the command replaces the parameter's value, as in 'rmax 0.4', the sweep keeps it. */
     const char *echo;
     /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions leave
      * this column out. NULL if no column is slow. */

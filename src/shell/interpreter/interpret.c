@@ -39,8 +39,9 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs one of the functions of a command. If the command has the function `act`, this function runs. If the
- * answer goes to a picture file, the function `picture` runs. Otherwise, the function `run` runs. */
+/* Runs one of the functions of a command. If the command has a function `act`, this function runs. If it has
+ * a function `picture` and the answer goes to a picture file, this function runs. Otherwise, the function
+ * `run` runs. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -124,7 +125,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
         /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
-         * not an error, so the earlier value is restored. */
+         * not an error, so the earlier value of end->error is restored. */
         end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -188,8 +189,8 @@ static bool run_into(struct session *session, const struct command *c, const str
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
-/* If an invalid command ends with a file name, as in 'draw row.png', adds a hint to type '>' before the name.
- * */
+/* The user may have forgotten the '>' before a file name. If an invalid command ends with a file name, as in
+ * 'draw row.png', adds a hint to type '>' before the name. */
 static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
 {
     const char *end = text_end(begin, ";>");

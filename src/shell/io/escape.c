@@ -11,7 +11,7 @@ enum { PLANE = 0x10000 };
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    /* the smallest code point whose UTF-8 encoding has this length in bytes */
+    /* least[n] is the smallest code point whose UTF-8 encoding has n bytes. */
     static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE};
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;

@@ -3,11 +3,11 @@
  * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all.
  * - At first, the text goes to a temporary file without a name. If the program is killed, this file vanishes.
  * - After '>', the text is then copied into a new file in the folder of the target, which is called the
- * replacement. The replacement is renamed to the target, so the target changes in a single step.
+ *   replacement. The replacement is renamed to the target, so the target changes in a single step.
  * - After '>>', the target is locked, and the text is appended to it.
  * - Some targets cannot be replaced by renaming without changing more than their contents: files that have
- * several hard links, or that belong to another user. Such a target is locked and overwritten in place. If no
- * file can be created in the folder of the target, the target is also overwritten in place.
+ *   several hard links, or that belong to another user. Such a target is locked and overwritten in place. If
+ *   no file can be created in the folder of the target, the target is also overwritten in place.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
@@ -32,8 +32,7 @@ struct file {
 };
 
 /* Opens the temporary file in the folder of the target. Sometimes the target can be written, but no file can
- * be created in its folder. In this case, opens the temporary file in the usual folder for temporary files.
- * */
+ * be created in its folder. In this case, opens the file in the usual folder for temporary files. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));

@@ -75,10 +75,9 @@ const char *file_push(struct output **top, const char *path, bool append,
  * the terminal, pushes nothing and returns false.
  * - The text goes through the pager if it fills at least `screens` screens, and does not arrive slowly.
  * - The pager is the program $PAGER or, without this variable, 'less'. If `may_run` is false, no program is
- * started, and the text is shown page by page.
+ *   started, and the text is shown page by page.
  * - If the user quits before the end, or interrupts the command, further writing fails. When the pager is
- *   then
- * popped, output_pop returns an error message.
+ *   popped, output_pop then returns an error message.
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of files that the session is writing. Before an output opens its file, the list is searched,
- * because two outputs must not write the same file. For example, an answer must not be redirected to the log.
- * */
+ * because two outputs must not write the same file. For example, no answer can be redirected to the log. */
 #ifndef SHELL_TARGET_H
 #define SHELL_TARGET_H
 
