@@ -20,8 +20,8 @@ dom_real growth(const struct planner *p, size_t steps)
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
 /* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
- * exceed the usual tolerance. So if the computation has failed because of rounding errors, sets a larger
- * tolerance in *compute and returns true. If the tolerance is already large, returns false. */
+ * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
+ * larger tolerance in *compute and returns true. If the tolerance is already large, returns false. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
