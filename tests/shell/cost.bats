@@ -9,7 +9,7 @@ load common
     run -0 "$DOMINO" -e 'cost rmax'
     for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
     [[ ${lines[-1]} =~ ^A\ proof\ to\ 12\ digits\ takes\ [0-9.e+]+\ times\ as\ long\ as\ our\ method\ without\ a\ proof\.$ ]]
-    [[ ${lines[-2]} =~ ^12\ digits\ take\ [0-9.e+]+\ times\ as\ long\ as\ 3\ digits\;\ quad\ takes\ [0-9.e+]+\ times\ as\ long\ as\ double\.$ ]]
+    [[ ${lines[-2]} =~ ^12\ digits\ take\ [0-9.e+]+\ times\ as\ long\ as\ 3\ digits\ do\;\ quad\ takes\ [0-9.e+]+\ times\ as\ long\ as\ double\.$ ]]
     grep -q "^For 6 digits the paper's recipe takes [0-9.e+]* times as long as our method\.$" <<<"$output"
     grep -q '^For 6 digits the solvers of GSL take [0-9.e+]* times as long as our method\.$' <<<"$output"
 }
