@@ -419,8 +419,8 @@ struct dom_state {
     dom_real climbed;      /* H(theta) - H(0), negative while the train is lower than at the launch */
     dom_real fallen;       /* the part of `climbed` due to dominoes that detached in this cycle */
     dom_real before;       /* kinetic energy just before the collision */
-    /* The energy that is lost in the collision. Without friction it is `before` / J(0), by equation (22;
-     * c4). */
+    /* The energy that is lost in the collision. Without friction it is `before` / J(0), by equation
+     * (22; c4). */
     dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;

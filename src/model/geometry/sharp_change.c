@@ -162,8 +162,8 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
  *
  *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b).
  *
- * G is a mean of the values of r L x / Y in the two chains. The slope of a contact is 1 - r L x / Y (14;
- * b10).
+ * G is a mean of the values of r L x / Y in the two chains. The slope of a contact is 1 - r L x / Y
+ * (14; b10).
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
