@@ -35,7 +35,7 @@ static pid_t start(void)
     return to && from ? child : -1;
 }
 
-/* Asks one question, and returns the number with this key in the answer, which is a JSON object. Ends this
+/* Asks one question and returns the number with this key in the answer, which is a JSON object. Ends this
  * program if there is no such number. */
 static double ask(const char *question, const char *key)
 {

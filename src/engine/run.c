@@ -70,7 +70,7 @@ static double time_to_hit(const struct world *w)
     return soonest;
 }
 
-/* Records how far hinges have drifted, and sets how fast they are pulled back. */
+/* Records how far hinges have drifted and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
     /* the fraction of a drift that remains after one unit of time */

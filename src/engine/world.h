@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Represents a row as bodies in a Chipmunk space, and handles their contacts. */
+/* Represents a row as bodies in a Chipmunk space and handles their contacts. */
 #ifndef ENGINE_WORLD_H
 #define ENGINE_WORLD_H
 

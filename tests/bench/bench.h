@@ -123,7 +123,7 @@ struct goal {
     const char *reason; /* why the goal may be missed; printed if it is missed; may be NULL */
 };
 
-/* Measures the questions for which people have to wait. Writes at most WAITS_MOST goals, and returns their
+/* Measures the questions for which people have to wait. Writes at most WAITS_MOST goals and returns their
  * number. Call this function before the benchmark itself takes much memory: the system counts it as memory of
  * the processes that the benchmark starts. */
 enum { WAITS_MOST = 24 };
@@ -184,7 +184,7 @@ double lengths_print(void);
 
 /* ---- growth.c ---- */
 
-/* Prints tables that show how time grows with the work, and writes a picture into the folder `build`. */
+/* Prints tables that show how time grows with the work and writes a picture into the folder `build`. */
 void growth_print(const char *build);
 
 #endif

@@ -51,7 +51,7 @@ static const struct wait {
 };
 enum { WAITS = sizeof waits / sizeof *waits };
 
-/* Runs a process several times, and returns the fastest run. */
+/* Runs a process several times and returns the fastest run. */
 static struct process least(const char *const *argv)
 {
     struct process best = {.seconds = NONE, .work = NONE, .megabytes = NONE};

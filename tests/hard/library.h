@@ -22,7 +22,7 @@ double library_unit(enum dom_precision precision);
 double library_floor(enum dom_precision precision);
 
 void library_nothing(struct answers *answers);
-/* Calls the function that computes this quantity, and stores all quantities of its result. */
+/* Calls the function that computes this quantity and stores all quantities of its result. */
 void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers);
 /* Finds the LINK_... quantities of a domino. */

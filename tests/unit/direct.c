@@ -244,7 +244,7 @@ static double potential(const struct run *run)
     return sum;
 }
 
-/* Computes everything at the state y, and updates the smallest contact force. */
+/* Computes everything at the state y and updates the smallest contact force. */
 static int look(struct run *run, const double y[])
 {
     struct direct_result *result = run->result;
@@ -319,7 +319,7 @@ static double locate(struct run *run, size_t event, double span)
     return gsl_root_fsolver_root(run->solver);
 }
 
-/* Finds the first event in the step from run->from to y, and cuts y and *span there. Returns false if there
+/* Finds the first event in the step from run->from to y and cuts y and *span there. Returns false if there
  * is none. */
 static bool first_event(struct run *run, double y[], double *span, size_t *event, const char **wrong)
 {

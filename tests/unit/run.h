@@ -19,7 +19,7 @@ struct run {
 /* Runs the row with times. */
 enum dom_status run_whole(struct run *run);
 
-/* Runs the row without times, and returns how it ends. Fails the test if there is no verdict. */
+/* Runs the row without times and returns how it ends. Fails the test if there is no verdict. */
 enum dom_row_end row_end(struct run *run);
 
 /* Returns the angular velocity in rad/s that just turns a single domino over its edge. The energy I omega^2 /

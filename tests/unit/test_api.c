@@ -56,7 +56,7 @@ static const double rounding = DBL_EPSILON;
     assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
                                   : isnan(d.error.member));
 
-/* Calls the function in both headers, and compares all members in a list. */
+/* Calls the function in both headers and compares all members in a list. */
 #define FIND(name, type, MEMBERS)                                                                            \
     static enum dom_status both_##name(const struct both *b)                                                 \
     {                                                                                                        \

@@ -189,7 +189,7 @@ TEST(growths_mends_and_pushes)
 
 /* ---- Errors of placement ---- */
 
-/* Runs tasks from the last to the first, and counts them. */
+/* Runs tasks from the last to the first and counts them. */
 static enum dom_status last_first(size_t count, dom_task *task, void *context, void *pool)
 {
     size_t *tasks = pool;

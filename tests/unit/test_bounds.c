@@ -23,7 +23,7 @@ struct strip_case {
     struct geometry at_lo, at_hi;
 };
 
-/* Returns the margin of a train in the strip, and sets *along to its ln r or its s. */
+/* Returns the margin of a train in the strip and sets *along to its ln r or its s. */
 static struct margin margin_in(struct strip_case *c, double share, double *along)
 {
     const double at = c->lo * pow(c->hi / c->lo, share);

@@ -36,7 +36,7 @@ static void random_row(struct run *run, uint64_t *seed, int kind)
 
 /* ---- Against Newton's equations ---- */
 
-/* Puts some rows on a slope, and turns the dominoes of some rows into boxes. */
+/* Puts some rows on a slope and turns the dominoes of some rows into boxes. */
 static void slope_or_walls(struct run *run, uint64_t *seed, int i)
 {
     domq_real thinnest = run->domino[0].thickness;

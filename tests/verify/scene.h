@@ -45,7 +45,7 @@ extern const double scene_bracket; /* relative width to which growths are bisect
 /* Returns the allowed difference, relative to the value. */
 double scene_uncertain(const struct found *found);
 
-/* Raises the growth from 1 until the row no longer falls, and finds the last growth at which it falls. */
+/* Raises the growth from 1 until the row no longer falls and finds the last growth at which it falls. */
 void scene_growth(const struct scene *scene, struct found *found);
 double scene_growth_of_row(const struct scene *scene);
 

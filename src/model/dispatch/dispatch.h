@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Translates the structures of the public API into requests, and chooses the kernel that answers. Callers are
+/* Translates the structures of the public API into requests and chooses the kernel that answers. Callers are
  * the public entry points (model.c), and searches that ask many questions (planning/). */
 #ifndef DOM_DISPATCH_H
 #define DOM_DISPATCH_H

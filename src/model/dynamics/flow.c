@@ -99,7 +99,7 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Finds the collision that begins a cycle, and sets inertia_ratio, J0 and J_c of *flow. The upright new head
+/* Finds the collision that begins a cycle and sets inertia_ratio, J0 and J_c of *flow. The upright new head
  * is hit by the chain of all other dominoes. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {

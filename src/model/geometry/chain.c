@@ -72,7 +72,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* Makes the geometry of a train, and converts the angle theta of its head to a tilt. */
+/* Makes the geometry of a train and converts the angle theta of its head to a tilt. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {

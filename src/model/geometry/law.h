@@ -140,7 +140,7 @@ static const struct contact_law sharp_edges, rounded_edges;
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
-/* Sets gravity, and gives the dominoes sharp edges. geometry->d must be set. */
+/* Sets gravity and gives the dominoes sharp edges. geometry->d must be set. */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
 /* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. Before the call,

@@ -37,7 +37,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     return c->status;
 }
 
-/* Converts a limit to the public structure, and adds the error bound if it is requested. */
+/* Converts a limit to the public structure and adds the error bound if it is requested. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
                                     struct dom_limit *wide)
 {

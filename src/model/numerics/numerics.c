@@ -315,7 +315,7 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Integrates a Chebyshev series of n terms, and multiplies the integral by `half`. The integral is a series
+/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The integral is a series
  * of n + 1 terms. Its constant is chosen so that it has the value `start` at -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {

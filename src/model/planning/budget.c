@@ -25,7 +25,7 @@ struct budget {
     int answers;
 };
 
-/* Runs the random rows with errors of size `sigma`, and stores in *share the fraction that falls. The random
+/* Runs the random rows with errors of size `sigma` and stores in *share the fraction that falls. The random
  * numbers are the same for every sigma, so that the fractions for two sigmas can be compared. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {

@@ -185,7 +185,7 @@ static void widths_set(struct search *s, const struct level *level, const gsl_ve
     }
 }
 
-/* Runs the random rows that decide whether a result is kept, and counts how many fall. */
+/* Runs the random rows that decide whether a result is kept and counts how many fall. */
 static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
 {
     struct dom_row row = *s->shape.row;

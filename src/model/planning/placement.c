@@ -49,7 +49,7 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs random row number i, and adds the result to the counts. If s->causes is true, also finds out which
+/* Runs random row number i and adds the result to the counts. If s->causes is true, also finds out which
  * kinds of error matter: runs the row again once for each kind of error, with this kind left out. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
@@ -80,7 +80,7 @@ static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
     return DOM_OK;
 }
 
-/* Checks the row, and prepares the kernel to run many rows of this kind. */
+/* Checks the row and prepares the kernel to run many rows of this kind. */
 static enum dom_status batch_begin(struct batch *b, const struct shared *s)
 {
     struct dom_row row = *s->row;

@@ -88,7 +88,7 @@ dom_real row_feet(const struct planner *p, struct choice c);
  * returns 0. */
 int widest(const struct planner *p, size_t steps, dom_real hall);
 
-/* Computes the chosen row with the requested precision, and writes the result to *design. */
+/* Computes the chosen row with the requested precision and writes the result to *design. */
 void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
                  struct dom_design *design);
 

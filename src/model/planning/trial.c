@@ -97,7 +97,7 @@ bool trial_falls(struct trial *t)
     return trial_judged(t);
 }
 
-/* Runs the unchanged row, and stores states from which runs of changed rows can start. */
+/* Runs the unchanged row and stores states from which runs of changed rows can start. */
 static enum dom_status trial_course(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);

@@ -54,7 +54,7 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes the motion of the head in one segment, and prepares the next segment. If the head has already
+/* Computes the motion of the head in one segment and prepares the next segment. If the head has already
  * stopped, only finds the energy that it would need for the segment. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {

@@ -46,7 +46,7 @@ KERNEL void row_launch(struct run *run);
 /* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Runs head k from its first tilt to its last tilt, and stores the final state in *d. Unlike row_head, does
+/* Runs head k from its first tilt to its last tilt and stores the final state in *d. Unlike row_head, does
  * not update the verdict. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 

@@ -126,7 +126,7 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
 
 /*
  * Returns true if it is certain that head k falls until it hits the next domino, or until it lies on the
- * floor if it is the last one. Sets *at to the state of the head at that moment, and stores the chain in
+ * floor if it is the last one. Sets *at to the state of the head at that moment and stores the chain in
  * s->link. All dominoes must be plumb and have sharp edges.
  */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)

@@ -137,7 +137,7 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 /* ---- Rows ---- */
 
 /*
- * Some numbers are too large for the precision of the output. Empties their cells, and explains why they are
+ * Some numbers are too large for the precision of the output. Empties their cells and explains why they are
  * empty. In csv and json, the explanation becomes the reason of the row, unless `reason` already gives
  * another one. In formats for people, the explanation appears below the last row. Returns the reason of the
  * row.

@@ -152,7 +152,7 @@ void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/* Writes a row, and returns true. If a cell has no value, `reason` says why. If this row has no reason, but
+/* Writes a row and returns true. If a cell has no value, `reason` says why. If this row has no reason, but
  * another row of the answer may have one, pass "". If no row of the answer can have a reason, pass NULL. In
  * csv and json, the reasons have a column of their own, "reason". */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);

@@ -34,7 +34,7 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work of the main answer without random errors, and adds it to *work. If `random` is true, also
+/* Counts the work of the main answer without random errors and adds it to *work. If `random` is true, also
  * adds the work of one random row. Sets *dominoes to the number of dominoes in the row. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)

@@ -38,7 +38,7 @@ static void line_show(const struct session *reader, const char *before, const ch
     free(shown);
 }
 
-/* Waits until the reader types the command, or just presses Enter. Runs any other line, and waits again.
+/* Waits until the reader types the command, or just presses Enter. Runs any other line and waits again.
  * Returns false if the reader ends the lesson. */
 static bool reader_types(struct session *reader, const char *command)
 {

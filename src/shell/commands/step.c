@@ -119,7 +119,7 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins a new walk, and sets *begun to true, unless the session already has a walk with the present
+/* Begins a new walk and sets *begun to true, unless the session already has a walk with the present
  * parameters. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)

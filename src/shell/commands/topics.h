@@ -43,7 +43,7 @@ void topic_entry(FILE *out, const char *prefix, const char *usage, const char *s
  * `left`. */
 void help_wrapped(FILE *out, const char *text, int left);
 
-/* Formats a text, and prints it like help_wrapped with `left` = 0. */
+/* Formats a text and prints it like help_wrapped with `left` = 0. */
 void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -121,7 +121,7 @@ struct command {
     bool changes;
     /* the shortest abbreviation that stands for this command even though other commands begin with it */
     const char *shortest;
-    /* Computes the answer to a query, and stores any new state in query->next. On failure, sets *problem and
+    /* Computes the answer to a query and stores any new state in query->next. On failure, sets *problem and
      * returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
     /* Called instead of `run` if the command needs the whole session, not only its state. */

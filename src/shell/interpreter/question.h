@@ -66,7 +66,7 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Binds a question, and computes its value, which is one number in SI units. For a command, this number is
+/* Binds a question and computes its value, which is one number in SI units. For a command, this number is
  * the cell in column question->key of the answer. For 'print', it is the value of the expression. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);

@@ -2,7 +2,7 @@
 #include "interpreter/question.h"
 #include <string.h>
 
-/* Copies the state of the query to call->state, and makes the assignments after 'with' in the copy. */
+/* Copies the state of the query to call->state and makes the assignments after 'with' in the copy. */
 static bool with_bind(const struct question *q, const struct query *query, struct call *call,
                       struct problem *problem)
 {

@@ -20,7 +20,7 @@ size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 /* Returns true if any character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* Writes an escaped copy of a string into the buffer `shown`, and returns `shown`. The buffer has `size`
+/* Writes an escaped copy of a string into the buffer `shown` and returns `shown`. The buffer has `size`
  * bytes, which must be at least 16. If the copy does not fit into the buffer, it is cut off and ends in
  * "...". */
 const char *escape_text(const char *text, char *shown, size_t size);

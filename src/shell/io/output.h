@@ -33,7 +33,7 @@ struct output {
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_header)(const char *line);
-    /* Ends the level, and frees everything except the struct itself. If the level is a file and `keep` is
+    /* Ends the level and frees everything except the struct itself. If the level is a file and `keep` is
      * true, the collected text is written into the file first. Returns NULL, or an error message. */
     const char *(*pop)(struct output *output, bool keep);
 

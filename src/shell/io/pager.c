@@ -98,7 +98,7 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the pager program, and opens a pipe to it. If the pager is 'less' and the terminal is too simple for
+/* Starts the pager program and opens a pipe to it. If the pager is 'less' and the terminal is too simple for
  * it, nothing is started. Returns true if the pager program is running. */
 static bool program_open(struct pager *p)
 {
@@ -126,7 +126,7 @@ static bool program_open(struct pager *p)
     return true;
 }
 
-/* Closes the pipe, and waits until the pager program has ended. If a signal ends the session during this
+/* Closes the pipe and waits until the pager program has ended. If a signal ends the session during this
  * time, the pager program is ended too. */
 static void program_close(struct pager *p)
 {

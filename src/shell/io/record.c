@@ -44,7 +44,7 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes text on, and copies it without control sequences. In a log, answers become comments. */
+/* Passes text on and copies it without control sequences. In a log, answers become comments. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;

@@ -106,7 +106,7 @@ static _Thread_local bool is_muted;
 static bool is_ticking;
 static struct sigaction alarm_before;
 
-/* Writes a number, and returns a pointer to the byte after the number. */
+/* Writes a number and returns a pointer to the byte after the number. */
 static char *number_write(char *to, long number)
 {
     if (number >= 10)

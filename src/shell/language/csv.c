@@ -26,7 +26,7 @@ const char *csv_separator_name(const struct csv_file *file)
     return file->separator == ';' ? "';'" : file->separator == ',' ? "','" : "tab";
 }
 
-/* Removes a byte order mark, and replaces all line endings by '\n'. */
+/* Removes a byte order mark and replaces all line endings by '\n'. */
 static void text_unify(char *text)
 {
     char *to = text, before = '\0';
@@ -65,7 +65,7 @@ bool csv_load(struct csv_file *file, FILE *in)
 
 /* ---- Cells ---- */
 
-/* Moves to the next character, and keeps track of the line and column. */
+/* Moves to the next character and keeps track of the line and column. */
 static void advance(struct csv_file *file)
 {
     char c = *file->next++;

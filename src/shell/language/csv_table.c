@@ -82,7 +82,7 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Splits the heading of a column into a name and a unit. Copies the name in lower case, and returns the unit.
+/* Splits the heading of a column into a name and a unit. Copies the name in lower case and returns the unit.
  * The unit follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height mm". */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {

@@ -84,7 +84,7 @@ struct csv_table {
     char unused[200];
 };
 
-/* Reads a file, and interprets the first line of its table. The table then owns the path. If there is an
+/* Reads a file and interprets the first line of its table. The table then owns the path. If there is an
  * error in the file, the table holds the problem. If memory runs out, returns NULL and sets errno. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 

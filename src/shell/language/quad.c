@@ -12,7 +12,7 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
-/* Writes a non-negative whole number, and returns the number of its digits. */
+/* Writes a non-negative whole number and returns the number of its digits. */
 static int whole_text(long long number, char *text)
 {
     char digits[WIDE_TEXT], *first = digits + sizeof digits - 1;

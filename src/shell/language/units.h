@@ -76,7 +76,7 @@ size_t name_length(const char *text);
  * copies as much as fits and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
-/* Reads the unit at the beginning of a text, and multiplies *quantity by it. Returns the end of the unit, or
+/* Reads the unit at the beginning of a text and multiplies *quantity by it. Returns the end of the unit, or
  * NULL if there is no unit. In "4.8 cm/h", the unit is only cm, because h is not a unit. */
 const char *unit_scan(const char *text, struct quantity *quantity);
 

@@ -11,7 +11,7 @@
 
 struct workers {
     size_t first, points; /* the index of the first point, and the number of points */
-    /* Computes a point, and writes its rows to `out`. Other threads run at the same time, so the function may
+    /* Computes a point and writes its rows to `out`. Other threads run at the same time, so the function may
      * change only `context`, which is the worker's own copy. Returns false to stop the computation after this
      * point. */
     bool (*point)(void *context, size_t point, FILE *out);

@@ -88,7 +88,7 @@ void chart_convert(struct chart *c, double x, double y)
 
 /* ---- What the user chooses ---- */
 
-/* Applies the user's scale to an axis, and checks the range. Returns NULL, or a message. */
+/* Applies the user's scale to an axis and checks the range. Returns NULL, or a message. */
 static const char *axis_dress(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;

@@ -75,7 +75,7 @@ static void text_put(const struct page *p, double x, const char *align, int size
             1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
 }
 
-/* Draws the page, and begins the next one. The first page contains the stage. */
+/* Draws the page and begins the next one. The first page contains the stage. */
 static void page_end(struct page *p)
 {
     if (p->number == 1)

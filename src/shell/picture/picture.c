@@ -29,7 +29,7 @@ bool program_exists(const char *name)
     return false;
 }
 
-/* Waits for a program, and kills it after an interrupt. Returns true if the program was successful. */
+/* Waits for a program and kills it after an interrupt. Returns true if the program was successful. */
 static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};

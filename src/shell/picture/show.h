@@ -41,7 +41,7 @@ struct marks picture_marks(const struct answer *a);
 /* Writes the head of a gnuplot script that draws a .pdf file of the same name. */
 void script_head(const struct answer *a, const char *terminal);
 
-/* Draws a chart to the destination of the answer, and frees the chart. */
+/* Draws a chart to the destination of the answer and frees the chart. */
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

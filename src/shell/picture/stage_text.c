@@ -64,7 +64,7 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
         }
 }
 
-/* Draws the outline of a domino, and fills it if the domino is marked. */
+/* Draws the outline of a domino and fills it if the domino is marked. */
 static void domino_outline(struct grid *g, const struct drawn *k)
 {
     struct canvas *c = &g->canvas;

@@ -24,7 +24,7 @@ static const char *file_of(const char *folder, const char *extension, char path[
     return path;
 }
 
-/* Runs pdflatex in the folder, and copies the document to `out`. */
+/* Runs pdflatex in the folder and copies the document to `out`. */
 static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {

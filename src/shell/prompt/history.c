@@ -59,7 +59,7 @@ static const char *file_shorten(const volatile sig_atomic_t *interrupt)
     return output_pop(&file, true);
 }
 
-/* Adds all lines of a file to the history, and returns the number of lines. */
+/* Adds all lines of a file to the history and returns the number of lines. */
 static long lines_read(FILE *in)
 {
     char *text = NULL;

@@ -8,7 +8,7 @@
 /* Reads and runs lines from the terminal, until the session ends. */
 void line_prompt(struct session *session);
 
-/* Finds the candidates for the last word of a line, and calls `emit` with each of them. A candidate is a
+/* Finds the candidates for the last word of a line and calls `emit` with each of them. A candidate is a
  * whole word. If `files` is true, the paths of files are candidates, too. */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);

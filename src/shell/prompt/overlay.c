@@ -93,7 +93,7 @@ static void colours_show(struct session *session)
 
 /* ---- Hints ---- */
 
-/* Finds the most recent line that begins with the typed line, and stores its remainder in `rest`. */
+/* Finds the most recent line that begins with the typed line and stores its remainder in `rest`. */
 static void rest_find(const char *line)
 {
     size_t length = strlen(line);

@@ -107,7 +107,7 @@ static char *line_whole(struct session *session, char *text)
     return unfinished ? NULL : whole;
 }
 
-/* Warns of unsaved changes to the row, and keeps the session open. A second attempt to leave succeeds. */
+/* Warns of unsaved changes to the row and keeps the session open. A second attempt to leave succeeds. */
 static void leave_warn(struct session *session)
 {
     if (has_warned || !row_unsaved(&session->state.scene))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds parameters, and reads and changes their values in a state. */
+/* Finds parameters and reads and changes their values in a state. */
 #ifndef SHELL_PARAMETERS_H
 #define SHELL_PARAMETERS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes the row of a scene, and changes the measurements of its dominoes. */
+/* Makes the row of a scene and changes the measurements of its dominoes. */
 #ifndef SHELL_ROW_H
 #define SHELL_ROW_H
 
@@ -16,7 +16,7 @@ struct scene_row {
     struct scene_engine engine;
 };
 
-/* Makes the row of a scene, and prepares it for a run in the model or in the engine. If there is no row, or
+/* Makes the row of a scene and prepares it for a run in the model or in the engine. If there is no row, or
  * if the row cannot be run, sets *problem and returns false. */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 

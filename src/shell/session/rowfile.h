@@ -6,7 +6,7 @@
 #include "language/csv_table.h"
 #include "session/query.h"
 
-/* Opens a csv file, and reads the first line of its table. The file may be beside the running script, or else
+/* Opens a csv file and reads the first line of its table. The file may be beside the running script, or else
  * in the current directory. If `standard` is true, the name '-' means standard input. On failure, sets
  * *problem and returns NULL. */
 struct csv_table *csv_named(const struct scene *scene, const struct run_context *run_context,

@@ -83,7 +83,7 @@ void state_init(struct state *state);
 
 void state_close(struct state *state);
 
-/* Turns all effects off, and frees the memory of the row. */
+/* Turns all effects off and frees the memory of the row. */
 void effects_reset(struct scene *scene);
 
 /* Copies the values of effects into the train of the scene. */
@@ -133,7 +133,7 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
  * about a domino of the train. Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
-/* Returns true for DOM_OK. Reports any other status as a problem, and returns false. */
+/* Returns true for DOM_OK. Reports any other status as a problem and returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
 
 #endif

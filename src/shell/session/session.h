@@ -56,7 +56,7 @@ const struct format *session_format(const struct session *session);
  * caller sets the members `given` and `next`. */
 struct query session_query(struct session *session);
 
-/* Writes an error message with its position to stderr, and increments session->errors. */
+/* Writes an error message with its position to stderr and increments session->errors. */
 void session_problem(struct session *session, const struct problem *problem);
 
 /* Like session_problem, for an error without a position in the line. */

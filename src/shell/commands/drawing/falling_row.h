@@ -16,7 +16,7 @@ struct falling_row {
     struct marks marks; /* words for captions, which explain the marks in the drawing */
 };
 
-/* Runs the row, and draws it as it stands before the fall. After a failure nothing needs to be freed. */
+/* Runs the row and draws it as it stands before the fall. After a failure nothing needs to be freed. */
 bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);

@@ -77,7 +77,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Stores the tower in the element after the last domino, and leaves stage->count unchanged. The gap between
+/* Stores the tower in the element after the last domino and leaves stage->count unchanged. The gap between
  * the last domino and the tower is `distance` times the height of that domino. Also allocates room for
  * `copies` more dominoes. */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)

@@ -14,7 +14,7 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
  * out. */
 bool tower_add(struct falling_row *row, double height);
 
-/* Places the tower beyond the reach of the falling dominoes, and stores it in stage.domino[stage.count]. To
+/* Places the tower beyond the reach of the falling dominoes and stores it in stage.domino[stage.count]. To
  * show the tower in a frame, add 1 to stage.count while the frame is drawn. Returns false if memory runs
  * out. */
 bool tower_film(struct falling_row *row, double height);

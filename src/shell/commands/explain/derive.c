@@ -9,7 +9,7 @@
 
 /* ---- The numbers of the library ---- */
 
-/* Copies a text, and replaces '@' by a number. */
+/* Copies a text and replaces '@' by a number. */
 static void fill_in(const char *text, domq_real number, char *filled, size_t size)
 {
     char digits[WIDE_TEXT];
@@ -150,7 +150,7 @@ static bool sum_value(struct derivation *d, struct step *s)
 
 static struct step *step_add(struct derivation *d, const char *name, int depth);
 
-/* Adds a step for every name in an equation, and makes the names refer to these steps. */
+/* Adds a step for every name in an equation and makes the names refer to these steps. */
 static bool names_add(struct derivation *d, struct step *s, struct tree *t)
 {
     if (t->kind == TREE_NAME) {

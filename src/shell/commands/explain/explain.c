@@ -127,7 +127,7 @@ enum { VERDICT_TEXT = 160 };
 
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
-/* Runs the row, and finds the domino that decides the verdict: the one that stops the row or, if all fall,
+/* Runs the row and finds the domino that decides the verdict: the one that stops the row or, if all fall,
  * the weakest one. Writes a sentence about this domino. Fails if the verdict does not depend on an energy. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
                           char verdict[VERDICT_TEXT], struct problem *problem)

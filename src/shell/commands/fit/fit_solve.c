@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Finds the unknowns that are not at a limit, and discards the correlations of an earlier search. */
+/* Finds the unknowns that are not at a limit and discards the correlations of an earlier search. */
 static void free_find(struct fit *f)
 {
     f->free_count = 0;

@@ -75,7 +75,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Explains why no row fulfils the wish, and says what the user can change. */
+/* Explains why no row fulfils the wish and says what the user can change. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {

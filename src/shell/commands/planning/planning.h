@@ -91,7 +91,7 @@ struct improved {
     bool interrupted;           /* true if ^C ended the search: the row is the best one so far */
 };
 
-/* Improves the row of the scene, and prints the changes. If there is a next state, stores the row in it.
+/* Improves the row of the scene and prints the changes. If there is a next state, stores the row in it.
  * Returns false after an interrupt. The best row so far may still have been stored: found->interrupted is
  * true in this case. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,

@@ -9,7 +9,7 @@
 
 /* ---- Probes ---- */
 
-/* Runs the command, and sets *value to 1 if its verdict is true, or else to -1. */
+/* Runs the command and sets *value to 1 if its verdict is true, or else to -1. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)
 {

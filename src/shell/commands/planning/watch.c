@@ -34,7 +34,7 @@ static double watch_x(const struct watch *w, int step)
     return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve, and puts the point at the parameter's value. Fails if the curve has no points. */
+/* Computes the curve and puts the point at the parameter's value. Fails if the curve has no points. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;

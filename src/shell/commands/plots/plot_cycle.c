@@ -148,7 +148,7 @@ static enum dom_status samples_write(const struct cycle *c, int lines, struct an
     return status;
 }
 
-/* Writes the rows of a plot, and adds the parameters and the events to the chart, if there is one. */
+/* Writes the rows of a plot and adds the parameters and the events to the chart, if there is one. */
 static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {

@@ -21,7 +21,7 @@ static const struct limit growth_limits[LIMITS] = {
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth at the separation s, and stores it in *r. *r is NaN if no growth is possible. It
+/* Finds the largest growth at the separation s and stores it in *r. *r is NaN if no growth is possible. It
  * is also NaN if the paper's formula for the fuel is used but does not apply. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
@@ -50,7 +50,7 @@ static domq_real reach_at(struct domq_train train, domq_real s)
     return domq_train_reach(&train);
 }
 
-/* Sets the axes, and marks the growth of the session. The y axis includes this growth, unless it is far above
+/* Sets the axes and marks the growth of the session. The y axis includes this growth, unless it is far above
  * all curves. */
 static void limits_chart(const struct domq_train *t, double top, struct chart *chart)
 {

@@ -11,7 +11,7 @@
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* Computes the rows of a plot, and writes them to the answer `a`. For csv and json, nothing else is needed,
+/* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
  * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. It leaves the curves to
  * plot_write, which finds them in struct plot. On failure, sets *problem and returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
@@ -104,7 +104,7 @@ bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);
 
-/* Parses the arguments of 'fit' after 'plot fit', and stores them as a question in q->parsed. */
+/* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */
 bool plot_fit_parse(struct reader *reader, struct question *q);
 
 /* Draws the answer of the command 'sweep', for output to a picture file. */

@@ -146,7 +146,7 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Records the latest hit, and updates the friction that feet need. */
+/* Records the latest hit and updates the friction that feet need. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;

@@ -59,7 +59,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
                m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-/* Prints a table of the changes that were found, and says how to make the smallest one. */
+/* Prints a table of the changes that were found and says how to make the smallest one. */
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {

@@ -126,7 +126,7 @@ struct change_parsed {
     bool is_share; /* the value ends with '%' */
 };
 
-/* Reads "4" or "3-7". Returns false, and reads nothing, if the text is anything else. */
+/* Reads "4" or "3-7". Returns false and reads nothing, if the text is anything else. */
 static bool range_read(struct reader *r, struct row_range *range)
 {
     char *end;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a study of random rows, and prints its answer. */
+/* Runs a study of random rows and prints its answer. */
 #include "commands/rows/rows.h"
 #include "language/text.h"
 #include "session/random_errors.h"

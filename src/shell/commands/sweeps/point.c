@@ -152,7 +152,7 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Asks all questions of a list at one point, and writes the answers as one row. If an answer is missing, its
+/* Asks all questions of a list at one point and writes the answers as one row. If an answer is missing, its
  * cell is empty. If a question has an error, sets w->problem and returns false. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
