@@ -38,9 +38,9 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *b)
 {
-    /* The rounding error of X is at most 4 units times the sum of its positive terms. */
-    real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
-    real contact = 4 * ROUNDOFF * leader->contact.Y * (made_of + fabs(leader->contact.X));
+    /* X is the difference r s - r L v, so its rounding error is bounded by 4 ROUNDOFF (r s + r L v). */
+    real terms = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
+    real contact = 4 * ROUNDOFF * leader->contact.Y * (terms + fabs(leader->contact.X));
     b->angle = leader->contact_slope * b->angle + contact + 5 * ROUNDOFF * follower->tilt.x;
     b->slope =
         leader->contact_slope * b->slope + leader->slope * b->contact_slope + ROUNDOFF * follower->slope;

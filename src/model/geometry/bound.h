@@ -34,9 +34,10 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
                                 real angle_b, real t, real t_error);
 
 /*
- * Returns an error bound on the followers' t, which energy_change_between computes from the t of a and b. t
- * is the tangent of half the angle between two tilts of one domino: its tilt in the chain of a and its tilt
- * in the chain of b. The argument t belongs to a and b themselves, and t_error is the error bound on it.
+ * Let t be the tangent of half the angle between a domino's tilt in one chain and its tilt in another chain.
+ * energy_change_between computes the t of the next domino from the t of the current one. The arguments a and
+ * b are the current domino in the two chains, and t_error is the error bound on its t. Returns the error
+ * bound on the t of the next domino.
  */
 KERNEL real bound_tan_half(const struct link *a, const struct link *b, const struct bound *bound_a,
                            const struct bound *bound_b, real t, real t_error);

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down, and adds up
- * sums over the dominoes, such as equation (19; c1). The pass ends after geometry->n dominoes. It ends
- * earlier if the remaining terms are negligible at the tolerance. A geometric series bounds these remaining
- * terms.
+ * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down and computes
+ * sums over them, such as the energy H of equation (19; c1). The pass ends after geometry->n dominoes, or
+ * earlier if a geometric series shows that the remaining terms are negligible at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -43,9 +42,9 @@ enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* A solver has evaluated a function. `self` is the status of the function, and `solver` is the status of the
- * solver. Returns `self` if it is an error. Otherwise returns the status of the solver, converted. */
-static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
+/* Combines the status of a solver with the status of the function that it evaluated. An error of the function
+ * takes precedence, because it tells why the solver failed. */
+static inline enum dom_status model_status(enum dom_status function, enum num_status solver)
 {
     static const enum dom_status of[] = {
         [NUM_OK] = DOM_OK,
@@ -54,7 +53,7 @@ static inline enum dom_status model_status(enum dom_status self, enum num_status
         [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
         [NUM_NO_MEMORY] = DOM_NO_MEMORY,
     };
-    return self != DOM_OK ? self : of[solver];
+    return function != DOM_OK ? function : of[solver];
 }
 
 #endif

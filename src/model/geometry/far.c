@@ -13,7 +13,8 @@
 #include "geometry/law.h"
 
 /* Finds the series f = (z - p) / (1 + z p) of the follower, where p = tan((theta_1 - theta) / 2). Returns 1 -
- * f'(0). If s is small, this number is small, and 1 minus the coefficient f[1] would lose its digits. */
+ * f'(0), which is small if s is small. Callers must not compute it as 1 - f[1], because digits would
+ * cancel. */
 static real far_follower(const struct geometry *geometry, int order, real *f)
 {
     real p[FAR_ORDER + 2];
@@ -40,8 +41,9 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/* Returns a radius inside which the series converge. Outside it lie the branch points of f, where X is 1 or
- * -1. The second fixed point of f, which belongs to theta = -theta_inf, also lies outside. */
+/* Returns a radius inside which the series converge. Inside this radius, f has no branch points, which lie
+ * where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is not inside the
+ * radius either. */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));
@@ -86,7 +88,7 @@ static void far_multiply(real *p, const real *f, int first, int last)
     p[first] = 0;
 }
 
-/* Finds what the first domino alone contributes to H and J. */
+/* Finds the contributions of the first domino of the tail to H and J. */
 static void far_own(const struct geometry *geometry, int n, real *H, real *J)
 {
     const struct rounded *of = &geometry->rounded;

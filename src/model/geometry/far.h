@@ -5,8 +5,8 @@
 
 #include "geometry/sums.h"
 
-/* Builds the series geometry->far. Its best order depends on how many passes will use the series; `passes` is
- * this number. If a domino detaches, or if no series saves time, the order is 0: there is no series. */
+/* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
+ * series. If a domino detaches, or if no series saves time, the order is 0: there is no series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -33,9 +33,9 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
 }
 
 /*
- * Returns true if the omitted terms of a far series do not matter. `rest` is a bound on the omitted terms,
- * and `tail` is the value of the series. `rest` must be below the tolerance, relative to the sum that
- * includes `tail`. Since `tail` may cancel most of the sum, the sum without it would not be a safe measure.
+ * Returns true if the omitted terms of a far series do not matter. `tail` is the value of the series, to be
+ * added to the sum s, and `rest` is a bound on the omitted terms. `rest` is compared with the sum that
+ * includes `tail`, because `tail` may cancel most of s.
  */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
@@ -108,9 +108,9 @@ KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_
 }
 
 /*
- * Adds the domino `a` and all dominoes behind it to the sums, using the far series. Returns H of these
- * dominoes and its derivatives, from which far_H2 finds their part of H2. b is the same domino in the other
- * chain.
+ * Adds the terms of the domino `a` and of all dominoes behind it to the sums, using the far series. The sum
+ * dH is the difference of H between two chains, and b is the domino of the second chain that has the same
+ * number as `a`. Returns H of `a` and all dominoes behind it, with the derivatives that far_H2 needs.
  */
 KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
                                 const struct link *a, const struct link *b, real t)
@@ -124,7 +124,7 @@ KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Returns what a domino and all dominoes behind it contribute to H2. */
+/* Returns the contribution of a domino and all dominoes behind it to H2. `H` is the result of far_add. */
 KERNEL real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
 {
     return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);

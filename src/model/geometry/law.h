@@ -44,8 +44,9 @@ struct moving {
 enum pass {
     PASS_PLAIN = 0,
     PASS_ERROR = 1, /* bounds on the errors */
-    /* The head has fallen from upright to theta_c. Then each follower began the cycle at the tilt that its
-     * leader has now, so only one chain must be computed. */
+    /* For a head that falls from upright to theta_c: each follower has started at the tilt that its leader
+     * reaches at the end. So the chain at the start is the chain at the end, shifted by one domino, and only
+     * one chain must be computed. */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
     PASS_PUSHES = 8,            /* tries to prove that all contacts push */
@@ -55,7 +56,7 @@ struct contact_law {
     /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Error bounds,
      * bounds for strips of growths, and shortcuts for random rows exist only for such a law. */
     bool closed_form;
-    /* A search may visit this many dominoes, which takes about a second in double. */
+    /* The maximum number of dominoes that a search may visit. In double, this takes about a second. */
     size_t work_most;
 
     /* ---- Preparing a train or a row ---- */
@@ -77,8 +78,9 @@ struct contact_law {
     /* Returns r s for the smallest growth at which domino 1 tips over by itself before it hits the next
      * domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
-    /* Returns tau_1^2 omega_1c^2 of a domino that tips over by itself. This is h(theta_u) - h(theta_c), by
-     * equation (9; b5). If domino 1 has not tipped over at theta_c, returns 0. */
+    /* Returns tau_1^2 omega_1c^2. Here omega_1c is the angular velocity that domino 1 has at theta_c after it
+     * has tipped over by itself, so theta_c must be at least theta_u. With sharp edges, the result is
+     * h(theta_u) - h(theta_c), by equation (9; b5). */
     real (*tipped_omegasq)(const struct geometry *geometry);
 
     /* Finds the coefficients p[1] to p[order] of a power series for tan((theta_1 - theta) / 2): the sum of
@@ -92,8 +94,8 @@ struct contact_law {
     /* Finds the contact with a follower that counts as detached only because of rounding. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Tests a contact while its leader moves from b to a. One contact that passes proves nothing by itself.
-     * But if every contact of a chain passes, all of them stay closed. */
+    /* Tests a contact over the motion of its leader from b to a. One contact that passes proves nothing by
+     * itself. But if every contact of a chain passes, all of them stay closed. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
     size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);
@@ -134,8 +136,8 @@ static const struct contact_law sharp_edges, rounded_edges;
 /*
  * These two functions set up the geometry of a train, except for the law of motion, which dynamics_make sets
  * up. geometry_read computes everything that does not depend on the separation and the growth. geometry_set
- * then checks the separation and the growth, and sets what depends on them. It may be called again with other
- * values.
+ * then checks the separation and the growth, and sets what depends on them. geometry_set may be called again
+ * with other values.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
@@ -155,7 +157,7 @@ KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt h
 KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,
                                       struct equation_of_motion *equation);
 
-/* Finds geometry->far_friction. The train is endless and has sharp edges, and no domino detaches. */
+/* Finds geometry->far_friction for an endless train with sharp edges in which no domino detaches. */
 KERNEL void far_friction_make(struct geometry *geometry);
 
 /* The test `pushes` for sharp edges, explained in sharp_change.c. */

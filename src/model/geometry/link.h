@@ -6,10 +6,10 @@
 #include "geometry/geometry.h"
 
 struct link {
-    const struct geometry *geometry; /* this domino and its follower */
+    const struct geometry *geometry; /* geometry of this domino and its follower */
     size_t i;
     struct tilt tilt;
-    struct contact contact; /* contact with the follower, if `leads` */
+    struct contact contact; /* contact with the follower; valid only if `leads` is true */
     real contact_slope;     /* theta_(i+1)' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
@@ -68,8 +68,9 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
 /*
  * Compares two chains that are walked down side by side. A domino has the tilt theta_a in the chain of a, and
  * theta_b in the chain of b. Let t = tan((theta_a - theta_b) / 2). Returns the follower's t divided by this
- * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at energy_change_between. 1 - G
- * is computed from the lever arms of the two contacts, which keeps all its digits.
+ * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at energy_change_between. If G
+ * is close to 1, the subtraction 1 - G would lose digits. So 1 - G is computed from the lever arms of the two
+ * contacts.
  */
 KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {

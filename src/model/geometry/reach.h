@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a head reaches, for the kernels and for the public API (`real` is dom_real there). */
+/* Computes how far a head reaches. The kernels and the public API share this function. In the API, `real` is
+ * dom_real. */
 #ifndef DOM_REACH_H
 #define DOM_REACH_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The input of a kernel: a train or a row, and how to compute. */
+/* The input of a kernel: a train or a row, and the options of the computation. */
 #ifndef DOM_REQUEST_H
 #define DOM_REQUEST_H
 
@@ -8,7 +8,7 @@
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
-/* A train, and how to compute, as in struct dom_train and struct dom_compute. */
+/* A train and the options of the computation, like struct dom_train and struct dom_compute of the API. */
 struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
@@ -24,7 +24,7 @@ struct request {
 
 struct block; /* struct block is defined in joint.h, once for each precision */
 
-/* A row, and how to compute, as in struct dom_row and struct dom_compute. */
+/* A row and the options of the computation, like struct dom_row and struct dom_compute of the API. */
 struct row_request {
     const struct dom_domino *domino;
     const struct block *block; /* the dominoes in the kernel's precision; may be NULL */

@@ -126,9 +126,10 @@ KERNEL_LOOP real tangent_excess(real D)
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R.
  *
- * Every term of R has the factor apart.by, so the result is accurate even if apart.by is tiny. Subtracting
- * the stored turns of a and b would be inaccurate. That subtraction is used only for 2 tan(D/2) - D, which is
- * a small term.
+ * Every term of R is proportional to the difference between a and b, so D is accurate even if this difference
+ * is tiny. The stored turns of a and b could give D by a subtraction, but digits would cancel. Only the term
+ * 2 tan(D/2) - D is computed from that subtraction. If D is small, this term is about D^3/12, so its error
+ * does not matter.
  */
 KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -157,9 +158,9 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * Tests a contact like pushes_between in sharp_change.c, but for rounded edges. Again the test passes if
- * neither a_k nor c_k decreases down the chain. But here the inertia i changes with the tilt. So a_k has i_k
- * in its denominator, and
+ * Does for rounded edges what pushes_between in sharp_change.c does for sharp edges: tests a contact over the
+ * motion of its leader from b to a. Again, the test passes if neither a_k nor c_k decreases down the chain.
+ * But with rounded edges, the inertia i changes with the tilt. So a_k has i_k in its denominator, and
  *
  *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / (2 i_k).
  *
@@ -197,7 +198,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
-    /* Up to pi/2 the inertia is concave: it is smallest at one end, and its derivative decreases. */
+    /* Up to pi/2 the inertia is a concave function of the tilt. So on an interval of tilts, the inertia is
+     * smallest at one of the two ends, and its derivative decreases. */
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
@@ -220,8 +222,9 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 enum { ROLLING_HALVINGS = 4 };
 
 /*
- * Returns true if rolling_pushes_between succeeds while the leader moves from b to a. If it fails for the
- * whole motion, tries both halves of the motion. A motion is halved at most `halvings` times in succession.
+ * Returns true if rolling_pushes_between proves that the contact passes the test over the motion of the
+ * leader from b to a. If the bounds over the whole motion are too wide for this proof, tries both halves of
+ * the motion. A motion is halved at most `halvings` times in succession.
  */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {

@@ -30,8 +30,8 @@ static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
 
 /*
  * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
- * when the third order of a step is negligible. Then the last step is added to the sine and cosine up to its
- * second order, so they need not be computed again.
+ * when the cube of a step `by` is negligible. The sine and cosine after this step then follow from their
+ * values before it, by Taylor series up to the order by^2.
  */
 static struct turn turn_iterate(real l, real c, real G, real turn)
 {
@@ -57,8 +57,8 @@ static struct turn turn_iterate(real l, real c, real G, real turn)
  *
  *     delta = D + k delta^2 + m delta^3 - ...,   k = l x / (2 S),   m = l y / (6 S).
  *
- * The angle, its sine and its cosine are computed separately from this series, up to D^3. None of the three
- * has to wait for another.
+ * The angle, its sine and its cosine are computed separately from this series, up to D^3, so that the
+ * processor can work on all three at once.
  */
 KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 {
@@ -80,9 +80,9 @@ KERNEL_LOOP struct turn turn_solve(real l, real c, real G)
 }
 
 /*
- * Finds the turn u from l sin u + c u = G if u is near pi/2. There turn_solve would lose digits of cos u. The
- * argument E is l + c pi/2 - G. The angle e = pi/2 - u then obeys l (1 - cos e) + c e = E. Returns NaN if
- * there is no solution.
+ * Finds the turn u from l sin u + c u = G if u is near pi/2, where turn_solve would lose digits of cos u. The
+ * argument E is l + c pi/2 - G. The angle e = pi/2 - u obeys l (1 - cos e) + c e = E. Returns NaN if there is
+ * no solution.
  */
 static struct turn turn_near_reach(real l, real c, real E)
 {
@@ -453,7 +453,8 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
         const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
         C[k] = two * (k % 2 ? x : y);
         theta[k] = k % 2 ? -two / (real)k : 0;
-        /* G is the right side of the contact equation, plus all terms without turn[k]. */
+        /* The terms of order k in the contact equation give turn[k]. G is their right side, minus the terms
+         * of rho_1 turn cos theta that contain only earlier coefficients of the turn. */
         real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
              cosines = 0, half = 0;
         for (int j = 1; j < k; j++) {

@@ -89,8 +89,8 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests a contact while its leader moves from b to a. If every contact of a chain passes this test, all
- * contacts stay closed. The reason is as follows.
+ * Tests a contact over the motion of its leader from b to a. If every contact of a chain passes this test,
+ * all contacts stay closed. The reason is as follows.
  *
  * Multiply the torque on each domino by its factor S. (See dynamics/friction.c; without friction, S =
  * theta'.) Add up these products for domino i and all dominoes behind it. In this sum, the contacts between
@@ -132,8 +132,9 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between succeeds while the leader moves from b to a. If it fails for the whole
- * motion, tries both halves of the motion. A motion is halved at most `halvings` times in succession. */
+/* Returns true if pushes_between proves that the contact passes the test over the motion of the leader from b
+ * to a. If the bounds over the whole motion are too wide for this proof, tries both halves of the motion. A
+ * motion is halved at most `halvings` times in succession. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -284,7 +285,8 @@ KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt
     return status;
 }
 
-/* The passes run side by side: one chain's square roots are computed while the other's are awaited. */
+/* Makes both passes in one loop to save time: while the processor waits for a square root of one chain, it
+ * can work on the other chain. */
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c)
 {

@@ -14,8 +14,8 @@ KERNEL void far_friction_make(struct geometry *geometry)
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
     /* theta_1' and theta_1'' as functions of theta: their values and first two derivatives at theta_inf */
     const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
-    /* S_1 is the quotient a / b. At theta_inf, the array `above` holds a, a' and a''. The denominator b is 1
-     * there, and `below1` and `below2` are b' and b''. */
+    /* S_1 is the quotient a / b of the lever arms. `above` holds the values of a, a' and a'' at theta_inf.
+     * `below1` and `below2` are the values of b' and b'' at theta_inf, where b is 1. */
     const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
     const real S1 = above[1] - above[0] * below1,
                S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};

@@ -101,7 +101,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(geometry, i); /* the work counts, although this pass has no result */
+    chain_count(geometry, i); /* the pass fails, but its work was done and must be counted */
     return DOM_TOO_LONG;
 }
 
