@@ -17,9 +17,9 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A domino of the height `before` is to get the height `height`. But a solid domino must stay solid, and a
- * box must stay a box. (A domino taller than row->boxes_above is a box.) Returns the nearest height that is
- * allowed. */
+/* A domino of the height `before` is to be resized. Returns the allowed height that is closest to `height`. A
+ * solid domino must stay solid, and a box must stay a box. (A domino taller than row->boxes_above is a
+ * box.) */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

@@ -37,9 +37,9 @@
  * no derivatives are computed if its probability of falling is below SURE or above 1 - SURE. */
 #define SURE 1e-3
 
-/* If a gap or a size is changed, the margins of later dominoes change less and less. The run of the changed
- * row ends at the first domino whose margin changes by less than this fraction of the largest change so
- * far. */
+/* If one gap or size changes, the margins of all later dominoes change too. But the farther away a domino is,
+ * the less its margin changes. So the run of a changed row ends at the first domino whose margin changes by
+ * at most this fraction of the largest change so far. */
 #define DECAYED 1e-3
 
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
@@ -241,9 +241,9 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     return status;
 }
 
-/* Runs all random rows. If `margin` is not NULL, writes the margins of each random row to the array `margin`,
- * and computes nothing else. If `margin` is NULL, adds the probabilities that the rows do not fall to
- * total->fails. In this case, adds the derivatives too, unless total->by_gap is NULL. */
+/* Runs all random rows. If `margin` is not NULL, only writes the margins of each random row to this array. If
+ * `margin` is NULL, finds for each random row the probability that the row does not fall, and adds it to
+ * total->fails. If total->by_gap is not NULL, also adds the derivatives of these probabilities. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

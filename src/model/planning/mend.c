@@ -4,8 +4,8 @@
 
 /* ---- Gaps ---- */
 
-/* the number of gaps that are tried before the gap at which the fall ends; gaps even farther back hardly
- * matter */
+/* In addition to the gap at which the fall ends, this many gaps closer to the start of the row are tried.
+ * Gaps that are even closer to the start hardly matter. */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Searches from the current gap towards `end` for the first gap at which all dominoes fall. */
@@ -15,12 +15,10 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/*
- * Mends a gap that is too wide to reach across. At the widest gap within reach, the domino before the gap
- * just touches the next domino. If the row falls at this gap, finds the range of gaps at which it falls. The
- * range begins at the widest gap within reach. Returns false if the gap is already within reach, or if the
- * row does not fall at the widest gap within reach.
- */
+/* Mends a gap that is too wide for the domino before it to reach the next domino. The widest gap within reach
+ * equals the height of that domino. If the row falls at the widest gap within reach, finds how much narrower
+ * the gap may be while the row still falls. Returns false if the gap is already within reach, or if the row
+ * does not fall at the widest gap within reach. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -144,8 +142,9 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 
 /* ---- The growth ---- */
 
-/* Each step of the search multiplies the growth by GROWTH_STEP. With an engine, which is slow, the steps are
- * longer until the row falls: each of them multiplies the growth by GROWTH_STEP_OF_ENGINE. */
+/* Each step of the search multiplies the growth by GROWTH_STEP. An engine is slow. So with an engine, the
+ * search for the first growth at which the row falls takes longer steps, which multiply the growth by
+ * GROWTH_STEP_OF_ENGINE. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -158,10 +157,10 @@ static bool falls_grown(dom_real r, void *context)
 }
 
 /*
- * Raises the growth *r step by step. If `falls` is true, the row falls at first, and the search ends when the
- * row no longer falls. If `falls` is false, the search ends when the row falls. Sets *before to the growth
- * one step before the last. Returns false if nothing changes up to `highest`. Bisection is not used, because
- * it could miss the first change.
+ * Raises the growth *r step by step. If the row falls at the first growth (`falls` is true), the search ends
+ * when the row no longer falls. If `falls` is false, the search ends when the row falls. Sets *before to the
+ * growth one step before the last. Returns false if nothing changes up to `highest`. Bisection is not used,
+ * because it could miss the first change.
  */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {

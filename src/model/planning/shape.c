@@ -11,15 +11,16 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* If a row is too long for the hall, its gaps are narrowed. The narrowing begins a little before the row
- * fills the hall, so that it has no kink. The larger this exponent, the more abruptly it begins. If the row
- * exactly fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
+/* If a row is too long for the hall, its gaps are narrowed. To avoid a kink, the narrowing sets in gradually,
+ * a little before the row fills the hall. The larger this exponent, the more abruptly the narrowing sets in.
+ * If the row exactly fills the hall, its gaps are multiplied by 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
 #define FARTHEST ((dom_real)4)
 
-/* A limit may be exceeded by this factor because of rounding errors. */
+/* Because of rounding errors, a value still counts as allowed if it exceeds its limit by at most this
+ * factor. */
 #define ROUNDED (1 + (dom_real)1e-9)
 
 enum dom_status limits_check(const struct dom_limits *l)
@@ -94,9 +95,9 @@ bool shape_from_board(const struct shape *s, dom_real height)
     return s->limits->boards > 0 && !is_box;
 }
 
-/* Returns the thickness that a domino gets. If a domino of this height must be made from a board, this is the
- * thickness of the board that is closest to `thickness`. Otherwise, it is `thickness`, rounded to the grid if
- * `final` is true. */
+/* Returns the thickness that a domino gets if `thickness` is wanted. If the domino must be made from a board,
+ * this is the thickness of the board that is closest to `thickness`. If not, it is `thickness`, rounded to
+ * the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;

@@ -21,8 +21,8 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables x to the values that describe shape->row. */
 void shape_begin(const struct shape *shape, double *x);
 
-/* Returns true if a domino of this height must be made from a board, and be as thick as this board. A box may
- * have any thickness. */
+/* Returns true if a domino of this height must be as thick as one of the boards. Returns false if there are
+ * no boards, or if the domino is a box, which may have any thickness. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino. Its mass, its width and the radius of its edges change

@@ -68,10 +68,10 @@ static bool is_train(const struct dom_row *row)
  * Runs only the first START dominoes of a train, to save time. Returns true if their fall already shows
  * whether the whole row falls.
  *
- * Each domino has some energy to spare: the margin, here as a fraction of the kinetic energy. In a train,
- * this fraction changes less and less from domino to domino. To be on the safe side, this test assumes that
- * every further change equals the latest one, and makes the fraction smaller. If more than half of the
- * fraction would then be left at the end of the row, the row is taken to fall.
+ * The margin of a domino is the energy that it has to spare, here as a fraction of its kinetic energy. In a
+ * train, this fraction changes less and less from domino to domino. To be on the safe side, this test assumes
+ * that from each further domino to the next, the fraction decreases by as much as it changed last. If more
+ * than half of the fraction would then be left at the end of the row, the row is taken to fall.
  */
 static bool start_decides(struct trial *t)
 {
@@ -131,8 +131,8 @@ void trial_end(struct trial *t)
 }
 
 /*
- * Neither num_root nor the solvers of GSL can be used here. Some tests yield no number. The result must be a
- * point that was tested. And GSL has only double precision.
+ * Neither num_root nor a solver of GSL can be used here, because some tests yield no number, and because the
+ * result must be a point that was tested. Besides, GSL has only double precision.
  *
  * In general, this is a bisection. If the spare energies at both ends are known, and one is positive and the
  * other negative, every second step uses the secant method instead.
@@ -147,7 +147,8 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real ba
             break;
         if (!halve && of_good > 0 && of_bad < 0) {
             x = good + (bad - good) * (of_good / (of_good - of_bad));
-            /* Without this shift, only the nearer end would approach the edge. */
+            /* Shift x a little towards the farther end. Without this shift, only the nearer end would
+             * approach the edge. */
             x += (fabs(x - good) < fabs(bad - x)) == (bad > good) ? near / 2 : -near / 2;
         }
         if (!(x > fmin(good, bad) && x < fmax(good, bad)))
@@ -171,8 +172,8 @@ dom_real digit_of(dom_real value, int places)
 /* the relative precision with an engine, whose results are accurate to only one percent */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* the number of values that are tried in each direction; an engine takes thousands of times as long for each
- * value */
+/* the number of values that are tried in each direction; with an engine, fewer values are tried, because an
+ * engine takes thousands of times as long for each value */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)

@@ -59,13 +59,14 @@ dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real ba
  * places = 1, it is the next digit, and so on. For example, digit_of(250, 1) is 10. */
 dom_real digit_of(dom_real value, int places);
 
-/* ---- The value that is changed (t->of), in most cases a property of domino t->k ---- */
+/* ---- The property that is changed (t->of) ---- */
 
-/* trial_now returns this value, and trial_change sets it. */
+/* trial_now returns the current value of the property t->of, such as the gap before domino t->k. trial_change
+ * sets the property to another value. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
-/* A trial_test. Gives the row this value, runs the row, and then restores the row. Returns true if all
+/* A trial_test. Sets the property to `value`, runs the row, and then restores the row. Returns true if all
  * dominoes fall. */
 bool falls_with(dom_real value, void *context);
 
@@ -82,9 +83,9 @@ dom_real value_digit(const struct trial *t, dom_real value);
  * digits, towards `good`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Continues a search that moves step by step from the value `now` to the value `end`. The steps before step i
- * have been made. At the value of the latest of them, `good`, all dominoes must fall. Returns the last value
- * up to which all dominoes fall. */
+/* Continues a search that moves in steps from the value `now` to the value `end`. The next step is step i.
+ * The step before it has reached the value `good`, at which all dominoes must fall. Returns the last value up
+ * to which all dominoes fall. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
 /* Searches from the current value towards `end` for a range of values at which all dominoes fall. If there is

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds windows. All dominoes of a row fall only if its gaps, sizes and so on are neither too small nor too
- * large. The window of one value is the range in which it may lie so that all dominoes still fall. The value
- * is a gap, a position, a height, a thickness, a lean or the friction. */
+ * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
+ * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
+ * friction. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
@@ -11,9 +12,9 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* A height, a thickness or a lean has limits. Beyond a limit, the domino falls over by itself, or its walls
- * or edges do not fit. The values that are tried stay this fraction away from the limits. The fraction
- * exceeds the rounding error of a float. */
+/* Heights, thicknesses and leans have limits, beyond which the domino falls over by itself, or has no room
+ * for its walls or its rounded edges. The values that are tried stay this fraction away from the limits. The
+ * fraction exceeds the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
@@ -111,7 +112,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window around the current value of a row that falls. */
+/* Finds the window around the current value, at which all dominoes must fall. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);

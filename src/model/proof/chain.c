@@ -101,8 +101,8 @@ static double turned_above(struct turn t, double v)
 
 /*
  * Returns a lower bound on v of the follower, computed at the lower corner of a box. The tilt of the follower
- * is F(theta), the maximum of theta_1(t) over all t <= theta (chain.h). So theta_1(t) for any single t <=
- * theta gives a lower bound.
+ * is F(theta), the maximum of theta_1(t) over all t <= theta (chain.h). So if t <= theta, the v of the tilt
+ * theta_1(t) is such a lower bound.
  */
 static double follow_below(const struct corner *c, double v)
 {

@@ -46,9 +46,9 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
 /*
- * Tries to prove that the train stops for all growths from r_low to r_high. For this, the proof shows that
- * the kinetic energy is too small to reach a certain tilt theta. The caller chooses this tilt, with `top` = 2
- * sin(theta/2). Returns false if the proof fails.
+ * Tries to prove that the train stops for all growths from r_low to r_high, by showing that it has no fuel,
+ * or that its kinetic energy is too small to reach the tilt theta. The caller chooses theta, and passes `top`
+ * = 2 sin(theta/2). If theta exceeds theta_c, theta_c is used instead. Returns false if the proof fails.
  */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 

@@ -42,8 +42,8 @@ struct upright {
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
 
-/* The energy D = H(theta) - H(0) that the train must climb to the tilt theta of the head. The intervals hold
- * for all growths, and for all tilts with `low` <= 2 sin(theta/2) <= `high`. */
+/* The energy D = H(theta) - H(0) that the train needs to tilt its head from upright to theta. The intervals
+ * hold for all growths, and for all theta with `low` <= 2 sin(theta/2) <= `high`. */
 struct climb {
     struct span height;
     struct span by_tilt; /* derivative of D with respect to 2 sin(theta/2) */

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops, that is, finds two close numbers and proves that it
- * lies between them.
+ * Encloses the smallest growth at which a train stops, that is, finds two close numbers and proves that this
+ * growth lies between them.
  *
  * The search works upwards from r = 1 in strips, which are intervals of growths. For each strip, it tries to
- * prove that the train keeps falling. After a success, the next strip is twice as wide. After a failure, it
- * is half as wide.
+ * prove that the train keeps falling. After a success, the next strip is twice as wide. After a failure, the
+ * next strip is half as wide.
  *
  * If the train seems to stop at the upper end of a strip, the search estimates the growth at which the margin
- * is 0 (the root). Two proofs follow. The first shows that the train keeps falling for all growths up to a
- * decimal number just below the root. The second shows that the train stops at a decimal number just above
- * the root. If the estimate of the root is wrong, one of the two proofs fails, but nothing wrong is proved.
+ * is 0 (the root). Two proofs follow. The first shows that the train stops at a decimal number just above the
+ * root. The second shows that the train keeps falling for all growths up to a decimal number just below the
+ * root. If the estimate of the root is wrong, one of the two proofs fails, but nothing wrong is proved.
  */
 #include "proof/limit.h"
 
@@ -73,8 +73,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Tries to prove that the train keeps falling for all growths up to n / unit. If the proof fails, smaller
- * decimal numbers take the place of n / unit, beginning with the closest. */
+/* Tries to prove that the train keeps falling for all growths up to n / unit. If the outcome is OUTCOME_OPEN,
+ * tries (n - 1) / unit, then (n - 2) / unit, then (n - 4) / unit, and so on. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -111,7 +111,9 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
         limit->outcome = OUTCOME_INTERRUPTED;
         return false;
     }
-    /* Try again with more decimal places: the number may lie beyond the next root, or beyond 1/s. */
+    /* With few decimal places, the number just above the root may lie beyond the next root, where the train
+     * keeps falling again, or beyond 1/s. The number just below the root may lie below limit->from. So try
+     * again with more decimal places. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);

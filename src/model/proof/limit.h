@@ -13,7 +13,7 @@ enum limit_kind {
     LIMIT_PARTLY
 };
 
-/* What has been proved about the largest growth. */
+/* What has been proved about the growths at which the train keeps falling or stops. */
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
@@ -22,8 +22,8 @@ struct limit_proof {
     enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Finds two numbers between which the smallest growth lies at which the train stops. Their relative
- * difference is about `tol`. */
+/* Finds two close numbers and proves that the smallest growth at which the train stops lies between them. The
+ * relative difference of the two numbers is about `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

@@ -227,9 +227,9 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
 }
 
 /*
- * Returns an interval that contains all products of a number in the interval a with b. A bound that is
- * computed without a rounding error is not moved outwards. So if a is a single number and the product is
- * exact, the result is a single number.
+ * Returns an interval that contains x b for every number x in the interval a. A bound that is computed
+ * without a rounding error is not moved outwards. So if a is a single number and its product with b is exact,
+ * the result is a single number.
  */
 static struct span times_exactly(struct span a, double b)
 {

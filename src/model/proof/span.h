@@ -4,13 +4,13 @@
  * interval are computed in double with + - * / and sqrt, so they have rounding errors. Each computed bound is
  * therefore moved outwards by one step.
  *
- * Why one step is enough: IEEE 754 rounds the results of these five operations to the nearest double. If z is
- * a rounded result, the exact result lies between the two neighbours of z. The functions up(z) and down(z)
- * return doubles that are at or beyond these neighbours (Rump, Zimmermann, Boldo, Melquiond, "Computing
- * predecessor and successor in rounding to nearest", BIT 49, 419).
+ * One step is enough, because IEEE 754 rounds the results of these five operations to the nearest double. If
+ * z is a rounded result, the exact result lies between the two neighbours of z. The functions up(z) and
+ * down(z) return doubles that are at or beyond these neighbours (Rump, Zimmermann, Boldo, Melquiond,
+ * "Computing predecessor and successor in rounding to nearest", BIT 49, 419).
  *
- * The rounding mode is never changed here. If a caller has set another mode than rounding to nearest, the
- * functions dom_prove_... prove nothing.
+ * The rounding mode is never changed here. If a caller has set a rounding mode other than rounding to
+ * nearest, the functions dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H

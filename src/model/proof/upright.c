@@ -42,7 +42,8 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
-/* Adds r^(-(q+1) i) slope^2 of domino i to T, and its derivative to dT/dr. */
+/* Domino i contributes the term r^(-(q+1) i) slope^2 to T. Adds this term to T, and the derivative of the
+ * term to dT/dr. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
@@ -53,7 +54,8 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_scale(w->share, change));
 }
 
-/* Adds r^(-q i) (h(theta_i) - h(theta_(i+1))) of domino i to P, and its derivative to dP/dr. */
+/* Domino i contributes the term r^(-q i) (h(theta_i) - h(theta_(i+1))) to P. Adds this term to P, and the
+ * derivative of the term to dP/dr. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -128,8 +130,9 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
 
 /*
  * Finds the kinetic energy K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1
- * tips over its edge from rest. By the hit, it releases the energy h(theta_u) - h(theta_c). The fraction f of
- * this energy becomes the kinetic energy of the pair:
+ * tips over its edge from rest, and releases the energy h(theta_u) - h(theta_c) before it hits the head. The
+ * unit of this energy is m g h / 2 of domino 1. Multiplied by f, it is the kinetic energy of the pair after
+ * the hit, in the unit m g h / 2 of the head:
  *
  *     f = r k^2/(1 + k),   k = r^(-(q+1)),
  *     df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)).
@@ -142,7 +145,8 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_scale(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    /* domino 1 may hit the head before it has tipped over (5; b0) */
+    /* if theta_c < theta_u, domino 1 touches the head before it can tip over its edge, so the pair has no
+     * fuel (5; b0) */
     if (!(hit.lo > g->shape->v_top.hi))
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
