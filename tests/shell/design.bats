@@ -112,7 +112,7 @@ END
 }
 
 @test "design: an invalid wish gives a one-line error" {
-    wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
+    wrong 'design 4 cm' 'H = 4 cm is not more than the height of the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
     wrong 'design 8 m safety 1' "the safety must be more than 1, not 1:.*'safety 2'"
     wrong 'design 8 m safety 2 m' 'the safety is a number without a unit; 2 means'

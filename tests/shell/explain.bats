@@ -139,7 +139,7 @@ start of the curve 1/s|4|null|0.61901|0.61901
 two dominoes: largest growth|3|0.4|2.04654|2.04654
 112 m tower: dominoes, r = 1.5|4|null|20|20
 END
-    same differences 'weights r^(-q i) left out in (25; c7)' "$(row 'largest growth' 3 0.2 | values why)"
+    same differences '(25; c7) leaves out the weights r^(-q i)' "$(row 'largest growth' 3 0.2 | values why)"
     same 'no difference' '0' "$(row 'largest growth: the reach' 3 0.8 | values difference)"
     "$DOMINO" -e paper | grep -q 'A rigid-body engine agrees with the exact values'
 }

@@ -74,7 +74,7 @@ END
         'At a growth of 1\.64, the row needs a push of 6\.766 rad/s'; do
         grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
     done
-    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'Whatever its growth, a row does not fall if its first domino just tips over'
+    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'No row falls if its first domino just tips over, whatever its growth'
     "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'A row falls with a growth of up to 1\.63[0-9]* with a push of 6 rad/s'
     # If the reach limits both growths, they are equal.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
@@ -84,5 +84,5 @@ END
     same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"
     close ans 1.59459196 "$(json 'rmax; print ans.r_start' | values value)" 1e-8
     wrong 'print rmax.r_start' "rmax.r_start is not available in expressions, because it takes a long time to compute; enter 'rmax', and then 'ans.r_start'"
-    grep -q '"r_start":null,"reason":"r_start has no value: whatever its growth, a row does not fall' <<<"$answer"
+    grep -q '"r_start":null,"reason":"r_start has no value: no row falls' <<<"$answer"
 }

@@ -79,7 +79,7 @@ END
     [[ $("$DOMINO" -n -e 'effect row 1; verdict') == 'It falls.'* ]]
     [[ $("$DOMINO" -n -e "$push; verdict") =~ 'it has '[0-9]{4,}' times the energy that it needs.' ]]
     [[ $("$DOMINO" -n -e "$push; draw") =~ 'with '[0-9]{4,}' times the energy that it needs.' ]]
-    "$DOMINO" -n -e step | grep -q ' m g s; all of them push'
+    "$DOMINO" -n -e step | grep -q ' m g s; all are positive, so every contact pushes'
 }
 
 @test "place: a gap out of reach is an error without a unit, and allowed with a unit" {

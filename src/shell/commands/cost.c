@@ -135,13 +135,13 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures one method in one precision, with smaller and smaller tolerances. The paper's method stops before
- * a measurement that would take too long. */
+/* Measures one method in one precision, with smaller and smaller tolerances. The measurements of the paper's
+ * method end before one that would take too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
 {
-    const double longest = 2; /* the longest time, in seconds, that one measurement may be expected to take */
+    const double longest = 2; /* in s; a measurement that would probably take longer is not made */
     const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
     for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
         struct cost_row *row = &cost->row[cost->rows];
@@ -306,9 +306,10 @@ const struct command cost_commands[] = {
                    .choices = cost_names}},
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
-             "Each method computes the answer in each precision to more and more digits. The error is the "
-             "true error, which includes the effect of rounding the parameters. For rmax and pair, the table "
-             "also has rows for proofs, which 'prove' explains.",
+             "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
+             "does so in every precision. The error in the table is the true error, which includes the "
+             "effect of rounding the parameters. For rmax and pair, the table also has rows for proofs, "
+             "which 'prove' explains.",
      .see = "plot",
      .sweep_refusal =
          "it measures computing time, and points computed at the same time would slow each other down",

@@ -15,7 +15,7 @@ struct cost_row {
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
-    domq_real error;        /* relative error, but at least the error bound of the reference */
+    domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
     struct dom_work work;
     double seconds; /* the shortest time of several runs, in s */
 };

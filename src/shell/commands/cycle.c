@@ -155,9 +155,10 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
              place);
 }
 
-/* Decides whether there is an answer after a computation that ended with `status`. If the train stops or
- * friction locks a collision, there is one, but some of its numbers are missing: *why is set to the reason,
- * for which `reason` is a buffer. Otherwise *why is NULL. Returns false if there is no answer. */
+/* Decides whether there is an answer after a computation that ended with `status`. Returns false if there is
+ * none. If a cycle releases no energy, if the train stops, or if friction locks a collision, there is an
+ * answer, but some of its numbers are missing. In these cases, sets *why to the reason, which may be stored
+ * in `reason`. If no number is missing, sets *why to NULL. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
 {

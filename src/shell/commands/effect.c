@@ -80,13 +80,13 @@ static double scene_price(const struct scene *scene)
     return seconds;
 }
 
-/* Returns how many seconds an answer takes if one effect is on, or if it is off. Returns NaN if there is no
- * answer. Some effects need others: the effects that this effect needs are on in both cases, so that the two
- * times can be compared. */
+/* Returns how many seconds an answer takes with the effect on or, if `on` is false, with the effect off.
+ * Returns NaN if there is no answer. If the effect needs other effects, they are on in both cases, so that
+ * the two times can be compared. */
 static double price_with(const struct query *query, int effect, bool on)
 {
     struct scene scene = *query->scene; /* this copy shares the row of the original */
-    /* Random rows stop early. */
+    /* A random row may stop early. Its time would then say little about the effect. */
     errors_off(&scene);
     /* Neither random rows nor the rigid-body engine can include 'floor'. */
     if (effect == DOM_EFFECT_placement || effect >= DOM_EFFECT_COUNT)
@@ -122,8 +122,8 @@ static void effects_say(const struct query *query, struct answer *a)
     bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(a,
                "Each time is for one answer: %s. The code of an effect that is off does not run. The time of "
-               "placement is for one random row, which may stop early. The times of feet and bounce are for "
-               "one run of the rigid-body engine; an answer needs two or more runs.",
+               "'placement' is for one random row, which may stop early. The times of 'feet' and 'bounce' "
+               "are for one run of the rigid-body engine; an answer needs two or more runs.",
                row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
     answer_say(
         a,

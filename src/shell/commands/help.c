@@ -190,8 +190,8 @@ static void help_command(struct session *session, const struct topic *t)
 
 /* ---- help ---- */
 
-/* Explains all topics with this name, a command before a parameter. A NULL name stands for all topics (only
- * in csv and json). */
+/* Explains all topics with this name. If a command and a parameter have the same name, explains the command
+ * first. If the name is NULL, explains all topics (only in csv and json). */
 static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;
@@ -225,8 +225,8 @@ static void help_variable(const struct session *session, const struct arguments 
     const char *head = variable_head(v);
     fprintf(session->output->out, "%s = %s\n\n", head, topic.summary);
     help_say(session->output->out,
-             "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' removes it.", topic.kind, head,
-             v->name);
+             "This %s was defined with 'let'. '%s = VALUE' changes it, and 'reset %s' removes it.",
+             topic.kind, head, v->name);
 }
 
 /* Lists the topics that have this word as a synonym. */

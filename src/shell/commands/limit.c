@@ -21,7 +21,7 @@ static const char *no_growth(struct domq_limit limit)
                  "release no energy, because a fallen domino has as much potential energy as an upright one"
            : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
            : limit.why == DOM_OUT_OF_REACH
-               ? "no growth possible: with edges this round, even equal dominoes (r = 1) fall past each "
+               ? "no growth possible: the edges are so round that even equal dominoes (r = 1) fall past each "
                  "other at this s; use a smaller s"
                : "no growth possible: at this s and d even equal dominoes (r = "
                  "1) have too little energy to keep falling";
@@ -104,12 +104,10 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     }
     if (!isnan(r_start))
         answer_say(
-            a, "This is for a train that is already moving. A row falls with a growth of up to %.6g %s.%s",
+            a, "r_max is for a train that is already moving. A row falls with a growth of up to %.6g %s.%s",
             (double)r_start, start_words(query).text, push);
     else
-        answer_say(a,
-                   "This is for a train that is already moving. Whatever its growth, a row does not fall "
-                   "%s.%s",
+        answer_say(a, "r_max is for a train that is already moving. No row falls %s, whatever its growth.%s",
                    start_words(query).text, push);
     return true;
 }
@@ -121,7 +119,7 @@ static const char *start_missing(const struct query *query, const struct answer 
     if (growths->is_too_slow)
         return "r_start has no value, because with the rigid-body engine the search would take too long; "
                "'rowmax' finds the largest growth of a row";
-    snprintf(reason, START_TEXT, "r_start has no value: whatever its growth, a row does not fall %s",
+    snprintf(reason, START_TEXT, "r_start has no value: no row falls %s, whatever its growth",
              start_words(query).text);
     return answer_for_people(a) ? NULL : reason;
 }

@@ -79,7 +79,7 @@ static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON]
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
-        pair ? "the first domino, if it just tips over, topples the next one" : "the train keeps falling";
+        pair ? "a first domino that only just tips over topples the next one" : "the train keeps falling";
     /* The 12 printed digits may be rounded up, which would claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
@@ -89,7 +89,7 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
         answer_say(a, "Proved: for every growth from %.12g up to 1/s %s.", p->from, falls);
     else if (p->ends == DOM_PROVED_NONE)
         answer_say(a, "Proved: at growth 1 %s.",
-                   pair ? "the first domino, if it just tips over, does not topple the next one"
+                   pair ? "a first domino that only just tips over does not topple the next one"
                         : "the train stops");
     else if (low > p->from)
         answer_say(a, "Only this is proved: for every growth from %.12g to %.12g %s.", p->from, low, falls);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Declares the tables of commands, and the commands that are defined outside the file of their table.
+ * Declares the tables of commands, and the commands whose table is in another file.
  *
  * To add a command, add a struct command (see command.h) to one of these tables. Write its columns and its
- * function run_NAME in the file of the table. A command in another file is declared here, or in the header of
- * its folder.
+ * function run_NAME in the file of the table. If you write them in another file, declare them here or in the
+ * header of that file's folder.
  */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
@@ -37,7 +37,7 @@ extern const struct command help_commands[];    /* help.c */
 /* Runs 'set' and 'effect', which change the parameter or effect that the arguments name. */
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Commands that are defined in separate files. */
+/* Commands that are not defined in the files of their tables. */
 extern const struct column count_columns[], why_columns[], animate_columns[];
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);

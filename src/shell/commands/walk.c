@@ -87,10 +87,11 @@ static struct measured angle_at(const struct place *p, domq_real theta)
     return angle_text(p->query, theta, 6);
 }
 
-/* Formats an angular velocity, given as the dimensionless tau omega, for example as "10.3 rad/s". */
-static struct measured omega_at(const struct place *p, domq_real omega)
+/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau omega, which has no
+ * unit. */
+static struct measured omega_at(const struct place *p, domq_real tau_omega)
 {
-    struct measured text = angle_text(p->query, omega / p->units.tau, 6);
+    struct measured text = angle_text(p->query, tau_omega / p->units.tau, 6);
     text_add(text.text, sizeof text.text, "/s");
     return text;
 }
@@ -151,10 +152,10 @@ static void say_launch(const struct place *p)
         answer_say(p->answer, "i(theta) is the inertia of a domino about its line of contact with the floor, "
                               "divided by its inertia with sharp edges.");
     if (impulses.bounded)
-        answer_say(
-            p->answer,
-            "The impulses at the contacts, from the head down the train: %s%s %s s; all of them push (> 0).",
-            impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
+        answer_say(p->answer,
+                   "The impulses at the contacts, from the head down the train: %s%s %s s; all are positive, "
+                   "so every contact pushes.",
+                   impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
         answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
                               "0, and its impulse has no upper bound in this model (14; b10).");
@@ -218,7 +219,7 @@ static void say_fall(const struct place *p)
         "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
         "keeps a potential energy of %.6g.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
-        p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
+        p->is_rounded ? "(as in equations (41; A17) and (42; A18))" : "(41; A17), (42; A18)",
         energy_at(p, 0 - p->state->fallen).text,
         (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
 }

@@ -82,10 +82,9 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). This has one of "
-                      "two causes. Leaning dominoes may have at least as much potential energy as "
-                      "upright ones. Or the larger domino in front may take up more energy than the "
-                      "smaller ones release.");
+        answer_say(a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
+                      "at least as much potential energy as upright ones, or the larger domino in front "
+                      "takes up more energy than the smaller ones release.");
     else if (b->barrier > 0)
         answer_say(
             a,

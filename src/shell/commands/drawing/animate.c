@@ -28,9 +28,9 @@ struct row_film {
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
-/* Chooses the part of the row that a frame shows. The view begins at the domino `head` (counted from 1),
- * which was hit last. Until the next hit, the view moves on to the next domino. Meanwhile its size changes
- * exponentially, so that it fits the next domino when it arrives there. */
+/* Chooses the part of the row that a frame shows. When the domino `head` (counted from 1) is hit, the view
+ * begins at this domino. By the time of the next hit, the view has moved on to the next domino. On the way,
+ * its size changes exponentially from a size that fits the one domino to a size that fits the other. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];

@@ -192,7 +192,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_options *options)
 {
     struct stage stage;
-    /* Without a tilt, the train is drawn at the current position of the walk, with the walk's tolerance. */
+    /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
+     * tolerance. */
     const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;

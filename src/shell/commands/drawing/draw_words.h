@@ -7,7 +7,7 @@
 
 enum draw_value {
     DRAW_TIME,   /* the time at which to show the row, in s */
-    DRAW_DOMINO, /* the row is shown when the domino with this number is hit; may be out of range */
+    DRAW_DOMINO, /* show the row when the domino with this number is hit; the number may be out of range */
     DRAW_TILT,   /* the tilt of the head at which to show the train */
     DRAW_CYCLES, /* the number of cycles to show; may be out of range */
     DRAW_SPEED,  /* the speed of the film, where 1 is real time */

@@ -108,8 +108,8 @@ double falling_row_hit(const struct falling_row *row, size_t k)
 {
     const struct domq_domino *d = &row->run.scene.domino[0];
     domq_real flat = d->thickness / d->height;
-    /* The time in s in which the tilt of a domino beyond its balance point grows by a factor of e. The growth
-     * is exponential while this tilt is small. */
+    /* While the tilt is still close to the balance point, its distance from this point grows exponentially.
+     * `growth` is the time in s in which the distance grows by a factor of e. */
     domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
     return row_run_tipped(&row->run, k) ? -3 * (double)growth
            : k < row->run.hits          ? (double)row->run.fall[k].time

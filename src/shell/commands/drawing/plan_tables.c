@@ -86,8 +86,8 @@ bool plan_size_table(struct plan *p, bool has_masses)
         p, "For the workshop: the sizes of the dominoes",
         has_masses ? "In mm and kg. If only one height or thickness changes, and stays between 'least' and "
                      "'most', all dominoes still fall."
-                   : "In mm; masses are divided by the mass of domino 1. If only one height or thickness "
-                     "changes, and stays between 'least' and 'most', all dominoes still fall.",
+                   : "Lengths are in mm, and masses are divided by the mass of domino 1. If only one height "
+                     "or thickness changes, and stays between 'least' and 'most', all dominoes still fall.",
         scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",

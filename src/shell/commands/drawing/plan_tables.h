@@ -18,7 +18,8 @@ struct plan {
     struct guide guide;
 };
 
-/* Returns the window of domino k, counted from 0, for its place, height or thickness. */
+/* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as the
+ * value stays in its window, all dominoes fall. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
 bool plan_has_leans(const struct plan *plan);

@@ -60,7 +60,8 @@ extern const struct derived derived_list[];
 /* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
     const char *name;
-    const char *value; /* "theta", "s" or "H" if the user types such a value, or NULL */
+    const char *value; /* the quantity whose value follows the question: "theta", "s" or "H"; NULL for a
+                          question without a value */
     const char *roots; /* the quantities that answer the question, with blanks between them */
 };
 extern const struct explained explained_list[];
@@ -88,7 +89,7 @@ struct step {
 
 struct derivation {
     struct query query; /* a query about the member `state` */
-    /* A changed copy of the session's state, which borrows its memory. */
+    /* A copy of the session's state, with changes. It shares memory with the original. */
     struct state *state;
     struct problem *problem;
     struct arena arena;

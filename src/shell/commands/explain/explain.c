@@ -135,8 +135,8 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine runs this row because %s, and has no equations; "
-                                 "'fall' shows how the row falls",
+                                 "the rigid-body engine runs this row, because %s; the engine has no "
+                                 "equations to show, but 'fall' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
@@ -215,16 +215,16 @@ const struct command explain_commands[] = {
                    .bind = explain_bind,
                    .choices = deep_names}},
      .summary = "where a number comes from: its equations, with numbers filled in",
-     .help =
-         "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
-         "in symbols and with numbers, and the value. It also lists the quantities in the equation. With "
-         "'deep' at the end, these quantities are explained as well, down to the parameters. The values are "
-         "the ones that the commands themselves print. With theta1, energy and omega, the first word of MORE "
-         "is a tilt; with rmax, a separation; with count, a height. With a row, 'explain verdict' is about "
-         "the domino that decides the verdict. With friction or rounded edges, or where a search finds a "
-         "maximum, there may be no equation in closed form. The derivation then says so and ends. 'explain "
-         "... > lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
-         "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
+     .help = "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the "
+             "equation in symbols and with numbers, and the value. It also lists the quantities in the "
+             "equation. With 'deep' at the end, these quantities are explained as well, down to the "
+             "parameters. The values are the ones that the commands themselves print. With theta1, energy "
+             "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
+             "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
+             "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
+             "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
+             "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
+             "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep_refusal = "it explains one train",
@@ -247,10 +247,10 @@ const struct command explain_commands[] = {
     {.name = "paper",
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
      .summary = "the numbers and figures of the paper, beside the exact ones",
-     .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
-             "and the quiz. Each number is computed with the paper's closed form of the fuel, and with the "
-             "fuel from the energy balance. The table says why the two results differ. The table is about "
-             "the paper's own dominoes and does not depend on the scene.",
+     .help = "A table of numbers from the paper: points of the figures, the largest growth, the best "
+             "separation, the printed equations and the quiz. Each number is computed with the paper's "
+             "closed form of the fuel, and with the fuel from the energy balance. The table says why the two "
+             "results differ. The table is about the paper's own dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
      .sweep_refusal = "it does not depend on the scene",

@@ -23,7 +23,7 @@ struct table {
     enum dom_status status;
 };
 
-static const char weights[] = "weights r^(-q i) left out in (25; c7)";
+static const char weights[] = "(25; c7) leaves out the weights r^(-q i)";
 
 /* Writes a row, unless the computation of an earlier row has failed. */
 static void paper_row(struct table *t, const char *where, const char *what, domq_real s, domq_real paper,
@@ -158,7 +158,7 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
                "The numbers differ for two reasons. First, the closed form of the fuel, the second equality "
                "of (25; c7), leaves out the weights r^(-q i) of the dominoes. These weights are 1 only for r "
                "= 1. Second, (50; d8) lost its factor J(theta_c) in print. A rigid-body engine agrees with "
-               "the exact values. Where the reach limits the growth, both fuels give the same growth.");
+               "the exact values. If the growth is limited by the reach, it does not depend on the fuel.");
     answer_say(a, "All numbers are for the paper's dominoes, d = 7/48, without effects. 'recipe' compares "
                   "the paper's method with this program for the dominoes of the session.");
     return true;

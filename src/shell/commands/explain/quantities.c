@@ -26,7 +26,8 @@ const struct derived derived_list[] = {
     GIVEN("H", "H", "H", "@", "m", "height of the domino to topple"),
     GIVEN("i", "i", "i", NULL, "", "number of a domino behind the head"),
     GIVEN("theta_i", "θ_i", "\\theta_i", NULL, "rad",
-          "tilt of domino i: theta_1, the tilt of a follower, applied i times (27; A2)"),
+          "tilt of domino i; the function theta_1, which gives the tilt of a follower, is applied i times "
+          "(27; A2)"),
     GIVEN(
         "slope_i", "θ'_i", "{\\theta'_i}", NULL, "",
         "how fast domino i tilts compared with the head: the product of all slopes up to domino i (33; A9)"),

@@ -8,7 +8,7 @@ const struct column recipe_columns[] = {
     {"step", "", "the step of the recipe, from 1 to 5", 4},
     {"quantity", "", "what the step finds", 31},
     {"paper", "",
-     "the number from the paper's recipe, with the paper's steps in theta and r and its closed form of the "
+     "the number from the paper's recipe, which raises theta and r in steps and uses the closed form of the "
      "fuel",
      0},
     {"program", "", "the number from this program", 0},

@@ -122,9 +122,9 @@ static void words_write(const struct writer *w, const struct step *s)
             putc(*c, w->formula.out);
 }
 
-/* Each number is the result of a few dozen operations, so its rounding error is at most a few dozen machine
- * epsilons times the largest number in its equation. A value below this many epsilons times that number is
- * therefore taken for 0. */
+/* Each number is the result of a few dozen operations. So its rounding error is at most a few dozen machine
+ * epsilons times the largest number in its equation. A value that is smaller than ROUNDINGS machine epsilons
+ * times this largest number is written as 0. */
 #define ROUNDINGS 64
 
 /* Returns true if a value would be 0 in exact arithmetic, such as the margin at the largest growth. */

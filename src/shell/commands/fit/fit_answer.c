@@ -63,7 +63,9 @@ bool fit_parse(struct reader *r, struct question *q)
 /* ---- The answer ---- */
 
 const struct column fit_columns[] = {
-    {"gap", "m", "if a speed was measured: the clear gap between the dominoes, which are all equal", 0},
+    {"gap", "m",
+     "if a speed was measured: the clear gap between neighbouring dominoes; all gaps of the row are equal",
+     0},
     {"run", "", "if a hit or an angle was measured: the number of the run", 5},
     {"domino", "", "if a hit or an angle was measured: the number of the domino", 0},
     {"time", "s", "if an angle was measured: the time of the measurement", 0},

@@ -50,13 +50,13 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Checks that the model's row, which ends at domino `dominoes`, includes all measured dominoes. */
+/* Checks that the fall in the model, which ends at domino `dominoes`, reaches all measured dominoes. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||
            problem_no_answer(
                &f->problem,
-               "domino %zu was measured in run %g, but the row of the scene ends at domino %zu: 'fall' "
+               "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
                "shows why; if the row was pushed, enter 'effect push', or fit push as well",
                run->dominoes, run->number, dominoes);
 }
@@ -86,7 +86,7 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
  * decrease. */
 struct watch {
     const struct fit_point *point;
-    double clock; /* when the motion begins, on the clock of the points */
+    double clock; /* the time at which the motion begins, on the clock of the measurements */
     size_t count, done;
     double *tilt;
 };
@@ -136,8 +136,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds the time at which a domino first reaches an angle, by interpolation between the measurements. The
- * domino is that of the first measurement. Returns NaN if the domino never reaches the angle. */
+/* Finds the time at which the domino of the first measurement first reaches an angle, by interpolation
+ * between the measurements. Returns NaN if the domino never reaches the angle. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;
@@ -153,8 +153,8 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
 }
 
 /* Estimates when the motion of a run began. The function compares the first measured domino with the same
- * domino in the model. It finds the start with which both reach half of the largest measured angle at the
- * same time. */
+ * domino in the model. It chooses the start so that both dominoes reach half of the largest measured angle at
+ * the same time. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };

@@ -129,8 +129,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of the current row of the file, if necessary from the frame number. The time is NaN if both
- * are missing. */
+/* Finds the time of the current row of the file. If the row has no time, computes it from the frame number.
+ * If the row has no frame number either, the time is NaN. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;

@@ -363,8 +363,9 @@ bool fit_solve(struct fit *f, struct problem *problem)
     if (status == GSL_EDOM)
         *problem = f->problem;
     else if (status != GSL_SUCCESS)
-        problem_no_answer(problem,
-                          "the search does not converge: many values explain the measurements equally well; "
-                          "fit fewer parameters, or set the others closer to their true values");
+        problem_no_answer(
+            problem,
+            "the search does not converge: many values explain the measurements equally well; fit fewer "
+            "parameters, or set the parameters that are not fitted closer to their true values");
     return status == GSL_SUCCESS;
 }

@@ -27,8 +27,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Looks for a friction, not above that of the scene, at which equal dominoes can have this safety. Returns
- * the largest one, or 0 if there is none. */
+/* Returns the largest friction coefficient, up to that of the scene, with which equal dominoes can have this
+ * safety. Returns 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -95,11 +95,10 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
-        snprintf(
-            text, size,
-            "infeasible: the start is too weak for a safety of %s at the second domino; it needs a push of "
-            "%.40s rad/s (%.40s at the top of domino 1); first enter 'effect row 2; effect push %.40s'",
-            safety.text, push.text, push_speed(wish, d->needs).text, push.text);
+        snprintf(text, size,
+                 "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
+                 "a push of %.40s rad/s (%.40s at its top); first enter 'effect row 2; effect push %.40s'",
+                 safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(
             text, size,
@@ -134,7 +133,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 }
 
 /* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
- * without them. In this case, `reason` receives a message that says so. */
+ * without them, and writes a message that says so into `reason`. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -157,10 +156,10 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
     if (!grid_check(grid, w->first, problem))
         return false;
     if (!(w->height > w->first))
-        return problem_no_answer(
-            problem,
-            "H = %s is not taller than the first domino, h = %s; enter a larger H, or another h with 'set h'",
-            measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
+        return problem_no_answer(problem,
+                                 "H = %s is not more than the height of the first domino, h = %s; enter a "
+                                 "larger H, or a smaller h with 'set h'",
+                                 measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
         return problem_no_answer(problem,
                                  "the safety must be more than 1, not %s: at a safety of 1 a domino barely "
@@ -231,7 +230,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
-/* Improves the design, which is already the session's row, and copies the improved row to the plan. */
+/* Improves the session's row, which is the design, and copies the improved row to the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
                            struct designed_row *plan, struct domq_design *d, struct domq_study *study,
                            struct problem *problem)
@@ -282,8 +281,8 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Prints the answer. If the command can change the session, first stores the design in it, and improves the
- * row if the user asked for a probability. */
+/* Prints the answer. If the command can change the session, first makes the design the row of the session. If
+ * the user asked for a probability, this row is also improved. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

@@ -9,9 +9,9 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search ends at DOMINOES_MOST dominoes. It also ends after random rows have been run for MORE
- * designs. */
-enum { DOMINOES_MOST = 200, MORE = 40 };
+/* The search ends when it reaches DOMINOES_MOST dominoes, or when it has tested DESIGNS_MOST designs with
+ * random rows. */
+enum { DOMINOES_MOST = 200, DESIGNS_MOST = 40 };
 
 /* The table also shows this many designs with more dominoes than necessary. */
 enum { BEYOND = 2 };
@@ -23,8 +23,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run, so that about 20 of them can be expected not to fall (10 in the
- * engine) if each row falls with this probability. With fewer failures, the measured probability would be too
+/* Returns how many random rows to run. If each row falls with this probability, about 20 of these rows (10 in
+ * the engine) can be expected not to fall. With fewer failures, the measured probability would be too
  * uncertain. */
 static size_t rows_for(domq_real probability, bool engine)
 {
@@ -108,7 +108,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
                   const struct domq_limits *limits, domq_real probability, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem)
 {
-    struct tried tried[MORE];
+    struct tried tried[DESIGNS_MOST];
     struct domq_random_error error[DOM_ERROR_COUNT];
     size_t count = 0, beyond = 0;
     if (!errors_check(query->scene, problem))
@@ -117,7 +117,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
         return problem_error(problem, "'falls' needs random errors; first enter 'effect placement 1 mm', or "
                                       "another error, such as 'effect error_thickness 1 %%'");
     design->limit = DOM_DESIGN_SAFETY;
-    for (size_t steps = 1; steps < DOMINOES_MOST && count < MORE && beyond <= BEYOND; steps++) {
+    for (size_t steps = 1; steps < DOMINOES_MOST && count < DESIGNS_MOST && beyond <= BEYOND; steps++) {
         struct domq_design d;
         struct domq_wish w = *wish;
         w.engine = NULL;

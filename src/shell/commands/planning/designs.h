@@ -24,8 +24,8 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 /* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
 
-/* Lists the dominoes. A file gets the columns that 'effect row FILE' reads. Otherwise the list also has the
- * positions, and the surface or volume of each domino. */
+/* Lists the dominoes. If `file` is true, the list has only the columns that 'effect row FILE' reads. If
+ * `file` is false, the list also has the positions, and the surface or the volume of each domino. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `is_random` is true. */
@@ -42,10 +42,10 @@ bool design_scene(const struct scene *from, const struct domq_design *design, co
 
 enum { REASON = 640 };
 
-/* Finds the design with the fewest dominoes that falls with the given probability. The probability is
- * measured with random rows, so it is known only to within a 95 % interval: the lower end of this interval
- * must reach `probability`. Prints a table of the designs that were tried. If there is no design, `reason`
- * says why, and design->limit is not DOM_DESIGN_FITS. */
+/* Finds the design with the fewest dominoes among the designs that fall with the given probability. The
+ * probability is measured with random rows, so it is known only to within a 95 % interval. The lower end of
+ * this interval must reach `probability`. Prints a table of the designs that were tried. If no design reaches
+ * the probability, `reason` says why, and design->limit is not DOM_DESIGN_FITS. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real probability, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem);

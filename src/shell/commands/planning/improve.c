@@ -15,7 +15,10 @@ const struct column improve_columns[] = {
     {"probability", "share", "the share of the rows that fall after the changes", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"high", "share", "the upper end of the 95 % interval of the probability", 0},
-    {"rows", "", "the number of random rows for each probability; the search itself used other rows", 0},
+    {"rows", "",
+     "the number of random rows from which each of the two probabilities was computed; the search itself "
+     "used other random rows",
+     0},
     {"changed", "", "the number of dominoes that have changed", 0},
     {"length", "m", "the length of the row, including its fallen last domino", 0},
     {NULL, NULL, NULL, 0},

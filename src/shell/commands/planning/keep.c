@@ -38,7 +38,8 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *from, size_t c
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    /* These changes keep the density of each domino, so the mass ratios may still have to change. */
+    /* These changes keep the density of each domino, so the masses change with the sizes. If the mass ratios
+     * now differ from those in `from`, they must be changed, too. */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {

@@ -13,10 +13,10 @@ struct probe {
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
     const struct parameter *parameter; /* the parameter that is changed, or NULL */
-    bool verdict;                      /* true if the answer is a verdict: 1 for yes, -1 for no */
-    struct problem problem;            /* why the last evaluation gave no answer */
-    bool wrong;           /* true if the question itself is wrong, so that it fails at every value */
-    struct quantity unit; /* the unit of the last answer */
+    bool verdict;           /* true if the answer is a verdict, which is stored as 1 for yes and -1 for no */
+    struct problem problem; /* why the last evaluation gave no answer */
+    bool wrong;             /* true if the question itself is wrong, so that it fails at every value */
+    struct quantity unit;   /* the unit of the last answer */
 };
 
 /* Returns the answer for this value of the parameter. If there is no answer, returns NaN and sets

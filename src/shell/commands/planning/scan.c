@@ -84,8 +84,8 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points at which f has opposite signs. If f has no root there, but jumps from one
- * sign to the other, stores the place of the jump. */
+/* Finds the root between two points at which f has opposite signs. If f jumps from one sign to the other and
+ * has no root in between, stores the x of the jump. */
 static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -103,8 +103,8 @@ static void root_between(struct scan *s, struct scan_point a, struct scan_point 
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* The solver also stops at a place where the answer jumps past the value. There the answer is not close
-     * to the value, and this shows that x is no root. */
+    /* If the answer jumps past the value, the solver stops at the jump. The answer just beside a jump is not
+     * close to the value, so x is not a root. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)

@@ -10,8 +10,8 @@ static const char *const names[WISHES] = {
     [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
     [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
 
-/* The largest probability that 'falls' accepts. At this probability, a design already needs up to 200000
- * random rows. */
+/* The largest probability that 'falls' accepts. At this probability, up to 200000 random rows are run for
+ * each design. */
 #define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {
