@@ -41,7 +41,7 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Returns r_max at s and stores s if it is the best so far. */
+/* Returns r_max at s, and stores s in the search if no larger r_max has been found. */
 static real search_at(struct search *b, real s)
 {
     /* A coarse scan never underestimates r_max, so it can rule out this s. */
@@ -119,8 +119,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the smallest width of an interval of s, relative to s. The more work the search has done, the
- * larger this width becomes. */
+/* Returns the width, relative to s, below which an interval of s is no longer bisected. This width grows with
+ * the work that the search has done, so that the search ends in time. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -129,10 +129,11 @@ static real search_finest(const struct search *b)
 }
 
 /*
- * Searches the separations between lo and hi for a growth above b->r_max. If bounds show that all trains of
- * the interval stop at growth b->r_max, none of them can have a larger r_max, and the interval is skipped. It
- * is also skipped if all its trains stop at growth `witness`, when `witness` is smaller than b->r_max.
- * Otherwise the interval is bisected.
+ * Searches the separations between lo and hi for an r_max above b->r_max. If a train stops at some growth,
+ * its r_max is below this growth. So if bounds show that all trains of the interval stop at growth b->r_max,
+ * the interval is skipped. The same test is then made at `witness`, a smaller growth at which a train nearby
+ * is known to stop. If no such growth is known, `witness` is infinite or b->r_max, and this second test is
+ * left out. If the tests fail, the interval is bisected.
  */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
@@ -140,7 +141,7 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
     struct margin m;
     enum dom_status status = DOM_OK;
     bool stops = false;
-    real last = 1 / fmax(b->r_max, 1); /* above `last`, s R > 1 */
+    real last = 1 / fmax(b->r_max, 1); /* at a larger s, the growth b->r_max is beyond the reach */
     hi = fmin(hi, last);
     if (lo >= hi)
         return DOM_OK;
@@ -189,8 +190,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes samples of s near the best separation, in smaller and smaller steps. This search is used if no bounds
- * are known. */
+/* Takes samples of s near the best separation, in smaller and smaller steps. Replaces search_between if no
+ * bounds are known. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -254,7 +255,8 @@ static void search_step(struct search *b)
         real rounding = 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
         if (rounding >= least)
             break;
-        /* the difference between two steps, plus the rounding error, estimates the error */
+        /* The slope is computed with this step and with a quarter of it. The error is estimated as the
+         * difference between the two slopes, plus the rounding error. */
         real next = margin_slope_by(b->c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
         if (wrong < least) {
             least = wrong;
@@ -375,8 +377,10 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* If the step is doubled, the error becomes 256 times as large. For the rounding error: the absolute
-         * values of the weights add up to 1750 / (840 h). */
+        /* If the step h is doubled, the error of the nine-point rule becomes 256 times as large. So `rule`
+         * exceeds the error at the step h by a factor of about 8. The absolute values of the rule's weights
+         * add up to 1750 / (840 h). So the error `wrong` of a margin adds up to 2.1 wrong / h to the error of
+         * the slope. */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also causes an error in the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
@@ -416,8 +420,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The double kernel has found a best separation. The first bracket extends this relative distance to either
- * side of it. The distance is larger than the error of that separation. */
+/* In quad precision, the first bracket around the best separation of the double kernel has this half-width,
+ * relative to s. The half-width is larger than the error of the double kernel. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */
@@ -468,7 +472,8 @@ static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
     b->r_max = rmax_at(b->s, c);
     if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
         *found = *smooth || search_kink(b, tol);
-    /* Without success, s may lie beyond a jump. The first root then need not be near c->near. */
+    /* If the refinement has failed, s may lie beyond a jump of r_max. So the search of all separations must
+     * not expect r_max near c->near. */
     c->near = *found ? c->near : 0;
     return c->status;
 }

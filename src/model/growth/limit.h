@@ -2,10 +2,10 @@
 /*
  * Finds the first growth at which the margin K - B changes sign. There are two methods:
  * - scan.c is for endless trains with sharp edges and without friction. It walks upwards over strips, which
- *   are intervals of growths. If bounds (strip.h) show that the margin is positive over a strip, it goes on
- *   to the next strip. Otherwise it divides the strip. If the strip is too narrow to divide, it also goes on.
- * - probe.c is for all other trains, and for pairs. It takes samples of the margin. Between two samples, the
- *   margin could change sign and change back if it is curved enough. There probe.c takes more samples.
+ *   are intervals of growths. If bounds (strip.h) show that the margin is positive over a strip, or if the
+ *   strip is too narrow to divide, the walk goes on to the next strip. Otherwise the strip is divided.
+ * - probe.c is for all other trains, and for pairs. It takes samples of the margin. If the margin is so
+ *   curved that it could change sign twice between two samples, probe.c takes more samples between them.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -13,7 +13,7 @@
 #include "growth/margin.h"
 #include "growth/strip.h"
 
-/* A sample of the scan. */
+/* The margin at the growth r. */
 struct margin_sample {
     real r;
     struct margin margin;
@@ -37,7 +37,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
 /* Finds a root of the margin between lo and hi, where the margin must have opposite signs. The search follows
- * one maximum of H from growth to growth. If another maximum becomes higher, it is not noticed. */
+ * one maximum of H from growth to growth. It does not notice if another maximum becomes higher. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
                                     const struct margin_sample *hi, real *r);
 

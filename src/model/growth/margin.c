@@ -2,7 +2,7 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* The approximate number of passes at one growth that use the same series for the far tail. */
+/* The series for the far tail is built once for each growth. About this many passes then use it. */
 #define FAR_PASSES 2
 
 /* Finds the barrier by the method c->how. If `near` is not NULL, it holds the sums at the tilt of

@@ -118,9 +118,10 @@ static enum dom_status probe_between(struct probe *p, const struct margin_sample
 }
 
 /*
- * Takes the next sample after `lo` whose number is at least k, and stores it in *hi. If the sign has not
- * changed at *hi, searches the samples after *hi first, by recursion. The sign changes between `lo` and *hi
- * are searched only after that. `last` is the sample before `lo`.
+ * Searches for the first sign change after the sample `lo`. Takes the next sample whose number is at least k,
+ * and stores it in *hi. Then probe_between searches between `lo` and *hi. It needs a third sample: the one
+ * after *hi. So unless the sign has changed at *hi, the search beyond *hi is made first, by recursion. If
+ * there is no sample after *hi, `last`, the sample before `lo`, is the third sample.
  */
 static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
                                   const struct margin_sample *lo, int k, struct margin_sample *hi)

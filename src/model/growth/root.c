@@ -27,13 +27,11 @@ struct root_point {
     real r, share, value, tol;
 };
 
-/* The bracket, and the newest points of the search. The margin is positive at lo and negative at hi. `known`
- * of the points at[] are valid, and at[2] is the newest one. */
 struct root_search {
-    real lo, hi;
-    struct root_point at[3];
-    int known;
-    real slope; /* roughly -d margin / d ln r, or 0 if unknown */
+    real lo, hi;             /* the bracket: the margin is positive at lo and negative at hi */
+    struct root_point at[3]; /* the newest points, with the newest of all in at[2] */
+    int known;               /* the number of valid points at the end of at[] */
+    real slope;              /* roughly -d margin / d ln r, or 0 if unknown */
 };
 
 static void root_add(struct root_search *s, struct root_point point)
@@ -188,8 +186,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
  * exceed it by at most this fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns the thickness of the flat part of a domino divided by its height. A sharp-edged domino of these
- * proportions has nearly the same root. */
+/* Returns thickness / height of the flat part of a domino, without the rounded edges. Sharp-edged dominoes
+ * with these proportions have nearly the same r_max. */
 static real flat_thickness(const struct geometry *geometry)
 {
     return geometry->rounded.wide / geometry->rounded.tall;

@@ -61,8 +61,8 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* Bounds on sums over the followers. The comments are about a strip of growths. In a strip of separations, s
- * takes the place of ln r. */
+/* Bounds on sums over the followers. The comments on the members describe a strip of growths. For a strip of
+ * separations, read s instead of ln r. */
 struct strip_sums {
     real least, most;              /* lower and upper bound on the fuel */
     real advance;                  /* upper bound on d theta_i(0) / d ln r */
@@ -123,7 +123,8 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h_i - h_(i+1) is the integral of g over the angle asin X, which is at least X */
+        /* h_i - h_(i+1) is the integral of g over the tilts from theta_i to theta_(i+1), and the length of
+         * this interval is asin X >= X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -142,8 +143,8 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* The head has already gained kinetic + loss or more. So this is an upper bound on the rest of its
-         * climb, h(theta_u) - h(theta). */
+        /* At the maximum of H, the head has gained at least the energy kinetic + loss. So `spare` is an upper
+         * bound on h(theta_u) - h(theta), the rest of the head's climb. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->steepest - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
@@ -157,8 +158,8 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns an upper bound on the terms of domino 1, or infinity if no bound is found. At the reach, u_1(0) =
- * tan theta_c (strip_follower) is infinite. The bound on the terms is finite even there.
+ * Returns an upper bound on the terms of domino 1 in the sums of strip_follower, or infinity if no bound is
+ * found. At the reach, u_1(0) = tan theta_c is infinite, but the bound on the terms is still finite.
  *
  * If the head leans by at least `least`, u_1(theta) is at most u_1(0) multiplied by `part`:
  * - While domino 1 leans on the head, u_1(theta) / u_1(0) decreases with theta and with r.
@@ -234,8 +235,8 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 
 /*
  * Returns tan(t / 2), where t is an upper bound on the tilt of the head at the maximum of H. Without
- * followers, the maximum is at theta_u. If the first follower pulls, it is at a smaller tilt. At the maximum
- * dH/dtheta is 0, so
+ * followers, the maximum is at theta_u. If all followers are beyond theta_u, they lose energy as they fall,
+ * so the maximum is at a smaller tilt. At the maximum dH/dtheta is 0, so
  *
  *     sqrt(1 + d^2) sin(theta_u - theta) = sum r^(-q i) theta_i' g(theta_i).
  *
@@ -253,15 +254,16 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
         if (hi->detaches && head.v >= hi->leave.v)
             break;
         /* `below` is a lower bound on (theta_u - theta) / 2, since theta_1' decreases with the tilt of the
-         * head. The tangent of this angle is larger still. */
+         * head. It is also a lower bound on tan((theta_u - theta) / 2), since the tangent of an angle is
+         * larger than the angle. */
         const real below = geometry_contact(hi, head).slope * pull;
         top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
 
-/* Counts a pass along both chains, with n steps. One step takes about as long as twelve dominoes of a plain
- * pass. So it counts as twelve in the effort. */
+/* Counts the work of n steps along both chains. One step takes about as long as twelve dominoes of a plain
+ * pass, so each step adds 12 to the effort. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
@@ -285,7 +287,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     const real half_top = strip_top(lo, hi, at.lo);
     sums.tilt = 2 * atan(half_top);
     const struct between first = at;
-    /* true if no domino at lo gets beyond theta_u; that train has no fuel */
+    /* true if no domino of the train at lo gets beyond theta_u, so that this train has no fuel */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
@@ -317,8 +319,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* `rest` and `rest_hi` are upper bounds on the energy that later dominoes can still lose, at lo and
-         * at hi. They are NaN if no bound is known. */
+        /* Upper bounds on the energy that the dominoes behind this one can still lose: `rest` in the train at
+         * lo, and `rest_hi` in the train at hi. NaN if no bound is known. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -377,10 +379,11 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
  * lowers the barrier. Its loss is the integral of w^i theta_i' g(theta_i) over theta. For every train in the
  * strip, this loss is at least the loss at hi divided by `grows`, for two reasons:
  * - theta_i' and w^i are at least their values at hi.
- * - g(theta_i) is at least its value at hi divided by `grows`. The ratio of the two values is largest when
- *   the head is upright, because h/g and d theta_i / dr decrease with theta.
+ * - g(theta_i) at hi is at most `grows` times as large as in the other train. The ratio is largest when the
+ *   head is upright, because h/g and d theta_i / dr decrease with theta, and `grows` is the largest ratio for
+ *   an upright head.
  *
- * The head itself rises by at most `most`.
+ * The energy of the head itself rises by at most `most`.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
@@ -389,7 +392,8 @@ KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most
     return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
 }
 
-/* The loss of a follower (see strip_barrier_most) is at most `grows` times the loss at lo. */
+/* In every train of the strip, the loss of a follower (see strip_barrier_most) is at most `grows` times its
+ * loss in the train at lo. */
 KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
 {
     real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,

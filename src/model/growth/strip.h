@@ -9,8 +9,9 @@
  *
  *     d theta_1 / d ln r = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y.
  *
- * X and Y are the sine and cosine of theta_1 - theta. These quantities are monotone because X = r (L cos
- * theta - d). For later followers, such quantities are only multiplied and added, and no term is negative. So
+ * X and Y are the sine and cosine of theta_1 - theta. Each of these three quantities is a monotone function
+ * of r, s and theta, because X = r (L cos theta - d). For later followers, the derivatives and slopes are
+ * sums of products of such quantities. None of the factors is negative, so these sums are monotone, too. So
  * the two trains at the ends of a strip enclose all others.
  *
  * STRIP_SLACK allows for rounding errors, but this is not a proof by interval arithmetic.
@@ -26,8 +27,8 @@ struct strip {
     /* The largest factor, over all followers i, by which g(theta_i(0)) increases from lo to hi, where
      * g(theta) = sin theta - d cos theta. Infinite if a follower has not yet reached theta_u at lo. */
     real grows;
-    /* Upper bound on the energy that later followers, behind the last visited one, can still lose. `grows`
-     * does not cover these followers. */
+    /* Upper bound on the energy that the followers behind the last visited one can still lose. `grows` does
+     * not cover these followers. */
     real cut;
     real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds; >= 0 */
     /*
@@ -41,9 +42,10 @@ struct strip {
 };
 
 /*
- * Computes the bounds for the trains between lo and hi, without friction. Of the two, hi has the larger r or
- * s. If K > `enough` for all trains, the computation ends early. The omitted tails cause a relative error of
- * K; tol is the limit of this error.
+ * Computes the bounds for the trains between lo and hi, without friction. The trains lo and hi differ either
+ * in r or in s, and hi has the larger value. If the bounds show early that K > `enough` for all trains, the
+ * computation ends, and strip->clear is true. The omitted tails of the sums cause a relative error of K of at
+ * most tol.
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
