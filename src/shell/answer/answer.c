@@ -137,10 +137,10 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 /* ---- Rows ---- */
 
 /*
- * Some numbers are too large for the precision of the output. Empties their cells and explains why they are
- * empty. In csv and json, the explanation becomes the reason of the row, unless `reason` already gives
- * another one. In formats for people, the explanation appears below the last row. Returns the reason of the
- * row.
+ * Empties the cells whose numbers are too large for the precision of the output and explains why they are
+ * empty. Returns the reason to write with this row. In csv and json, this is the explanation, unless `reason`
+ * already says why a cell is empty. In formats for people, the explanation is kept for the end of the answer,
+ * and `reason` is returned unchanged.
  */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])

@@ -41,7 +41,7 @@ struct layout {
     /* Only for the table format: */
     int digits;
     int column[ANSWER_COLUMNS]; /* the widths of the columns */
-    int words;                  /* where the last column begins, or -1 if its words go below each row */
+    int words;                  /* where the last column begins, or -1 if its words are below each row */
     /* The terminal is too narrow for a table with columns side by side. Each row is therefore written as
      * several lines, one for each of its cells. */
     bool is_stacked;
@@ -56,7 +56,7 @@ struct csv_layout {
     bool has_reasons;  /* the rows have a column for reasons */
     char *last_header; /* the last header line that was written to this file, or NULL */
     /* Additional columns, as text that is appended to the lines. Each piece of text is terminated by a NUL
-     * byte. The first piece belongs to the header line, and each of the others to one row. May be NULL. */
+     * byte. The first piece belongs to the header line, and each later piece to one row. May be NULL. */
     const char *extra;
 };
 
@@ -68,7 +68,7 @@ struct answer {
     const char *command;                /* the name of the command, for programs that read the answer */
     const char *note;                   /* a remark for programs that read the answer, or NULL */
     const struct column *columns;       /* the columns of each row; the key of the last element is NULL */
-    struct column copy[ANSWER_COLUMNS]; /* `columns` points here if the command has changed them */
+    struct column copy[ANSWER_COLUMNS]; /* if the command has changed columns, `columns` points here */
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
@@ -85,8 +85,8 @@ struct answer {
     /* a sentence was written, but no row */
     bool wrote_text;
     int error; /* errno of the first write that failed, or 0 */
-    /* The first explanation of an empty cell that could not be written together with its row. It is reported
-     * at the end of the answer. "" if there is none. */
+    /* Why a cell is empty, if the format could not say so in or below the row. This reason is reported at the
+     * end of the answer. If there are several, only the first one is kept. "" if there is none. */
     char late_reason[ANSWER_REASON];
 
     /* If the answer belongs to one point of a sweep, this function receives its rows, and nothing is written
@@ -118,8 +118,8 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_header)(const char *line);
-    /* Ends the answer. Sometimes the format could not write the reason why a cell is empty. In this case,
-     * returns the reason, and the caller must report it. Otherwise returns NULL. */
+    /* Ends the answer. If the format had no place for the reason why a cell is empty, returns this reason,
+     * and the caller must report it. Otherwise returns NULL. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -141,12 +141,12 @@ struct column *answer_columns(struct answer *answer, const struct column *column
  * that are passed to answer_row must still have a cell for each of them. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
-/* Changes the unit or the explanation of a column in this answer. If `unit` or `meaning` is NULL, it stays
- * unchanged. */
+/* Changes the unit and the explanation of a column in this answer. If `unit` is NULL, the column keeps its
+ * unit. If `meaning` is NULL, the column keeps its explanation. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
 /* Announces a number that a column will contain. In a table of rows, each column has one unit, which must be
- * chosen before the first row is written. It is chosen for the largest number that was announced or is in the
+ * chosen before the first row is written. The unit suits the largest number that was announced or is in the
  * first row. If no column has this key, nothing happens. */
 void answer_announce(struct answer *answer, const char *key, domq_real number);
 

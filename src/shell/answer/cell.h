@@ -65,7 +65,7 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
  * as possible, but with enough digits that reading the text gives the same number again. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
-/* Returns the text of an error bound for programs, or `none` if no bound is known. */
+/* Returns the text of the cell's error bound in csv and json. If no bound is known, returns `none`. */
 const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
 

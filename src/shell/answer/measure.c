@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The units for display. Each unit is used for numbers below its limit `below`, which is given in the base
- * unit. The units of one base unit are listed in the order of their limits, with the smallest limit first. */
+/* The units for display, such as mm, so that 0.005 m is shown as 5 mm. A number in the unit `base` is shown
+ * in the first of these units with the same base whose limit `below` is larger than the number. */
 static const struct {
     const char *base;
     domq_real below;
@@ -46,8 +46,8 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* A number with more digits before the decimal point than `digits` gets more digits. Otherwise, printf
-     * would write the number 100, for example, as 1e+02 if only two digits are allowed. */
+    /* All digits before the decimal point are shown, even if there are more than `digits`. With only two
+     * digits, for example, printf would write 100 as 1e+02. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",

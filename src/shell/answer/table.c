@@ -13,9 +13,9 @@ enum {
     NUMBER_MARGIN = 6, /* the width that a number needs besides its digits, for "-0." or "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* if words in the last column have less room than this, they go below their row */
+    WORDS_LEAST = 30,   /* if the last column has less room, its words are below each row */
     WORDS_SHORT = 12,   /* a last column of at most this width may get less room than WORDS_LEAST */
-    WORDS_INDENT = 8,   /* the indentation of a last column that goes below its row */
+    WORDS_INDENT = 8,   /* the indentation of the words below a row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
     DIGITS_LEAST = 3
@@ -158,7 +158,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
 
 enum line { KEYS, UNITS, VALUES };
 
-/* Writes the keys, the units or the values. Without units, the line of units is omitted. */
+/* Writes the keys, the units or the values. If no column has a unit, the line of units is omitted. */
 static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
     char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
@@ -252,7 +252,7 @@ static void table_begin(struct answer *a, const struct cell *cells, const char *
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    (void)reason;                     /* answer_row writes the reason below the table */
+    (void)reason;                     /* answer_row writes the reason below the row */
     if (a->rows && !a->layout.digits) /* another part of the answer wrote the first row */
         rows_measure(a);
     if (!a->rows)

@@ -7,8 +7,9 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Returns how many bytes of a text fit into one line of `columns` columns. The line also ends at a '\n'. If
- * the first piece alone is longer than a line, only as much of this piece as fits is counted. */
+/* Returns how many bytes of a text go into the first line, which has room for `columns` columns. The line
+ * ends between two pieces or at a '\n'. If the first piece is longer than a line, the line ends within this
+ * piece. */
 size_t line_break(const char *text, int columns);
 
 /* Writes text in lines between two columns of the terminal. Each line begins at the column `left`, and ends

@@ -175,7 +175,7 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The value may be copied from an answer in degrees in which theta_c was rounded up. */
+    /* If the user has copied theta_c from an answer in degrees, the value may have been rounded up. */
     domq_real slack =
         2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))

@@ -50,8 +50,8 @@ struct argument {
     enum argument_kind kind;
     const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
     int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
-    /* What messages call the value, such as a noun for a choice. If an ARGUMENT_ANY has a noun, completion
-     * offers no values for it. */
+    /* What messages call the value, such as "picture". If an ARGUMENT_ANY has a noun, completion offers no
+     * values for this argument. */
     const char *noun;
     bool optional;
     names_list *choices;
@@ -94,15 +94,15 @@ struct command {
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
-    /* The name of a parameter, if the answer has a column that only repeats the value of this parameter. A
-     * sweep over the parameter has such a column already, so it leaves out the column of the answer. If an
-     * argument of the command replaces the parameter's value, as in 'rmax 0.4', the sweep keeps it. */
+    /* If a column of the answer only repeats the value of a parameter, the name of this parameter. A sweep
+     * over the parameter already shows its values, so the sweep leaves this column of the answer out. If an
+     * argument replaces the value, as in 'rmax 0.4', the sweep keeps the column. */
     const char *echo;
     /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions leave
      * this column out. NULL if no column is slow. */
     const char *slow_column;
-    /* If 'sweep' must not run this command, the reason, for a message. NULL if 'sweep' accepts the command.
-     * Also NULL if the command computes nothing, because 'sweep' does not accept such a command anyway. */
+    /* The reason why 'sweep' refuses this command, as a text for messages. NULL if 'sweep' accepts the
+     * command. Also NULL if the command computes nothing, because 'sweep' refuses every such command. */
     const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
     /* What the command writes: */
@@ -147,8 +147,8 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of all names that have a value. `context` is the state whose variables are included. If it is
- * NULL, the list contains only the names that have a value in every state. */
+/* A names_list of all names that have a value. `context` is the state whose variables are included. If
+ * `context` is NULL, the list contains only the names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
 /* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from

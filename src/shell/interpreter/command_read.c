@@ -86,9 +86,9 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Users sometimes write a command like a function, as in "quit()" or "print(2)". Returns true if the line is
- * such a command, and the command cannot be used in an expression. Moves the reader past the name and past an
- * empty "()". */
+/* Users sometimes write a command like a function. Returns true for "print(2)", and for a command before an
+ * empty "()", such as "quit()", unless the command can be used in an expression. In this case, also moves the
+ * reader past the name and the empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -134,13 +134,13 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
-/* Returns the command that a shorthand stands for. Returns NULL for other lines, and after an error. */
+/* Returns the command that a shorthand stands for. For a command and a number, such as 'rmax 0.4', returns
+ * the command as well. Returns NULL for other lines and after an error. */
 static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
     struct variable v;
-    /* Most lines of a script consist of a command and a number. Such a line is not a shorthand, so none of
-     * the tests below is needed. */
+    /* Most lines of a script consist of a command and a number, so they skip the tests for shorthands. */
     if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);
@@ -183,7 +183,8 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Returns the index of the command whose member `shortest` reserves this abbreviation, or NAMES_SEVERAL. */
+/* Several commands begin with the abbreviation `name`. If it stands for one of them (see command.shortest),
+ * returns the index of this command. Otherwise returns NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
     const char *all;
@@ -232,7 +233,8 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
-/* Reads the name of a command, which may be abbreviated. Reports an unknown command and returns NULL. */
+/* Reads the name of a command, which may be abbreviated. If there is no such command, reports a problem and
+ * returns NULL. */
 static const struct command *name_read(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE], exact[VARIABLE_NAME];

@@ -9,13 +9,14 @@
 /*
  * Returns the command of a line, and moves the reader to its arguments. If a command and a parameter have the
  * same name, the name stands for the command. If the name of a parameter is also an abbreviation of a
- * command, it stands for the parameter, so 'q' does not mean 'quit'. After an error, sets the reader's
+ * command, the name stands for the parameter, so 'q' does not mean 'quit'. After an error, sets the reader's
  * problem and returns NULL.
  */
 const struct command *command_read(struct reader *reader);
 
-/* Finds the command inside another command, such as 'sweep'. An expression is allowed instead, and stands for
- * 'print'. Other shorthands are not allowed. Completion offers the names in the list `offered`. */
+/* Finds the command that another command runs, such as 'verdict' in 'assert verdict'. If the text is an
+ * expression, as in 'assert rmax < 2', returns 'print'. Other shorthands are not allowed. Completion offers
+ * the names in the list `offered`. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
 /* Decides whether the word before c is the beginning of an expression rather than a command. Returns true if

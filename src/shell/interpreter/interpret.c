@@ -39,9 +39,8 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs one of the functions of a command. If the command has a function `act`, this function runs. If it has
- * a function `picture` and the answer goes to a picture file, this function runs. Otherwise, the function
- * `run` runs. */
+/* Runs the command's function for this answer: `act`, `picture` or `run` (see struct command). If the
+ * terminal is too small for a picture, reports a problem instead. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -60,7 +59,8 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    /* Clearing a kilobyte takes time, and most lines of a script do not need it. */
+    /* `kept` is needed only if the command has a value for 'ans'. Clearing it for every command would slow
+     * down scripts. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = *output_find(&output, OUTPUT_SINKS);
@@ -288,8 +288,8 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if the current line is written into a log. The lines of a sourced file are not, because the
- * log already contains the command 'source'. */
+/* Returns true if the current line is written into a log. The lines of a sourced file are not logged, because
+ * the log already contains the command 'source'. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
@@ -302,8 +302,9 @@ static void run_commands(struct session *session, const struct text *text, const
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* A line with several commands is logged before they run, because some of them may succeed before another
-     * one fails. A single command is logged when it is known whether it has failed. */
+    /* A command that fails becomes a comment in the log. A single command is therefore logged only when it
+     * writes an answer or an error. A line with several commands is logged before they run, because some of
+     * them may succeed before another one fails. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {

@@ -10,8 +10,8 @@ struct lookup {
     struct problem *problem;         /* receives the reason why a command has no answer */
 };
 
-/* The command t->refers has returned the row `cells`. Stores the number in column t->index of this row. If
- * the cell in this column is empty or contains a word, reports an error. */
+/* Finds the value of the node t: the number in column t->index of the row `cells`, which is an answer of the
+ * command t->refers. If this cell is empty or contains a word, reports an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {

@@ -16,10 +16,10 @@ enum preview {
 };
 
 /*
- * Parses a line that is not complete yet, and judges its last command. The line consists of `length` bytes of
- * the text `line`, followed by the text `tail`. If `offer` is NULL, the values in the line are computed and
- * checked. If `offer` is not NULL, the function stores in *offer where the names of commands are. If `tail`
- * also ends with PREVIEW_CURSOR, it stores what may be typed at the cursor.
+ * Parses a line that is not complete yet and judges its last command. The line consists of `length` bytes of
+ * the text `line`, followed by the text `tail`. If `offer` is NULL, also computes and checks the values in
+ * the line. If `offer` is not NULL, stores in *offer where the names of commands are and, if `tail` ends with
+ * PREVIEW_CURSOR, what may be typed at the cursor.
  */
 enum preview line_preview(struct session *session, const char *line, size_t length, const char *tail,
                           struct offer *offer);

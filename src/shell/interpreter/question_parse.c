@@ -178,7 +178,8 @@ static bool check_wrong(const struct reader *r, const struct command *c)
 {
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
         return false;
-    problem_error(r->problem, "commands have no options; to check the answer in a script, enter 'assert %s'",
+    problem_error(r->problem,
+                  "commands have no options such as '--check'; 'assert %s' checks that the answer is yes",
                   command_usage(c));
     return true;
 }

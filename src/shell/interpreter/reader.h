@@ -12,15 +12,16 @@ enum { OFFER_LISTS = 8 };
 /* What completion offers at the cursor, besides names and values. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
-/* What the user may type next. Completion, hints and colours need this. To find it, the line is parsed with a
- * special cursor character at its end. No parser accepts the cursor character, so some functions fail there.
- * Each of them records what it would have accepted. */
+/* What the user may type next, for completion, hints and colours. To find out, the line is parsed with a
+ * special cursor character at its end. Each parsing function that reaches this character records what it
+ * would accept there and then fails, because none of them accepts the cursor character itself. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    /* The argument whose expression is at the cursor. The kind is ARGUMENT_NONE if there is none. */
+    /* The argument whose expression is at the cursor. If there is no such argument, its kind is
+     * ARGUMENT_NONE. */
     struct argument value;
     bool is_inside;                    /* the cursor is not at the beginning of the expression */
     unsigned kinds;                    /* bits of enum offer_kind */

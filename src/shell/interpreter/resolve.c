@@ -9,8 +9,8 @@ enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol. Returns 0, because most symbols have no children, and the functions below
- * return the largest height of a node's children. */
+/* Turns a node into a symbol. Returns 0, which is what the functions below return for a node without
+ * children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The names in expressions. A name can stand for a parameter, a variable, a 'let' function, the last answer
- * or a command, which may have the key of a column. To resolve a name means to find what it stands for. A
- * sweep resolves the names of its expression once, and evaluates the resolved tree at every point. */
+/* The names in expressions. A name can stand for a parameter, a variable, a 'let' function, a command or the
+ * last answer. For one column of an answer, the key of the column follows, as in 'rmax.r' or 'ans.margin'. To
+ * resolve a name means to find what it stands for. A sweep resolves the names of its expression once and
+ * evaluates the resolved tree at every point. */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
 
@@ -65,8 +66,8 @@ struct resolver {
  * -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
-/* An error has occurred in the body of a function. Adds the name of the function to the error message. `at`
- * is the place where the function is called. */
+/* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
+ * place where the function is called. */
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 
 /* Evaluates a resolved tree in the state of a query. After an error, sets *error or *problem and returns
@@ -74,9 +75,8 @@ void routine_wrong(struct expression_error *error, const char *at, const struct 
 bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
                     struct expression_error *error, struct problem *problem);
 
-/* Makes a query for a changed state. The query's state is copied to *state, and the values in `assigned` are
- * assigned to parameters of the copy. *changed becomes the query with this state. On failure, sets *problem
- * and returns false. */
+/* Makes *changed a copy of `query` in which some parameters have other values. The copy uses *state, which
+ * becomes the state of `query` with the values in `assigned`. On failure, sets *problem and returns false. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

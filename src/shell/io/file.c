@@ -2,12 +2,12 @@
 /*
  * Writes answers into the files after '>' and '>>'. Each answer is written completely or not at all.
  * - At first, the text goes to a temporary file without a name. If the program is killed, this file vanishes.
- * - After '>', the text is then copied into a new file in the folder of the target, which is called the
- *   replacement. The replacement is renamed to the target, so the target changes in a single step.
+ * - After '>', the text is then copied into a new file in the folder of the target. This new file is called
+ *   the replacement. It is renamed to the target, so the target changes in a single step.
  * - After '>>', the target is locked, and the text is appended to it.
- * - Some targets cannot be replaced by renaming without changing more than their contents: files that have
- *   several hard links, or that belong to another user. Such a target is locked and overwritten in place. If
- *   no file can be created in the folder of the target, the target is also overwritten in place.
+ * - If the target has several hard links or belongs to another user, renaming would break the links or change
+ *   the owner. Such a target is locked and overwritten in place. A target is also overwritten in place if the
+ *   replacement cannot be created.
  */
 #define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
@@ -26,13 +26,13 @@ struct file {
     /* must be the first member, so that a pointer to it is also a pointer to struct file */
     struct output output;
     struct target target;
-    /* False if `out` is the target itself, such as a device or a FIFO. */
+    /* `out` is a temporary file; false if it is the target itself, which may be a device or a FIFO */
     bool is_held;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target. Sometimes the target can be written, but no file can
- * be created in its folder. In this case, opens the file in the usual folder for temporary files. */
+/* Opens the temporary file in the folder of the target. If the target exists, but no file can be created in
+ * its folder, opens the temporary file in the usual folder for such files. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));
@@ -134,8 +134,8 @@ static int replacement_open(const struct target *t, char name[REPLACEMENT])
     return -1;
 }
 
-/* Opens the target itself and locks it. This function is used if the target is not replaced by a new file.
- * Returns -1 and sets errno on failure. */
+/* Opens and locks the target itself, to append to it or to overwrite it in place. Returns -1 and sets errno
+ * on failure. */
 static int file_lock(const struct file *f)
 {
     enum { SECONDS = 10 };
@@ -147,9 +147,9 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the target. During this function, signals are blocked, so that they cannot interrupt
- * it halfway. They are delivered only while the function opens the target and waits for the lock. Sets errno
- * on failure. */
+/* Writes the text into the target. Signals are blocked, so that they cannot interrupt the writing halfway.
+ * They are delivered only while the function opens the target and waits for the lock. Sets errno on
+ * failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Functions for files and streams in which the user can interrupt a wait, such as the wait for the other end
- * of a FIFO. A signal handler raises the flag `interrupt` (see dom_raised). The wait then ends, and errno is
+ * Functions for files and streams. The user can interrupt their waits, such as the wait for the other end of
+ * a FIFO. A signal handler raises the flag `interrupt` (see dom_raised). The wait then ends, and errno is
  * ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
  * signals have their usual effect. All functions set errno on failure.
  */
@@ -26,9 +26,9 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
  */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits until a file can be read. If `to_write` is true, waits until it can be written instead. The wait
- * takes at most the time `longest`. If `longest` is NULL, there is no limit. If `file` is -1, there is no
- * file to wait for, so the function waits for the whole time. Returns false if the flag is raised. */
+/* Waits until a file can be read or, if `to_write` is true, until it can be written. Waits no longer than
+ * `longest`, or without limit if `longest` is NULL. If `file` is -1, there is no file to wait for, so the
+ * function waits for the whole time. Returns false if the flag `interrupt` is raised. */
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes. This function may be called in a signal handler. */

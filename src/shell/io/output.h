@@ -52,8 +52,8 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* OUTPUT_SINKS are the kinds of levels at which text ends, because they do not pass it on to the level below.
- * OUTPUT_BASE are the kinds that are always below files and pagers. */
+/* OUTPUT_SINKS are the kinds of levels that do not pass text on to the level below. OUTPUT_BASE are the kinds
+ * that are always below files and pagers. */
 enum {
     OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD,
     OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE

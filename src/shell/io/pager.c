@@ -14,8 +14,8 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* Slow text must not be withheld from the user until it fills the screen. After this time, it is shown as it
- * arrives, without a pager. */
+/* Text is held back until there is enough of it for a pager. If this takes longer than HOLD_SECONDS, the text
+ * is shown as it arrives, without a pager, so that the user need not wait. */
 #define HOLD_SECONDS 0.5
 
 /* The prompt that 'less' shows, in the syntax of its option -P. '?e' tests for the end of the text, and ':'

@@ -44,7 +44,8 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes text on and copies it without control sequences. In a log, answers become comments. */
+/* Passes text on to the level below and writes a copy without control sequences into the file. In a log,
+ * each line of the copy becomes a comment, so that the log can be run as a script. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;

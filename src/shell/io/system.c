@@ -35,7 +35,8 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
 
 #elif defined HAVE_FUNOPEN
 
-/* The functions of funopen use int for sizes. */
+/* The callbacks of funopen use int for sizes. The callbacks below convert these sizes to those of a struct
+ * system_stream. */
 struct bsd_stream {
     void *cookie;
     struct system_stream functions;
@@ -89,7 +90,7 @@ int system_reserve(int file, off_t from, off_t to)
     return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot reserve space */
 #else
     /* Without posix_fallocate, the file is extended by writing one byte into each new block. The blocks that
-     * the file has already are assumed to be on the disk. */
+     * the file already has are assumed to be allocated on the disk. */
     struct stat status;
     if (fstat(file, &status) != 0)
         return errno;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that differ between operating systems. If the build has found that the system has a certain
- * feature (see `features`), they use it. Otherwise they use only POSIX. 'make portable' builds and tests the
- * versions for POSIX. */
+/* Functions that differ between operating systems. If the build has found a suitable feature of the system
+ * (see the file `features`), the function uses it. Otherwise the function uses only POSIX. 'make portable'
+ * builds and tests the POSIX versions. */
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H
 
@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* The functions that a stream calls. If a pointer is NULL, nothing is done in the place of the function.
- * `write` must write all bytes. If it returns a smaller number, the stream treats this as an error. */
+/* The functions that do the work of a stream. If the stream does not need a function, it may be NULL. `write`
+ * must write all bytes. If it returns a smaller number, the stream treats this as an error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);
     ssize_t (*write)(void *cookie, const char *bytes, size_t size);

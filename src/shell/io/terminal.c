@@ -140,7 +140,7 @@ void progress_begin(void)
 {
     if (!terminal_shows(stderr))
         return;
-    progress_end(); /* a command that runs this one, such as 'source', may be showing a progress line */
+    progress_end(); /* an outer command, such as 'source', may be showing a progress line already */
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     seconds = done = 0;
     is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;

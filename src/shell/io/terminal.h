@@ -20,9 +20,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If the functions above currently treat the stream `from` as standard output, makes them treat the stream
- * `to` as standard output instead. Otherwise nothing changes. 'log', 'tee' and the pager need this function,
- * because each of them is a stream that passes its text on to standard output. */
+/* While a log, a tee or a pager is open, answers go to a stream that passes them on to standard output, so
+ * the functions above must treat this stream like standard output. If this stream has been `from` so far, it
+ * is `to` from now on. Before the first such stream, `from` is standard output itself. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
