@@ -2,8 +2,8 @@
 /*
  * Runs a row many times, each time with a change of a few neighbouring dominoes. Such a run is called a
  * trial. A trial is fast because it leaves out most of the row. It begins at the first head that the change
- * can affect. It ends as soon as the change can no longer affect the verdict, since the effects of the change
- * decrease from head to head. There are two effects.
+ * can affect, and ends as soon as the change can no longer affect the verdict. This happens soon, because the
+ * effects of the change decrease from head to head. There are two effects.
  *
  * First, the head's omegasq deviates from its value in the unchanged row. Let D be the relative deviation.
  * The equation of motion is linear in omegasq. So for a head whose geometry is unchanged,
@@ -14,22 +14,24 @@
  * head). If a fall releases energy, lambda < 1.
  *
  * Second, the changed dominoes lean on the next heads, and so they change the numbers `need`, `gain` and
- * `offset` of these heads. This change (`off`) is computed at each head. It decays like a geometric series
- * from head to head. So its values at two successive heads give an estimate of the sum of all further
- * changes.
+ * `offset` of these heads. The size of this change (`off`) is computed at each head. It decays like a
+ * geometric series from head to head. So its values at two successive heads give an estimate of the sum of
+ * all further changes.
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
  * omegasq. So if no force is negative at two values of omegasq, none is negative between these two values.
- * For this reason, each head is run twice more when its mark is made: once barely fast enough, and once with
+ * For this reason, each head of the unchanged row is run twice more: once barely fast enough, and once with
  * omegasq FAST times as large.
  *
- * From these runs follow the limits `below` and `above`. As long as omegasq deviates by less than these
- * limits, the verdict does not change. The limits are found from the last head to the first, as
+ * From these runs follow the limits `below` and `above` of each head. As long as omegasq deviates by less
+ * than these limits, the verdict does not change. The limits are found from the last head to the first, as
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
- * The trial ends as soon as D and all further changes together are within the limits. Its verdict is then the
- * verdict on the unchanged row.
+ * The limits and the other numbers of a head are its mark. The trial ends as soon as D and all further
+ * changes together are within the limits. Its verdict is then the verdict on the unchanged row. If the
+ * unchanged row stops, the heads after the stop have no marks until a trial falls to the end of the row. This
+ * trial then makes their marks, and takes the place of the unchanged row for them.
  */
 #include "row/run.h"
 #include <stdlib.h>
@@ -158,9 +160,9 @@ static void mark_end(struct mark *m, enum dom_row_end end)
 }
 
 /*
- * Returns true if the heads after k can no longer change the verdict. On entry, *off tells by how much the
- * change affected `need`, `gain` and `offset` of the previous head, as a fraction; it is NaN if that is
- * unknown. On return, *off is the same number for head k.
+ * Returns true if the heads after k can no longer change the verdict. On entry, *off is the relative change
+ * of `need`, `gain` and `offset` at the previous head, or NaN if this change is unknown. On return, *off is
+ * the relative change at head k.
  */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
@@ -187,7 +189,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* for `pushes` of new marks */
+                      .forces = c->known < count, /* new marks need the smallest force */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);

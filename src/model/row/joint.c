@@ -71,7 +71,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
     }
-    /* decay or decay_J is 1 if a sum must include all dominoes. */
+    /* If a bound is too large to be useful, its ratio (decay or decay_J) is set to 1. The sum then leaves out
+     * no domino. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
@@ -86,7 +87,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Like row_end, but for the case where domino k or the next domino leans at the start. */
+/* Like row_end, but for the case that domino k or the next domino leans at the start. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
@@ -101,8 +102,8 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : lies;
 }
 
-/* Returns the tilt at which the motion of domino k as a head ends. There it hits the next domino, or lies on
- * the floor if there is nothing to hit. */
+/* Returns the tilt of domino k at which it hits the next domino, or at which it lies on the floor if it hits
+ * nothing. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
@@ -120,7 +121,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects for domino k. Walls and edges are relative to its height. */
+/* Chooses the dynamics of domino k according to the effects that are on. The thickness of walls and the
+ * radius of edges are passed on as multiples of the height of domino k. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];

@@ -8,16 +8,16 @@
 
 /*
  * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
- * height of the head by this fraction. Example: if a row is made from a train with r = 1/s, the gap should
- * equal the height. But the gap has rounding errors from r, from two powers, from four products, and from the
- * kernel's precision.
+ * height of the head by up to this fraction. Example: if a row is made from a train with r = 1/s, the gap
+ * should equal the height. But the gap has rounding errors from r, from two powers, from four products, and
+ * from the kernel's precision.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
-    /* moment of inertia relative to a solid block of the same size and mass */
+    /* moment of inertia, divided by that of a solid block of the same size and mass */
     real inertia_factor;
     real unit; /* unit of energy, m g h / 2 */
 };
@@ -44,7 +44,7 @@ KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 /*
  * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their
  * contact, and *tilt to the tilt of domino k at that moment. Returns false if the edge of domino k misses the
- * back face of domino k + 1, or if the two dominoes touch already at the start.
+ * back face of domino k + 1, or if the two dominoes already touch at the start.
  */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 

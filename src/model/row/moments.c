@@ -172,9 +172,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
     /*
-     * The series is needed in two cases. In the first case, requested times lie in this passage. In the
-     * second case, the duration of the passage is unknown, because the run ends here; watch_rest then needs
-     * the time of the end.
+     * The series for the time is needed if a requested time lies in this passage. It is also needed if the
+     * run ends here: the duration of the passage is then unknown, and watch_rest needs the time of the end.
      */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
@@ -256,15 +255,15 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* A domino with rounded edges tips over from theta_u, and will hit the next domino. Returns its angle phi
- * beyond theta_u at the time `left` before the hit, in tau. */
+/* A domino with rounded edges tips over from theta_u, and will hit the next domino. Returns the angle phi by
+ * which the domino has turned beyond theta_u when the time until the hit is `left`, in tau. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
     /*
-     * The root p lies between `first` and the value of p at the hit. The moment of inertia is at least a
-     * quarter of its value for sharp edges. So in each tau, p grows by at most sqrt(2 R), where R is the
-     * reach. This gives `first`.
+     * The root is a value of p between `first` and the value of p at the hit. The moment of inertia is at
+     * least a quarter of its value for sharp edges. So p grows by at most sqrt(2 R) per tau, where R is the
+     * reach. If p always grew that fast, `first` would be the root.
      */
     real first = t.end - left * sqrt(2 * st->geometry.steepest), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)

@@ -22,8 +22,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    /* the time at which the tilt of the head is to be found, in tau. If `rests` is false, this time is
-     * counted from the beginning of the passage. If `rests` is true, it is counted backwards from the end. */
+    /* The tilt of the head is to be found at this time, in tau. If `rests` is false, the time is counted from
+     * the beginning of the passage. If `rests` is true, it is counted backwards from the end. */
     real into;
     struct num_series series;
 };

@@ -92,9 +92,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /*
- * Finds the inertia J of all moving dominoes after head k is hit. If there is no closed form, a sum along the
- * chain would be slow, so the inertia ratio gives J instead. But friction changes the inertia ratio, so with
- * friction the sum is computed.
+ * Finds the inertia J of all moving dominoes after head k is hit. J is a sum along the chain. With rounded
+ * edges, this sum is slow, because the tilts have no closed form. So J is computed from the inertia ratio of
+ * the collision instead. With friction, this is not possible, since friction changes the inertia ratio.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {

@@ -18,9 +18,9 @@ struct random_row {
     struct row_request request;
     bool plain; /* true if the edges are sharp and the dominoes are plumb */
     bool rolls; /* true if the edges are rounded and there is friction */
-    /* True if there is friction. Each row is first run roughly. Only if the verdict is then in doubt, the row
-     * is run again, precisely. */
     bool has_friction;
+    /* A row with friction is first run roughly, unless a domino leans. `rough` is true during this run. If
+     * the verdict of this run is in doubt, `doubt` is set to true, and the row is run again, precisely. */
     bool rough, doubt;
     struct rough_motion motion;
     real off_at_end; /* bound on the error in omegasq at the end of the current head's motion */
@@ -191,7 +191,7 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
     return rough_descend(&s->motion, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Returns true if head_goes or head_rolls finds it certain that head k keeps falling. */
+/* Returns true if head_goes or head_rolls shows that head k certainly keeps falling. */
 static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     return run->omegasq > 0 &&

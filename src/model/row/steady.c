@@ -9,8 +9,8 @@ enum { STEADY_MORE = 2 };
  * geometry filled in before the run. */
 enum { STEADY_FIRST = 256 };
 
-/* A motion is repeated when omegasq hardly changes any more. All further changes of omegasq together must be
- * at most this fraction of the tolerance. */
+/* The last motion is repeated for the next head only if omegasq hardly changes any more. The relative change
+ * of omegasq over all further heads together must be at most this fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes long sequences of equal dominoes fast. In such a sequence, all heads eventually move alike. From then
- * on, heads are no longer computed, and the last computed motion is repeated. */
+/* Speeds up the run of a row with long sequences of equal dominoes. In such a sequence, all heads eventually
+ * move alike. From then on, the program repeats the last motion for each head, instead of computing it
+ * again. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -9,7 +10,7 @@
 struct steady {
     struct dom_fall fall; /* result for the last head that was computed */
     size_t alike;         /* number of equal dominoes up to the current head */
-    /* increase in the number of moving dominoes from head to head: 0 or 1 */
+    /* how many more dominoes move with each head than with the head before: 0 or 1 */
     size_t more;
     /* true if the motion is steady. The next head then repeats the motion, provided that the next two
      * dominoes both equal the current one. */
@@ -37,8 +38,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
 
 /*
  * Runs the last head of a row, head k, after a repeated motion. The repetition has skipped the heads before
- * head k, so head k has no geometry. An equal domino is run in its place, as if the row ended there. That
- * domino is the last one with a geometry. Returns false if too few equal dominoes precede that domino.
+ * head k, so head k has no geometry. The last domino that has a geometry equals head k, so it is run instead,
+ * as if the row ended there. Returns false if too few equal dominoes precede this substitute. The caller must
+ * then run head k itself.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
