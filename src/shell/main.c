@@ -54,7 +54,8 @@ static const struct option options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/* The leading '-' makes getopt return each FILE as option 1, in order with the options. */
+/* The leading '-' makes getopt return each FILE as option 1, so that files and options arrive in the order in
+ * which they were typed. */
 static const char short_options[] = "-e:f:nhV";
 
 /* What the options request. */
@@ -65,8 +66,8 @@ struct plan {
 
 /* ---- Signals: before a script ends, it writes what it has found ---- */
 
-/* Signals that have arrived, or 0. The signal `interrupted` ends the running command, and the signal `ended`
- * ends the whole script. */
+/* The number of a signal that has arrived, or 0. The signal in `interrupted` ends the running command, and
+ * the signal in `ended` ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
 /* True after --interruptible: SIGINT ends only the running command. */
@@ -80,9 +81,11 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Installs the signal handler. The first signal that ends the script lets the script end in order. A second
- * one ends the program at once. If a signal was ignored when the program started, it stays ignored. With
- * --interruptible, however, SIGINT is always handled. */
+/* Installs the signal handler. A signal lets the script write what it has found before it ends. If the same
+ * signal arrives again, the program ends at once. With --interruptible, however, SIGINT ends only the running
+ * command, each time that it arrives.
+ * A signal that was ignored when the program started stays ignored, except for SIGINT with
+ * --interruptible. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
@@ -236,8 +239,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* If a pipe has no reader, or a file gets too large, a signal would end the program. It is ignored, so
-     * that write(2) fails instead. */
+    /* If the program writes to a pipe without a reader, or if a file gets too large, a signal arrives. By
+     * default, this signal would end the program. It is ignored, so that write(2) fails instead. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

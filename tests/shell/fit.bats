@@ -73,7 +73,7 @@ END
     wrong 'fit friction wide.csv' 'the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'
     printf 'Spacing [mm];front [cm/s]\n9;130,5\n' >front.csv
     wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line must name gap"
-    wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' is not defined in csv files; write a speed"
+    wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a csv file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit slope one.csv' 'one.csv has only one gap, and any value of slope may fit it'
     wrong 'fit friction' 'FILE is missing; usage: fit NAME FILE \[FPS\]'

@@ -161,7 +161,7 @@ TEST(units)
         {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
         {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
         {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},
-        {"size (m),gap (m)\nh,0", "2:1: size at 'h': 'h' is not defined in csv files; write a length"},
+        {"size (m),gap (m)\nh,0", "2:1: size at 'h': 'h' has no value in a csv file; write a length"},
         {"size (m),gap,shop,\"a; b\"\n,mm,EUR\n1,2,3", ",shop (EUR),\"a; b\"1 0.002 - ,3,; "},
     };
     CHECK(cases, &kind, false);

@@ -61,7 +61,7 @@ struct csv_file {
     /* How the numbers that have been read so far use '.' and ','. */
     struct csv_mark {
         bool is_used;
-        /* true if at least one number makes sense only if this character is its decimal mark */
+        /* true if at least one number can only be read with this character as the decimal mark */
         bool is_clear;
         /* The place of the first ambiguous number. A number is ambiguous if its decimal mark could be a
          * thousands separator. If there is no such number, at.line is 0. */
@@ -85,12 +85,13 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Converts the numbers in the text of a cell, so that they can be read: replaces decimal commas by points.
- * Records which decimal marks the numbers use, so that csv_marks_check can find ambiguous numbers. `at` is
- * the position of the cell. */
+/* Replaces the decimal commas in the text of a cell by points, so that the numbers can be read. Records which
+ * decimal marks the numbers use, so that csv_marks_check can find ambiguous numbers. `at` is the position of
+ * the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Must be called after the last number. An ambiguous number, such as "1,234", is an error. */
+/* Must be called after the last number. If the other numbers do not show how to read a number such as
+ * "1,234", this is an error. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. Control

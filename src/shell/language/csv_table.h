@@ -4,8 +4,8 @@
  * - The first line names the columns. Their order does not matter, and neither do upper and lower case.
  * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". If
  *   it gives none, the second line may give them.
- * - A cell is an expression. A cell with a '-' counts as empty. If a cell has a unit, the unit of the column
- *   does not apply to the cell.
+ * - A cell is an expression. A cell that contains only a '-' counts as empty. If a cell has a unit, the unit
+ *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
  */
@@ -15,9 +15,9 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. CSV_OTHERS_MOST is the
- * maximum number of unknown columns in a file. A saved row has both, and together they are at most
- * CSV_CELLS_MOST. */
+/* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
+ * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the
+ * known ones, and a line can have at most CSV_CELLS_MOST columns. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* Properties of a column, as bits. */
@@ -39,7 +39,7 @@ struct csv_column {
     const char *usual;      /* for messages: the unit to suggest */
     const char *advice;     /* advice for messages, for example "write a length such as 48 mm" */
     double lowest, highest; /* the ends of the range, which are included */
-    const char *range;      /* for messages: the range, such as "0 or more, up to 1e9 m" */
+    const char *range;      /* for messages: the range, such as "0 .. 1e9 m" */
 };
 #define CSV_ABOVE_0 4.9e-324 /* the smallest double above 0, for a range that does not include 0 */
 
@@ -50,15 +50,17 @@ struct csv_column {
 struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
-    /* The first line may be missing if the file has all columns of the kind, in order. */
+    /* The first line, which names the columns, may be missing. The columns must then be those of `column`, in
+     * the same order. */
     bool headless;
     size_t rows_most; /* the maximum number of rows */
     /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* The kind to try if a required column of this kind is missing in the file, or NULL. If no kind fits,
-     * messages are about the first kind that was tried. */
+    /* If the file lacks a required column of this kind, the table may be of the kind `otherwise`, which is
+     * tried next. NULL if there is no other kind. If no kind fits, messages are about the first kind that was
+     * tried. */
     const struct csv_kind *otherwise;
 };
 

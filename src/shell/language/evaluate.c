@@ -79,7 +79,7 @@ const char *function_name(const struct function *f)
 
 const char *expression_names(const void *context, int k)
 {
-    /* names that the parser handles itself, so that they are not in the table of functions */
+    /* built-in names that are not in the table of functions, because the parser handles them itself */
     static const char *const more[] = {"if", "pi", NULL};
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
@@ -190,8 +190,8 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Applies an operator of the chain t. At first, *q is the value of all operands before the operator. The
- * function combines *q with the next operand `value`. */
+/* Applies an operator of the chain t. Before the call, *q is the value of all operands before the operator.
+ * The function combines *q with the operand `value` after the operator. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;
@@ -263,5 +263,5 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     case TREE_NAME:
         break;
     }
-    return expression_wrong(e->error, t->at, "'%s' is not defined in csv files", t->name);
+    return expression_wrong(e->error, t->at, "'%s' has no value in a csv file", t->name);
 }

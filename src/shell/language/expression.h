@@ -7,8 +7,8 @@
  * A chain is a node for several operators of the same precedence, as in "a - b + c". Its children are the
  * operands a, b and c. Each operand except the first stores the operator before it.
  *
- * A blank may end an expression. If the text after the blank cannot continue the expression, it begins
- * another one: "1 - 2" is one expression, but "1 -2" is two.
+ * A blank ends an expression unless an operator follows, so a line can hold several expressions. After a
+ * blank, a sign directly before a value belongs to that value: "1 - 2" is one expression, but "1 -2" is two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H

@@ -34,8 +34,8 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
     return a < b ? a : b;
 }
 
-/* WIDE_DIGITS is the number of digits with which any number survives an exact round trip. A buffer of
- * WIDE_TEXT bytes is large enough for any number. */
+/* A number that is written with WIDE_DIGITS digits can be read back without any change. A buffer of WIDE_TEXT
+ * bytes is large enough for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
 /* Writes a number as the format "%.*g" does, and returns `text`. Messages use 10 digits. quad_text needs no

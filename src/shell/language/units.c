@@ -15,7 +15,7 @@ struct unit {
 };
 
 /* A unit as a quotient of integers, such as 254/10000 m for an inch. The quotient has all digits of
- * domq_real, while the constant 0.0254 would have only those of a double. */
+ * domq_real, while the constant 0.0254 would have only the digits of a double. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
@@ -138,7 +138,8 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    /* g and t are units only as the first factor; later, g is the acceleration of gravity */
+    /* The letters g and t are units only at the beginning of a unit, as in "5 g". In "2 m/g", g is the
+     * acceleration of gravity. */
     if (!first && length == 1 && (*c == 'g' || *c == 't'))
         return NULL;
     for (const struct unit *u = units; u->name; u++)

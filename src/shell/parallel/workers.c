@@ -12,8 +12,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* The next block of a worker has at most this many times as many points as its last block. The limit is
-     * low, because later points may take more time. */
+    /* A worker's blocks grow from one to the next by about this factor at most, because later points may take
+     * more time. */
     GROWTH = 4,
     WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
     BLOCK_MOST = 4096,

@@ -27,8 +27,8 @@ int ink_colour(enum ink ink);
 /* Returns the colour for a shade from 0 to 1 in the viridis palette, whose brightness increases steadily. */
 int shade_colour(double shade);
 
-/* Returns a round step for a ruler, which is at least `least`: the smallest such number of the form 10^n, 2
- * 10^n or 5 10^n. */
+/* Returns a round step for a ruler: the smallest number of the form 10^n, 2 10^n or 5 10^n that is not less
+ * than `least`. */
 double ruler_step(double least);
 
 /* Returns true if $TERM begins with one of the names in this NULL-terminated list. */

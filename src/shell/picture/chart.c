@@ -136,8 +136,9 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Chooses those ends of an axis that are still NaN. The data reach from `low` to `high`. The axis is longer
- * than the data by `pad` times the range of the data, at each end. */
+/* Chooses the ends of an axis that are still NaN. The data reach from `low` to `high`. The axis extends
+ * beyond the data at each end, by about `pad` times their range. A linear axis begins at 0 if the data begin
+ * not far above 0. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -161,8 +162,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Moves a value that has no place on the axis to an end of the axis: an infinite value, or 0 on a logarithmic
- * axis. Returns other values unchanged. */
+/* Infinite values have no place on an axis, and neither has 0 on a logarithmic axis. Returns the end of the
+ * axis where such a value is drawn. Returns other values unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high

@@ -75,7 +75,8 @@ enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
 
 /* A chart has either curves or a map. */
 struct chart {
-    char title[192], note[256]; /* the note is a sentence below the title, or "" */
+    char title[192];
+    char note[256]; /* a sentence below the title, or "" if there is none */
     struct chart_axis x, y;
     struct chart_curve curve[CHART_CURVES];
     int curves;
@@ -105,12 +106,13 @@ void chart_level(struct chart *chart, double y, const char *title);
 /* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Converts all numbers of the chart to the displayed units, whose sizes are `x` and `y`. */
+/* Converts the data and the ends of the axes to the displayed units. `x` and `y` are the sizes of these
+ * units, for example 0.01 for a cm if the data are in m. */
 void chart_convert(struct chart *chart, double x, double y);
 
 /*
  * Makes a chart ready to be drawn:
- * - The ends of axes that are NaN are chosen.
+ * - If an end of an axis is NaN, it is chosen so that the data fit.
  * - Points at infinity, or at 0 on a logarithmic axis, are moved to an end of the axis.
  * - Curves without points, and events outside the x axis, are removed.
  * Returns false if nothing is left to show.

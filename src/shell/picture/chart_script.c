@@ -141,14 +141,14 @@ static void legend_script(const struct chart *c, FILE *out)
         fprintf(out, "unset key\n");
     else if (c->look.legend == CHART_LEGEND_RIGHT)
         fprintf(out, "set key outside right top Left reverse samplen 2 spacing %g noenhanced\n", 1.1 * most);
-    else /* the width is negative, since gnuplot assumes that characters are wider */
+    else /* gnuplot reserves too much width for long titles; a negative `width` takes some of it away */
         fprintf(out,
                 "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
                 most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
-/* Writes the title and the labels. The label of the y axis is written above the axis. If a long label were
- * beside the axis, it would be cut off. */
+/* Writes the title and the labels. The label of the y axis is written above the axis, because a long label
+ * beside the axis would be cut off. */
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];

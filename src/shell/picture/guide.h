@@ -31,8 +31,8 @@ struct guide {
 /* Writes a table as plain text. Cells that are bold on paper are followed by a '!'. */
 void guide_text(const struct guide_table *table, struct answer *a);
 
-/* Draws a guide to the destination of the answer. A .pdf file has A4 pages; other outputs have one long page.
- * On failure, sets *problem and returns false. */
+/* Draws a guide into the file of the answer. A .pdf file has A4 pages, like the .pdf file that a .gp script
+ * draws. Other pictures have one long page. On failure, sets *problem and returns false. */
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

@@ -46,7 +46,8 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 /* Makes the child process run the program. */
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
-    /* In the parent's process group, ^Z would stop the program, and the parent would wait forever. */
+    /* ^Z stops a whole process group. At the prompt, this program catches ^Z. If the child were in the same
+     * group, only the child would stop, and this program would wait for it forever. */
     setpgid(0, 0);
     /* The program must end when its parent ends. The parent may already have ended. */
     system_end_with_parent();
@@ -129,7 +130,8 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 /* Returns an error number if the disk was too full for the drawing, and 0 otherwise. */
 static int drawing_error(FILE *drawing, long size)
 {
-    /* gnuplot does not report this error, so this tests whether another block fits */
+    /* gnuplot does not report that the disk is full. If the file has no room for another block, the drawing
+     * is probably incomplete. */
     int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
     return ftruncate(fileno(drawing), size) != 0 ? errno : error;
 }

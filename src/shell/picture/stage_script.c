@@ -153,9 +153,9 @@ struct labels {
     int count;
 };
 
-/* Writes a label at the position x on the ruler. If `upright` is true, the label is turned by 90 degrees.
- * `height` is a height above the ruler, in dots: of the label's centre or, if the label is upright, of its
- * lower end. If the label would overlap another one, writes nothing and returns false. */
+/* Writes a label at the position x on the ruler. `height` is the distance in dots from the ground to the
+ * centre of the label. If `upright` is true, the label is turned by 90 degrees, and `height` is the distance
+ * to its lower end. If the label would overlap another one, writes nothing and returns false. */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
 {
@@ -278,7 +278,9 @@ static void labels_script(const struct stage *stage, const struct sheet *v, FILE
 {
     struct labels l = {.script = script, .sheet = v};
     bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
-    /* first marked dominoes, then the others from the front, where the largest dominoes are, and then gaps */
+    /* Later labels get only the room that earlier ones leave. The first pass writes the labels of marked
+     * dominoes. The second pass writes those of the other dominoes, beginning at the front, where the largest
+     * dominoes usually are. The third pass writes the gaps. */
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);

@@ -27,9 +27,9 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* Emits a candidate for the last word: the word up to the name that is being typed, then `name` and `more`.
- * Emits nothing if `name` does not begin with the typed letters. If `is_checked` is true, the parser must
- * also accept the candidate, alone or at the beginning of a list. */
+/* Emits a candidate for the last word. After "2*rm", for example, the name "rmax" gives the candidate
+ * "2*rmax". `more` is appended to the name. Emits nothing if `name` does not begin with the typed letters. If
+ * `is_checked` is true, the parser must also accept the candidate, alone or at the beginning of a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -51,7 +51,8 @@ static bool fits(const struct argument *a, const char *name, const char *unit)
         return false;
     if (!quantity_is_number(wanted))
         return quantity_alike(expression_unit(unit), wanted);
-    /* r_max is a value for r */
+    /* A plain number has no unit that would show what it is for. Only its name can show this: r_max is a
+     * value for the parameter r. */
     return length > 0 && strncmp(name, a->parameter, length) == 0 &&
            (name[length] == '\0' || name[length] == '_');
 }
@@ -89,8 +90,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The callback of is_unasked, which emits all candidates. Afterwards, *context is the name of a command if
- * there was only one candidate and it is a command. If there was another candidate, *context is "". */
+/* is_unasked passes this callback to emit_values. *context is NULL at first. Afterwards it is the name of the
+ * only candidate if this candidate is a command, and "" if there are other candidates. */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -98,9 +99,8 @@ static void keep_only(const char *candidate, void *context)
     *only = !*only && command ? command->name : "";
 }
 
-/* Returns true if the user has typed no letter of a word and there is only one candidate for it, which is a
- * command. An example is 'best' after 'set s'. Completion must not insert such a command, because the user
- * has not asked for it. */
+/* Returns true if the user has not begun the word, and the only candidate is a command, such as 'best' after
+ * 'set s '. Completion must not insert this command, because the user has not asked for it. */
 static bool is_unasked(const struct completion *c)
 {
     const char *only = NULL;
@@ -112,8 +112,8 @@ static bool is_unasked(const struct completion *c)
     return only && *only;
 }
 
-/* Emits the units that may follow a number. If names may follow, too, a unit that is one of these names is
- * not emitted. The parameters s and g are examples. */
+/* Emits the units that may follow a number. If a name may also follow, a unit that is spelled like such a
+ * name is not emitted. Examples are s and g, which are also parameters. */
 static void emit_units(const struct completion *c)
 {
     const struct offer *o = &c->offer;
@@ -162,7 +162,7 @@ static void emit_files(const struct completion *c)
 {
     char *file;
     for (int state = 0; (file = rl_filename_completion_function(c->word, state)) != NULL; state = 1) {
-        /* Makes Readline add a '/' to directories, and put names with blanks in quotes. */
+        /* Makes Readline add a '/' after a directory, and put quotes around a name that contains blanks. */
         rl_filename_completion_desired = 1;
         if (!escape_needed(file))
             c->emit(file, c->context);

@@ -21,11 +21,12 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint that comes from the history: the remainder of an earlier line, which some keys insert. If there is
- * no such hint, it is "". */
+/* The hint from the history: the remainder of an earlier line, or "" if there is no such hint. Some keys
+ * insert it. */
 static char rest[HINT];
 
-/* Returns true if the terminal has colours, and the screen shows only the typed line. */
+/* Returns true if the terminal has colours, and the user is typing the line itself. During a search, for
+ * example, Readline shows other text. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -209,7 +210,7 @@ static int accept_word_or_forward(int count, int key)
     return rest_accept(blanks + strcspn(rest + blanks, " ")) ? 0 : rl_forward_word(count, key);
 }
 
-/* Rebinds all keys of one function to another in the keymaps for typing a line. */
+/* Makes all keys that call `from` call `to` instead, in the keymaps for typing a line. */
 static void rebind(rl_command_func_t *from, rl_command_func_t *to)
 {
     const Keymap maps[] = {emacs_standard_keymap, vi_insertion_keymap};

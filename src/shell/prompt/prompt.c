@@ -34,13 +34,14 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. If a signal would kill the program, the session ends first. Otherwise the
- * terminal would be left in the mode that Readline uses. */
+/* The signals that are caught. If one of them is going to end the program, the prompt ends first. Without
+ * this, the terminal would stay in the mode that Readline uses. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The lines typed so far of a command that continues after a backslash, or NULL. */
+/* If a command continues on the next line after a backslash, the lines that have been typed so far. NULL if
+ * there is no such command. */
 static char *unfinished;
 
 static bool is_joined;  /* The running command was typed on several lines. */

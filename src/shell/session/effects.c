@@ -44,8 +44,8 @@ static bool needs(int effect, int other)
     return effect_at(effect)->needs >> other & 1;
 }
 
-/* Writes the names of the effects that are on and cannot be on without the row. A message can be continued
- * with the text, as in ", together with push and placement". */
+/* Lists the active effects that need the row, for the end of a message: ", together with push and placement".
+ * If there are none, the text is "". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';

@@ -18,8 +18,8 @@ const char *effect_file(const struct scene *scene, int effect);
 
 /* Fills the array `all` with the values of an effect. The user has given the first `given` values, in the
  * array `value`. The other values are the usual ones. value[0] may be EFFECT_OFF or EFFECT_ON. Sets *problem
- * and returns false if a required value is missing. Does the same if the effect cannot be turned off, because
- * another effect needs it. */
+ * and returns false if a required value is missing, or if the effect cannot be turned off because another
+ * effect needs it. */
 bool effect_complete(const struct scene *scene, int effect, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
@@ -42,9 +42,9 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
  * 'change' commands. `folder` is the directory of the script, or NULL. */
 void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
 
-/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem and returns false. If
- * there was an earlier row, it is then turned off. Otherwise later answers would silently be about the
- * earlier row. */
+/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem, turns off the earlier
+ * row, if there is one, and returns false. If the earlier row stayed on, later answers would be about this
+ * row, while the user expects the row of the file. */
 bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
                     struct problem *problem);
 

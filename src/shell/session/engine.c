@@ -46,7 +46,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
         domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
-    /* box.inertia is this ratio about a lower edge; the parallel axis theorem converts it to the centre. */
+    /* In the unit of this function, the moment of inertia about a lower edge is larger by 3 (parallel axis
+     * theorem). It is 1 + 3 = 4 for a solid block, and box.inertia is relative to these 4. */
     return 4 * (double)box.inertia - 3;
 }
 
@@ -208,7 +209,7 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    /* the engine's time when the visitor's time is 0, in the engine's units */
+    /* the reading of the engine's clock, in its own unit, when the visitor's clock reads 0 */
     double zero;
     const domq_real *times;  /* the next times to visit, in s */
     size_t left;             /* the number of elements left in `times` */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine. The engine is used after 'set method engine', and also if an effect is
- * on that the model does not have. The library's searches and studies call the engine through struct
- * dom_engine. */
+/* Runs rows in the rigid-body engine. The engine runs every row after 'set method engine'. After 'set method
+ * model', it runs a row only if an effect is on that the model lacks, such as 'effect feet'. The library's
+ * searches and studies call the engine through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 

@@ -32,8 +32,8 @@ static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
     "on a parameter; 'set errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double "
-    "and 1e-33 in quad precision. Unless you have set tol, it changes to the default of the new precision "
-    "when the precision changes. 'cost rmax' shows how much time each digit costs.";
+    "and 1e-33 in quad precision. If you have not set tol, 'set precision' also sets tol to the default of "
+    "the new precision. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
@@ -44,10 +44,10 @@ static const char errors_help[] =
     "errors are on, the parameter 'digits' has no effect. In csv and json the bound has a column or key of "
     "its own, named KEY_error. The values of 'print' have no bounds.";
 static const char hints_help[] =
-    "While you type, faint text after the cursor shows how the line may continue: with the last line of the "
-    "history that begins in the same way, or with the arguments that the command can still take. At the end "
-    "of the line, the right arrow, ^E and End accept the suggested line, and M-f accepts its next word. On a "
-    "terminal without colours there are no hints.";
+    "While you type, faint text after the cursor suggests how to continue. If an earlier line begins with "
+    "what you have typed, you see the rest of this line. If there is no such line, you see the arguments "
+    "that the command can still take. At the end of the line, the right arrow, ^E and End accept the rest of "
+    "an earlier line, and M-f accepts its next word. On a terminal without colours there are no hints.";
 static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
@@ -73,8 +73,8 @@ static bool precision_check(const struct state *state, domq_real precision, stru
 }
 
 /* The default of tol and its lower bound depend on the precision. If tol has its default, it gets the default
- * of the new precision. Otherwise it changes only if it is below the new lower bound: it is then raised to
- * this bound. */
+ * of the new precision. Any other tol stays as it is, unless it is below the new lower bound. It is then
+ * raised to this bound. */
 static void precision_before(struct state *state, domq_real precision)
 {
     struct domq_compute *compute = &state->scene.compute;

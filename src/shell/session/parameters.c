@@ -128,7 +128,8 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
 
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {
-    /* words such as 'quad' come first, because the range of tol depends on the precision */
+    /* parameters that take only words, such as 'precision', are set first, because the range of tol depends
+     * on the precision */
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < count; i++) {
             const struct assigned *a = &assigned[i];
@@ -174,7 +175,8 @@ static int rank(const struct state *state, const struct parameter *p)
     /* Effects that are on come last. An effect is turned off before the effects that it needs. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
-    /* Words such as 'quad' come before numbers, because the range of tol depends on the precision. */
+    /* A parameter that takes only words, such as 'precision', comes before those that take numbers, because
+     * the range of tol depends on the precision. */
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 
@@ -268,7 +270,8 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* all_digits = ceil(1 + bits log10(2)) */
+    /* An exact round trip needs ceil(1 + bits log10(2)) digits, where log10(2) = 0.30103. */
+    style.all_digits = 2 + bits * 30103 / 100000;
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -20,9 +20,9 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Finds a parameter by a synonym. If `any` is false, only the first synonym of each parameter counts. If
- * `any` is true, all synonyms count; if several parameters have the synonym, the parameter that lists it
- * earliest is returned. Returns NULL if no parameter has the synonym. */
+/* Returns the parameter that has a word as a synonym, or NULL if there is none. If `any` is false, only the
+ * first synonym of each parameter counts. If `any` is true, all synonyms count. If several parameters have
+ * the synonym, returns the one whose list of synonyms has it nearest to the beginning. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
 /* Like names_find, but the message also suggests names that have the word as a synonym. */
@@ -47,7 +47,7 @@ const char *parameter_word(const struct parameter *parameter, domq_real value);
 
 /*
  * Returns the range of value number i, such as "1e-12 .. 1". If the value must be one of several words,
- * returns the list of these words, such as "exact paper". The text lives until the end of the caller's block.
+ * returns the list of these words, such as "exact|paper". The text lives until the end of the caller's block.
  */
 enum { PARAMETER_RANGE = 64 };
 #define parameter_range(state, parameter, i)                                                                 \
@@ -89,8 +89,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Lists the parameters for a saved script. If 'set' and 'effect' commands restore them in this order, no
- * command fails because another parameter does not have its value yet. Returns parameter k, counted from 0,
+/* Lists the parameters in an order that a saved script can use: if it restores the values in this order, no
+ * command is rejected because another parameter still has a wrong value. Returns parameter k, counted from 0,
  * or NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 

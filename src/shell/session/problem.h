@@ -17,7 +17,7 @@ enum { PROBLEM_TEXT = 1024 };
 struct problem {
     enum problem_kind kind;
     int column; /* the column of the error in the line, counted from 1; 0 stands for the whole line */
-    int place;  /* the column that problem_report stores in `column` */
+    int place;  /* the column to report if an error occurs now; problem_report copies it to `column` */
     const char *command; /* the name of the command; may be NULL */
     char text[PROBLEM_TEXT];
 };

@@ -129,7 +129,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* ---- Changes ---- */
 
-/* A value without a unit is probably a mistake if it is this many times as large as the current value. */
+/* A value without a unit is probably a mistake if it is at least this many times the current value. */
 #define SLIP_OF_UNIT 50
 
 /* Checks a value that was typed without a unit. Such a value is in m or kg, but the user may have meant mm or
@@ -171,9 +171,9 @@ static domq_real lean_angle(domq_real off, domq_real height)
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes what a measurement of domino k, counted from 0, becomes after a change. Stores it in *kept, in the
- * form in which listed_row.change stores it. If the domino cannot have this measurement, sets *problem and
- * returns false. */
+/* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
+ * *kept in the form of listed_row.change: a mass as a factor, and a lean as an angle. If the domino cannot
+ * have this value, sets *problem and returns false. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {

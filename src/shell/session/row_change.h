@@ -41,7 +41,7 @@ size_t row_changes_count(const struct listed_row *row);
 
 bool row_changes_equal(const struct listed_row *a, const struct listed_row *b);
 
-/* Writes 'change' commands that make the stored changes again when a script runs them. */
+/* Writes the stored changes as 'change' commands, for a saved script. */
 void row_changes_save(const struct listed_row *row, FILE *out);
 
 /* A names_list (see names.h) of the measurements that can change. */

@@ -64,8 +64,9 @@ struct scene {
 
 /* Parameters that affect the form of answers or the speed of computation, but not the numbers. */
 struct settings {
-    struct answer_style style; /* only `output`, `header`, `digits`, `angle` and `errors` are set; state_style
-                                  sets the other members */
+    /* Only the members `output`, `header`, `digits`, `angle` and `errors` are used here. state_style returns
+     * a copy in which all members are set. */
+    struct answer_style style;
     unsigned timing, hints;
     domq_real threads; /* the number of threads; 0 means one thread for each processor */
 };
@@ -120,8 +121,8 @@ domq_real scene_mass(const struct scene *scene);
 /* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 
-/* Returns true if a leaning domino does not fall over by itself on a slope of `alpha` radians. Its edges are
- * sharp. If the domino falls over, writes a message with the limit of the lean, and returns false. */
+/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
+ * radians. If it would fall over, writes a message with the limit of the lean, and returns false. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 

@@ -52,8 +52,8 @@ void session_close(struct session *session);
 /* Returns the format of the next answer. The output file's extension takes precedence over 'set output'. */
 const struct format *session_format(const struct session *session);
 
-/* Returns a query, which is the input of a command. The command is going to run on the session's state. The
- * caller sets the members `given` and `next`. */
+/* Returns a query, which is the input of a command, for the session's state. The caller sets the members
+ * `given` and `next`. */
 struct query session_query(struct session *session);
 
 /* Writes an error message with its position to stderr and increments session->errors. */

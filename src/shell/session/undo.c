@@ -7,8 +7,10 @@
 #include <string.h>
 
 enum {
-    STEPS = 100,        /* the maximum number of steps */
-    HELD_MOST = 4000000 /* the maximum number of dominoes and changed dominoes in all steps together */
+    STEPS = 100, /* the maximum number of steps */
+    /* The maximum total length of the arrays listed_row.domino and listed_row.change in all steps. It limits
+     * the memory that the history needs. */
+    HELD_MOST = 4000000
 };
 
 /* A step for each command that has changed the state. The first `done` steps can be undone. Each of them

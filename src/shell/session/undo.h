@@ -13,8 +13,8 @@ struct undo;
 struct state *undo_begin(const struct state *state);
 
 /* Must be called after a command. If the command has changed the state, adds a step to the history. The
- * command is the first `length` bytes of `text`. Takes ownership of `before`, which undo_begin has returned.
- * *undo is NULL at first. */
+ * command is the first `length` bytes of `text`. `before` is what undo_begin returned before the command, and
+ * undo_keep takes ownership of it. *undo must be NULL before the first call. */
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 

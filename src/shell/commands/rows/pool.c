@@ -186,9 +186,9 @@ _Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST,
 #define TEXT   CSV_REQUIRED, NULL, NULL, NULL, BLOCKS, 0, 0, NULL
 
 static const struct csv_column pool_columns[FIELDS] = {
-    {"sigma", NULL, NUMBER, 1e9, "0 or more, up to 1e9 m"},
+    {"sigma", NULL, NUMBER, 1e9, "0 .. 1e9 m"},
     {"heights", NULL, NUMBER, 1, "0 .. 1"},
-    {"seed", NULL, NUMBER, 1e38, "0 or more, up to 1e38"},
+    {"seed", NULL, NUMBER, 1e38, "0 .. 1e38"},
     {"scene", NULL, TEXT},
     {"dominoes", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
     {"of", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
