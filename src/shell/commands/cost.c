@@ -135,8 +135,7 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures one method in one precision, with smaller and smaller tolerances. The measurements of the paper's
- * method end before one that would take too long. */
+/* Measures one method in one precision, with smaller and smaller tolerances. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)

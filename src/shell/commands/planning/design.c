@@ -217,7 +217,6 @@ static void design_say(const struct query *query, struct answer *a, const struct
     designed_list(&list, plan, false);
 }
 
-/* Stores the design as the row of the session. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
                         const struct designed_row *plan)
 {

@@ -28,7 +28,8 @@ const struct column improve_columns[] = {
  * engine. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
-/* A row and its improvement. Do not copy the struct: it has a pointer to its own pool. */
+/* A row and its improvement. Do not copy the struct, because its member `placement` points to its member
+ * `pool`. */
 struct improvement {
     struct scene_row scene; /* the row before the changes */
     struct domq_domino *domino;

@@ -128,8 +128,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Finds where is_good changes, by bisection. It is true at the point `good`, and false at the point `bad`.
- * Returns a point where it is true, as close as possible to the change. */
+/* Finds by bisection where is_good changes from true, at x = good, to false, at x = bad. Returns an x at
+ * which is_good is true, as close as possible to the change. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
