@@ -48,10 +48,12 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower that is at theta_1 now, and detaches at theta_f. At
- * that moment its leader is at theta_leave. The arm a is 0 at theta_leave, so Y = r L x there. The result
- * follows from the formula of energy_change_between for the leader's tilts theta_leave and theta. The arm of
- * `leader` contains the factor
+ * Returns tan((theta_f - theta_1) / 2) for a follower that detaches later in the cycle. The follower is at
+ * theta_1, and `leader`, its leader, is at theta. When the leader reaches theta_leave, the follower detaches
+ * at theta_f. At theta_leave the arm a is 0, so Y = r L x. The formula of energy_change_between, applied to
+ * the leader's tilts theta_leave and theta, gives the result. Let t be tan((theta_leave - theta) / 2). A
+ * subtraction of the two tilts could lose digits, so t is computed from the arm of `leader`, which contains
+ * the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */

@@ -41,7 +41,7 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Returns r_max at s, and stores s in the search if no larger r_max has been found. */
+/* Returns r_max at s. If it is the largest r_max so far, stores s and r_max in *b. */
 static real search_at(struct search *b, real s)
 {
     /* A coarse scan never underestimates r_max, so it can rule out this s. */

@@ -127,7 +127,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
-    /* If the growth is less than first.r, domino 1 hits the next domino too early to tip over by itself
+    /* If the growth is less than first.r, domino 1 does not tip over by itself before it hits the next domino
      * (5; b0). */
     struct margin_sample first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, sample;
     if (first.r > c->geometry.span / c->s)

@@ -119,9 +119,9 @@ static enum dom_status probe_between(struct probe *p, const struct margin_sample
 
 /*
  * Searches for the first sign change after the sample `lo`. Takes the next sample whose number is at least k,
- * and stores it in *hi. Then probe_between searches between `lo` and *hi. It needs a third sample: the one
- * after *hi. So unless the sign has changed at *hi, the search beyond *hi is made first, by recursion. If
- * there is no sample after *hi, `last`, the sample before `lo`, is the third sample.
+ * and stores it in *hi. Then probe_between searches between `lo` and *hi. It estimates the curvature from a
+ * third sample, the one after *hi. So unless the sign has changed at *hi, the search beyond *hi is made
+ * first, by recursion. If no sample is taken after *hi, the third sample is `last`, the one before `lo`.
  */
 static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
                                   const struct margin_sample *lo, int k, struct margin_sample *hi)

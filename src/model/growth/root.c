@@ -51,8 +51,8 @@ static void root_add(struct root_search *s, struct root_point point)
 /* Returns the root of the line through two points. */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
-    /* Close to the root, margin_share is less curved than the margin. Far from the root, it is almost
-     * constant. */
+    /* Close to the root, margin_share is less curved than the margin. Far from the root, margin_share is
+     * almost constant, so the line goes through values of the margin. */
     bool near = fabs(a->share) + fabs(b->share) < 1;
     real f_a = near ? a->share : a->value, f_b = near ? b->share : b->value;
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
@@ -182,8 +182,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The last barrier of the search was found close to the root. The barrier at the root itself is assumed to
- * exceed it by at most this fraction. */
+/* The search for the root ends with a barrier at a growth close to the root. The barrier at the root itself
+ * is assumed to exceed this barrier by at most this fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
 /* Returns thickness / height of the flat part of a domino, without the rounded edges. Sharp-edged dominoes
@@ -286,8 +286,8 @@ static real down_near(const struct margin_context *c, real r)
 
 /*
  * Tries to show that the margin is positive between `from` and `root`. Goes down from `root`, strip by strip.
- * *down receives the lower end of the last strip for which this succeeded. If it succeeded for no strip,
- * *down is `root`. If the margin is positive even at the reach, the caller passes the reach as `root`.
+ * *down receives the growth down to which this has been shown. If it has not been shown for any strip, *down
+ * is `root`. If the margin is positive even at the reach, the caller passes the reach as `root`.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {

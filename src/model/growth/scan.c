@@ -69,7 +69,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.barrier_is_bound && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
         /* From any growth in the strip up to hi, the margin rises by at most margin_slope * ln_r. So if the
-         * margin at hi is larger than that, the margin is positive over the whole strip. */
+         * margin at hi exceeds this product, the margin is positive over the whole strip. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)

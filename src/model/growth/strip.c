@@ -19,7 +19,8 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
     return -geometry_height_slope(geometry, t);
 }
 
-/* A follower, whose tilt lies between `lo` and `hi`, the tilts at the ends of the strip. */
+/* A follower. `lo` and `hi` are its tilts in the two trains at the ends of the strip. In every train of the
+ * strip, its tilt lies between them. */
 struct between {
     struct tilt lo, hi;
     real fall_least, fall_most; /* bounds on h(0) - h */
