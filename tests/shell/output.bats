@@ -104,7 +104,7 @@ null_of() { # COMMANDS SELECTION KEY REASON
         *'; tolerance') # the table has only windows; leans and the friction are in sentences
             expected='domino from to gap_low gap_high height_low height_high first'
             grep -q '^All dominoes fall if the friction between the dominoes is at most' <<<"$answer"
-            grep -q '^Set domino 2 plumb: its top may lean up to ' <<<"$answer"
+            grep -q '^Set domino 2 plumb: its top may be off by up to ' <<<"$answer"
             ;;
         esac
         for key in ${expected% reason}; do

@@ -55,7 +55,7 @@ verdicts() { # COMMANDS...
     grep -qF 'The place of domino 2 has the tightest limits: 3.25 cm to 4.64 cm; it is 3.58 cm now.' <<<"$said"
     grep -qE '^The height of domino 1 has the tightest limits: 4\.07 cm to 7\.75 cm;' <<<"$said"
     grep -qE '^All dominoes fall if the friction between the dominoes is at most 0\.17' <<<"$said"
-    grep -qxF 'Set domino 2 plumb: its top may lean up to 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
+    grep -qxF 'Set domino 2 plumb: its top may be off by up to 1.7 mm backwards or 1.03 cm forwards, the tightest limits of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
@@ -72,7 +72,7 @@ verdicts() { # COMMANDS...
     same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"
     grep -q '^Set domino 1 square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance')"
     said=$("$DOMINO" -e 'effect row 3; place 2 4 m; tolerance')
-    grep -q 'does not fall now; to save it, change one measure to any value in its window' <<<"$said"
+    grep -q 'does not fall now\. To save it, change one value, such as a gap or a height, so that it is in its window' <<<"$said"
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     wrong tolerance 'there is no row'

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plot 'cost': the error of an answer against its time, for each method and precision. */
+/* The plot 'cost': the error of an answer, plotted against the time that its computation takes, for each
+ * method and precision. */
 #include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "language/quad.h"
@@ -30,7 +31,8 @@ static void cost_chart(const struct query *query, const char *name, const struct
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
-        /* An error far below the unit roundoff means nothing, and could be 0 on a logarithmic axis. */
+        /* A quarter of the machine epsilon takes the place of any smaller error. Such an error is luck, and
+         * an error of 0 has no place on a logarithmic axis. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));

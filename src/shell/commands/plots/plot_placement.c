@@ -11,9 +11,9 @@
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-/* Chooses the largest size of the errors in the chart. With this size, most of the random rows must stop, so
- * it is well above the size at which half of the rows fall. The chart also includes the size `now` that
- * 'effect placement' has set. If this effect is off, `now` is NaN. */
+/* Chooses the largest size of the errors in the chart. Most of the random rows must stop at this size, so it
+ * is well above the size at which half of them fall. The chart also includes `now`, the size that 'effect
+ * placement' has set. If this effect is off, `now` is NaN. */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)
 {
@@ -60,7 +60,7 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
              "%zu rows for each point, with the 95 %% interval", rows);
     if (unknown)
         snprintf(chart->note, sizeof chart->note,
-                 "The upper ends of the intervals count undecided rows as rows that fall.");
+                 "The model cannot decide some rows. The upper ends of the intervals assume that they fall.");
     chart->x.low = chart->y.low = 0;
     chart->y.high = 1.04;
     chart_level(chart, 0.95, "95 %");

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes how the fall ends into the note of the chart. */
+/* Writes into the chart's note how the fall ends. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -26,7 +26,8 @@ static void end_note(const struct row_run *run, struct chart *chart)
 
 /* ---- Energy to spare ---- */
 
-/* Returns margin / barrier of run->fall[i], or NaN if the domino needs no energy or was tipped. */
+/* Returns the energy that the domino of run->fall[i] has to spare, divided by the energy that it needs.
+ * Returns NaN if it needs no energy, or if it was tilted until it tipped over. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];
@@ -89,8 +90,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine runs this row because %s, and computes no energies; "
-                                 "'plot speed' shows how the row falls",
+                                 "the rigid-body engine, which does not compute the energies of this plot, "
+                                 "runs this row because %s; 'plot speed' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
@@ -105,7 +106,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     }
     bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
     if (idle)
-        problem_no_answer(problem, "the only domino of this row starts past its tipping point, and needs "
+        problem_no_answer(problem, "the only domino of this row starts past its tipping point, so it needs "
                                    "no energy to fall; 'effect row 5' sets up five dominoes");
     else if (chart)
         fall_chart(&run, chart);
@@ -118,8 +119,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    /* The number of a domino begins at 1, and its index at 0. The number of one domino is therefore the index
-     * of the next one. */
+    /* Dominoes are numbered from 1 but indexed from 0, so the number of this domino is the index of the next
+     * one. */
     size_t next = run->fall[i].domino;
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;
@@ -174,16 +175,16 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* The window of a gap is the range of sizes with which the row falls. Returns the distance from the present
- * size to the nearer end of the window, or infinity if the gap has no window. */
+/* If a gap has any size in its window, and no other gap changes, the row falls. Returns the distance from the
+ * present size to the nearer end of the window, or infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Writes the note below the chart. If the row falls, the note tells which gap has the tightest limits. If the
- * row does not fall, it tells which gap could be changed so that the row falls. */
+/* Writes the note below the chart. If the row falls, the note says which gap has the tightest limits. If the
+ * row does not fall, the note says which gap needs the smallest change to save the row. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;
@@ -191,7 +192,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
     if (window_room(t) == HUGE_VAL)
         snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, and changing any single gap would not save it.");
+                 "The row does not fall, and no change of a single gap would save it.");
     else if (falls)
         snprintf(chart->note, sizeof chart->note,
                  "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "
@@ -200,8 +201,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
                  measured(t->high - t->now, "m", 3).text);
     else
         snprintf(chart->note, sizeof chart->note,
-                 "As planned, the row does not fall. It would fall with a gap of %.30s to %.30s before "
-                 "domino %zu.",
+                 "The row does not fall, but it would fall with a gap of %.30s to %.30s before domino %zu.",
                  measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
 }
 

@@ -125,8 +125,9 @@ static void engine_say(struct answer *a, const struct row_run *run)
     if (run->scene.row.engine)
         answer_say(
             a,
-            "Chipmunk %s, a rigid-body engine, ran the row with %g time steps per time unit, sqrt(h/g). With "
-            "half as many steps the verdict is the same, and times agree within %.2g %%.",
+            "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
+            "h is the height of the domino that was hit last. With half as many steps the verdict is the "
+            "same, and times agree within %.2g %%.",
             engine_version(), s->grain.steps, 100 * s->change);
 }
 
@@ -196,7 +197,8 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         answer_row(a, cells, falls ? NULL : reason);
 }
 
-/* Runs the row. If `listed` is true, prints the answer of 'fall', and otherwise the answer of 'verdict'. */
+/* Runs the row and prints the answer: that of 'fall' if `listed` is true, and that of 'verdict' if it is
+ * false. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The friction of the floor at which no foot slips: for 'slip', 'fall' and 'verdict'. */
+/* The friction that the floor needs so that no foot slips. The commands 'slip', 'fall' and 'verdict' print
+ * it. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
@@ -68,10 +69,10 @@ static void slip_matters_say(struct answer *a, bool in_motion)
         in_motion
             ? "This answer assumes that feet do not slip. If feet slip while dominoes fall, a row can stop "
               "sooner than this answer says."
-            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In a "
-              "rigid-body engine, a floor with a friction coefficient of 0.4 changes the largest growth by "
-              "at most 3 %% if the coefficient between the dominoes is 0.2, and by a tenth if they have no "
-              "friction.");
+            : "This answer assumes that feet do not slip. A slip at the moment of a hit matters little. In "
+              "tests with a rigid-body engine, feet could slip on a floor with a friction coefficient of "
+              "0.4. This changed the largest growth by at most 3 %% if the coefficient between the dominoes "
+              "was 0.2, and by about a tenth if there was no friction between them.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)
@@ -101,8 +102,8 @@ const struct column slip_columns[] = {
      "the friction that the floor needs so that no foot slips in a collision: the largest ratio of impulses",
      0},
     {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
-    {"slips", "", "yes if a foot slips while dominoes fall, on the floor that 'effect floor' sets", 0},
-    {"slips_hit", "", "yes if a foot slips in a collision, on the floor that 'effect floor' sets", 0},
+    {"slips", "", "yes if a foot slips while dominoes fall, at the floor friction of 'effect floor'", 0},
+    {"slips_hit", "", "yes if a foot slips in a collision, at the floor friction of 'effect floor'", 0},
     {NULL, NULL, NULL, 0},
 };
 

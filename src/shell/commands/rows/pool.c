@@ -339,7 +339,9 @@ static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, s
         const struct block end = {.first = all + 1}, *b = i < p->blocks ? &p->block[i] : &end;
         if (b->first < next)
             return csv_wrong(&csv->file, b->at,
-                             "row %zu of the study is in the file twice; leave one part out", b->first);
+                             "row %zu of the study is in the file twice; include each part of the study "
+                             "only once",
+                             b->first);
         if (b->first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing; the first missing row is number %zu",
                      all - p->study.result.rows, all, next);

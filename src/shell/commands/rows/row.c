@@ -113,7 +113,9 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
 /* An element of the linked list of selected dominoes. */
 struct selected {
     struct row_range range;
-    struct item item; /* a single number, as an expression; item.argument is NULL for a range such as 3-7 */
+    /* An expression for the number of one domino. If numbers were typed, such as 4 or 3-7, `range` holds
+     * them, and item.argument is NULL. */
+    struct item item;
     struct selected *next;
 };
 
@@ -126,7 +128,8 @@ struct change_parsed {
     bool is_share; /* the value ends with '%' */
 };
 
-/* Reads "4" or "3-7". Returns false and reads nothing, if the text is anything else. */
+/* Reads a number or a range, such as "4" or "3-7". If the text is anything else, returns false and reads
+ * nothing. */
 static bool range_read(struct reader *r, struct row_range *range)
 {
     char *end;
@@ -374,15 +377,16 @@ const struct command row_commands[] = {
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how inaccurate each domino may be before the row stops",
-     .help = "A window is a range of values. All dominoes fall with every value in it, if the rest of the "
-             "row stays as it is. Each domino has windows for its place, the gap before it, its height, its "
-             "thickness and its lean. The friction between dominoes has one window. A place is measured "
-             "along a tape from the back of domino 1. When a place changes, only that domino moves. When a "
-             "gap changes, all dominoes after it move with it. A domino whose height changes keeps its "
-             "density and the angle of its lean. A domino that is not set up plumb leans about its front "
-             "edge. The window for its lean says how far its top may be off plumb, backwards or forwards. "
-             "With rounded edges, and in the engine, the program does not compute how far a domino may lean. "
-             "The dominoes with the tightest limits are marked. If the row does not fall, the windows show "
+     .help = "A window is a range of values, for example of the height of a domino. All dominoes fall with "
+             "any value in this range, as long as nothing else in the row changes. Each domino has windows "
+             "for its place, the gap before it, its height, its thickness and its lean. The friction "
+             "between dominoes has one window. A place is measured along a tape from the back of domino 1. "
+             "When a place changes, only that domino moves. When a gap changes, all dominoes after it move, "
+             "and the other gaps stay the same. A domino whose height changes keeps its density and the "
+             "angle of its lean. A domino that is not set up plumb leans about its front edge. The window "
+             "for its lean says how far its top may be off plumb, backwards or forwards. With rounded "
+             "edges, and in the engine, the program does not compute how far a domino may lean. The "
+             "dominoes with the tightest limits are marked. If the row does not fall, the windows show "
              "which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",
@@ -412,8 +416,8 @@ const struct command row_commands[] = {
      .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
                   {.name = "GAP", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the gap before domino K of the row",
-     .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm': all dominoes after the gap move with it. "
-             "'place 3 +1 cm' widens the gap by 1 cm.",
+     .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm'. All dominoes after the gap move, and the "
+             "other gaps stay the same. 'place 3 +1 cm' widens the gap by 1 cm.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "change row mend",
      .changes = true,

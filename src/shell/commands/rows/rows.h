@@ -15,17 +15,16 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* A foot, the friction that it needs, and the moment at which it needs this friction. The moment is during
- * the fall of the domino `head`, or the instant when the domino `head` is hit: struct feet has a member for
- * each case. Dominoes are counted from 1. */
+/* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
+ * instant when this domino is hit. Dominoes are counted from 1. */
 struct slip {
-    domq_real needs; /* infinite if the foot is lifted off the floor */
+    domq_real needs; /* the friction coefficient; infinite if the foot is lifted off the floor */
     size_t domino;   /* the domino whose foot this is */
     size_t head;     /* 0 if no foot was found */
 };
 
-/* The friction that the feet of a row need. The member `motion` is for the fall of the dominoes, and the
- * member `hit` for the instants at which a domino is hit. */
+/* The friction that the feet of a row need: `motion` while dominoes fall, and `hit` at the instants when a
+ * domino is hit. */
 struct feet {
     domq_real floor; /* the friction of the floor */
     struct needs {
@@ -33,8 +32,8 @@ struct feet {
     } motion, hit;
 };
 
-/* Call feet_add for each domino that is hit, and then feet_say. `count` is the number of dominoes in the
- * row. */
+/* Functions that print the friction that feet need. Call feet_begin, then feet_add for each domino that is
+ * hit, and then feet_say. `count` is the number of dominoes in the row. */
 struct feet feet_begin(const struct query *query);
 void feet_add(struct feet *feet, const struct domq_fall *fall);
 void feet_say(struct answer *a, const struct feet *feet, size_t count);
@@ -81,13 +80,13 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* kind[K][k] is the window of domino k, counted from 0, for the kind of window K, which is an enum
-     * dom_window_of. All dominoes have the same friction, so there is only one window for it:
-     * kind[DOM_WINDOW_FRICTION][0]. */
+    /* An array of windows for each kind of window. For example, kind[DOM_WINDOW_HEIGHT][2] is the window of
+     * the height of the third domino. All dominoes have the same friction, so there is only one window for
+     * it: kind[DOM_WINDOW_FRICTION][0]. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* For each kind of window, the number of one domino, or 0. If the row falls, it is the domino with the
-     * tightest limits. If the row does not fall, only leans are considered: critical[DOM_WINDOW_LEAN] is the
-     * domino that needs the smallest change, and the other elements are 0. */
+    /* Numbers of dominoes, counted from 1. If the row falls, critical[K] is the domino with the tightest
+     * limits for its place, height, thickness or lean. If the row does not fall, critical[DOM_WINDOW_LEAN] is
+     * the leaning domino whose lean needs the smallest change to save the row. All other elements are 0. */
     size_t critical[WINDOW_KINDS];
     bool falls;
 };

@@ -88,7 +88,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the largest errors in the gaps with which this share of the rows falls", 0},
+    {"sigma", "m", "how large the errors in the gaps may be for this share of the rows to fall", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows narrow the interval", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -200,7 +200,7 @@ static void interrupted_say(struct answer *a, const struct budget_call *call, co
     answer_say(a, "Interrupted: with %s%s%s, at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
                size_words(call, two_digits(b->sigma)).text, all ? " times as large" : "",
                share_words(call->share).text,
-               open ? "; how many fall with larger errors is not known" : ", and fewer with ",
+               open ? "; it is not known how many fall with larger errors" : ", and fewer with ",
                open ? "" : size_words(call, b->high).text);
 }
 
@@ -246,7 +246,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     if (call->kind != DOM_ERROR_gap)
         answer_describe(
             a, "sigma", NULL,
-            "the largest error, or factor for all errors, with which this share of the rows falls");
+            "how large the error, or the factor for all errors, may be for this share of the rows to fall");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -301,14 +301,14 @@ const struct command study_commands[] = {
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
      .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. "
-             "First enter 'effect placement 1 mm' for errors in the gaps, or another error, such as 'effect "
-             "error_thickness 1 %' or 'effect error_friction 0.05'. If there are several errors, each row "
-             "is also run without each error in turn, with the same random numbers for the other errors. "
-             "The answer then says which error makes the most rows fail, and at which domino. With the same "
-             "'seed', row number i is always the same, with any number of 'threads'. ^C ends the study, and "
-             "the answer is then about the rows that have been run. With 'domino --shard 2/7' the answer is "
-             "the second of seven parts of the study. It has counts for blocks of 100 rows, and 'pool' adds "
-             "them up.",
+             "First turn on at least one kind of error: 'effect placement 1 mm' for errors in the gaps or, "
+             "for example, 'effect error_thickness 1 %' or 'effect error_friction 0.05'. If there are "
+             "several errors, each row is also run without each error in turn, with the same random numbers "
+             "for the other errors. The answer then says which error makes the most rows fail, and at which "
+             "domino. With the same 'seed', row number i is always the same, with any number of 'threads'. "
+             "^C ends the study, and the answer then covers only the rows that have been run. 'domino "
+             "--shard 2/7' runs only the second of seven parts of the study, and prints counts for blocks "
+             "of 100 rows. The command 'pool' adds up the counts of all parts.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -317,11 +317,11 @@ const struct command study_commands[] = {
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "combine the parts of a 'placement' study into one answer",
-     .help = "Run 'domino --shard I/N' with 'set output csv' and 'placement' for each I from 1 to N. "
-             "Collect the outputs in FILE, in any order. If FILE is '-', 'pool' reads standard input. The "
-             "answer equals the answer of the undivided study, digit for digit. If rows are missing, the "
-             "answer says so. It is an error if a row occurs twice, or if blocks come from different "
-             "studies.",
+     .help = "To run a study in N parts, start 'domino --shard I/N' for each I from 1 to N, and enter 'set "
+             "output csv' and 'placement' there. Collect the outputs in FILE, in any order. If FILE is '-', "
+             "'pool' reads standard input. The answer equals the answer of the undivided study, digit for "
+             "digit. If rows are missing, the answer says so. It is an error if a row occurs twice, or if "
+             "blocks come from different studies.",
      .see = "placement",
      .columns = placement_columns,
      .sweep_refusal = "it reads a file",
@@ -335,13 +335,13 @@ const struct command study_commands[] = {
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .noun = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
-     .help = "Finds sigma, the largest standard deviation of the errors in the gaps at which the share P of "
-             "the rows falls. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), with the "
-             "same random numbers. If the errors are uniform, sigma is their limit. The answer includes the "
-             "95 % interval of sigma. All other errors of the scene stay as they are. 'budget 0.95 1000 "
+     .help = "Finds how large the errors in the gaps may be for the share P of the rows to fall. The answer "
+             "is sigma, the standard deviation of these errors, or their limit if they are uniform, with "
+             "its 95 % interval. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), with "
+             "the same random numbers. All other errors of the scene stay as they are. 'budget 0.95 1000 "
              "thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds the "
-             "factor by which all errors of the scene may be multiplied. ^C ends the search; sigma is then "
-             "the largest size at which enough rows are known to fall.",
+             "factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma is "
+             "then the largest size at which enough rows are known to fall.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",
@@ -350,8 +350,8 @@ const struct command study_commands[] = {
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the least friction of the floor at which no foot slips",
-     .help = "Finds how much friction the floor needs so that no foot slips, while dominoes fall and at the "
-             "moment of a hit.",
+     .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
+             "dominoes fall, and one for the moment of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",

@@ -18,10 +18,9 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which rows stop most often", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without the error that 'costs_most' names",
+    {"without", "share", "the share of the rows that would fall without the error in the column 'costs_most'",
      0},
-    {"stops_there", "",
-     "the domino at which rows stop most often because of the error that 'costs_most' names", 0},
+    {"stops_there", "", "the domino at which the error in the column 'costs_most' stops the most rows", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -51,8 +50,9 @@ enum dom_status study_run_with_causes(const struct domq_row *row, const struct d
                : domq_placement_study(row, compute, p, &study->result, study->stops);
 }
 
-/* Visits the positive numbers in number[0 .. count - 1], the largest first. Returns the index of the number
- * that follows the one with the index `last`, or `count` at the end. To begin, pass `count` as `last`. */
+/* Iterates over the positive numbers in number[0 .. count - 1], from the largest to the smallest. Each call
+ * takes the index of the previous number and returns the index of the next one, or `count` at the end. In the
+ * first call, `last` is `count`. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -64,8 +64,9 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Visits the kinds of error, the most harmful first: without it, the most rows would fall. Returns the kind
- * that follows the kind `last`, or DOM_ERROR_COUNT at the end. To begin, pass DOM_ERROR_COUNT as `last`. */
+/* Iterates over the kinds of error, from the most to the least harmful. The more rows would fall without a
+ * kind of error, the more harmful it is. Each call takes the previous kind and returns the next one, or
+ * DOM_ERROR_COUNT at the end. In the first call, `last` is DOM_ERROR_COUNT. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */
@@ -113,7 +114,7 @@ static void causes_say(struct answer *a, const struct study *s)
         answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall%s. %s.",
                    names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows, stops, others);
     else
-        answer_say(a, "Leaving out any one kind of error would not make more of these rows fall.");
+        answer_say(a, "No more of these rows would fall if any single kind of error were left out.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)

@@ -14,10 +14,8 @@ const struct column tolerance_columns[] = {
     {"from", "m", "the smallest 'place' at which all dominoes fall, if no other domino is moved", 8},
     {"to", "m", "the largest 'place' at which all dominoes fall, if no other domino is moved", 8},
     {"gap", "m", "clear distance to the domino before it", 8},
-    {"gap_low", "m",
-     "the smallest gap at which all dominoes fall, if all dominoes after the gap move with it", 8},
-    {"gap_high", "m",
-     "the largest gap at which all dominoes fall, if all dominoes after the gap move with it", 8},
+    {"gap_low", "m", "the smallest gap at which all dominoes fall, if no other gap changes", 8},
+    {"gap_high", "m", "the largest gap at which all dominoes fall, if no other gap changes", 8},
     {"height", "m", "height of the domino", 8},
     {"height_low", "m", "the smallest height at which all dominoes fall", 10},
     {"height_high", "m",
@@ -49,9 +47,10 @@ static domq_real room(const struct domq_window *w)
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Finds the domino that is closest to an end of its window. If the row falls, this domino has the tightest
- * limits. If the row does not fall, this domino needs the smallest change. Returns its number, or 0 if there
- * are no windows. */
+/* Finds the domino that is closest to an end of its window, and returns its number. If the row falls, this
+ * domino has the tightest limits. If the row does not fall, this domino needs the smallest change to save it.
+ * Dominoes with the value 0, such as those that do not lean, are then left out. Returns 0 if no domino is
+ * found. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -211,23 +210,22 @@ static void lean_say(struct answer *a, const struct windows *w)
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
         answer_say(a,
-                   "All dominoes would fall if the top of domino %zu leaned by anything from %s to %s; it "
-                   "leans %s now.",
+                   "All dominoes would fall if the top of domino %zu were off by anything from %s to %s; it "
+                   "is off by %s now.",
                    k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
                    off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
-        answer_say(a, "Set domino %zu %s: its top may lean up to %s backwards or %s forwards%s.", k,
+        answer_say(a, "Set domino %zu %s: its top may be off by up to %s backwards or %s forwards%s.", k,
                    w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
                    length(l.high, DIGITS).text, all);
     else
-        answer_say(a, "The top of domino %zu may lean by anything from %s to %s%s; it leans %s now.", k,
+        answer_say(a, "The top of domino %zu may be off by anything from %s to %s%s; it is off by %s now.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Some windows of heights may be wider in reality than they are here. The search does not try very tall
- * dominoes, and the model does not include every contact. Prints how many windows end for each of these two
- * reasons. */
+/* Prints how many windows of heights may be too narrow, for two reasons: the search does not try very tall
+ * dominoes, and the model does not include every contact. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -295,14 +293,16 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 {
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
     const size_t place = w->critical[DOM_WINDOW_PLACE];
-    answer_say(a, "\nA window is a range of values with which all dominoes fall, if nothing else in the row "
-                  "changes. Places are measured from the back of domino 1 to the back of each domino.");
+    answer_say(a, "\nA window is a range of values, for example of the height of a domino. All dominoes "
+                  "fall with any value in this range, as long as nothing else in the row changes. Places "
+                  "are measured from the back of domino 1 to the back of each domino.");
     if (w->scene->row.engine)
         answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
                       "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
         answer_say(a,
-                   "The row does not fall now; to save it, change one measure to any value in its window.");
+                   "The row does not fall now. To save it, change one value, such as a gap or a height, so "
+                   "that it is in its window.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
         if (least_room(w, sizes[i]) > 0)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));

@@ -27,7 +27,7 @@ struct grid_parsed {
         struct value_parsed {
             struct item item;
             struct value_parsed *next;
-        } * first;    /* in the form FROM TO N, only FROM; in a list, all values */
+        } * first;    /* the value FROM, or a linked list of all values if the axis is a list */
         size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
         struct item to, steps;
         const char *log_at; /* points to the word 'log' in the command, or is NULL */

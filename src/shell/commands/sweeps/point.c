@@ -16,7 +16,8 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes a column for each question in a list. An expression has the unit of its current value. */
+/* Makes a column for each question in a list. To find the unit of an expression, evaluates it with the
+ * parameters of the session. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;

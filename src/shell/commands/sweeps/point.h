@@ -25,7 +25,8 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
-    /* names such as "rmax.s" for columns that have the name of a parameter of the grid */
+    /* new names, such as "rmax.s", for columns of the answer whose key is also the name of a parameter of the
+     * grid */
     char renamed[ASSIGNED_MAX][40];
     struct column answer[ANSWER_COLUMNS]; /* one column for each question in a list */
     char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */

@@ -130,8 +130,8 @@ static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        /* The values of a list may have any order. Otherwise the first and the last value are the extremes,
-         * and it is enough to announce these two. */
+        /* A column needs a unit that suits its largest number. Between FROM and TO, this is the first or the
+         * last value. A list may have any order, so all its values are announced. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_announce(a, axis->parameter->name, axis_value(axis, k));

@@ -5,7 +5,8 @@
 
 #include "commands/sweeps/grid.h"
 
-/* Functions that parse the grid, parse the answers after the ':', and bind both. */
+/* Callbacks of the arguments GRID and ': ANSWER'. They parse the grid, parse the list of requested answers
+ * after the ':', and bind both. */
 bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,

@@ -15,19 +15,20 @@ const struct command sweep_commands[] = {
          {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid},
           {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
      .summary = "the answers of a command over a grid of parameter values",
-     .help = "GRID has a part for each parameter or effect. NAME FROM TO N is N values in equal steps. NAME "
-             "FROM TO N log is N values with equal ratios. NAME VALUE, VALUE, ... is a list. The first "
-             "parameter changes slowest. ANSWER is a command or an expression, evaluated at each point, as "
-             "in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several answers are separated by commas and have "
-             "a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax with q hollow'. Each line has the "
-             "values of the parameters and then the answer, which may take several lines. If a point has no "
+     .help = "GRID names parameters or effects, each followed by its values. NAME FROM TO N stands for N "
+             "values in equal steps, and NAME FROM TO N log for N values with equal ratios. NAME VALUE, "
+             "VALUE, ... lists the values. The first parameter changes slowest. ANSWER is a command or an "
+             "expression, evaluated at each point, as in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several "
+             "answers, separated by commas, have a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax "
+             "with q hollow'. Every line of the output begins with the values of the parameters. If the "
+             "answer at a point has several lines, each of them begins with these values. If a point has no "
              "answer, csv and json give the reason. The parameters of the session do not change. Points are "
-             "computed on all cores ('set threads'), and the output does not depend on their number. 'domino "
-             "--shard 2/7' computes only the second of seven parts.",
+             "computed on all cores, unless 'set threads' gives another number of threads. The output does "
+             "not depend on this number. 'domino --shard 2/7' computes only the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,
-     .sweep_refusal = "name all parameters in one grid",
+     .sweep_refusal = "name all parameters in one grid, as in 'sweep s 0.1 0.5 3 q hollow, solid : rmax'",
      .rows = true,
      .run = run_sweep,
      .picture = plot_sweep},
