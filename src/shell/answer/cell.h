@@ -49,7 +49,7 @@ struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
-/* Returns false if a number is too large for csv and json at this precision. */
+/* Returns false if the number of a cell is too large for the precision of the style. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
 /* Returns true if a number other than 0 becomes 0 in csv and json at this precision. */

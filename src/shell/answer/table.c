@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table format: tables that fit the terminal, and use only characters that the terminal can show. */
+/* The table format: tables that fit the terminal and use only characters that the terminal can show. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"

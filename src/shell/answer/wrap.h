@@ -12,7 +12,7 @@
  * piece. */
 size_t line_break(const char *text, int columns);
 
-/* Writes text in lines between two columns of the terminal. Each line begins at the column `left`, and ends
+/* Writes text in lines between two columns of the terminal. Each line begins at the column `left` and ends
  * before the column `right`. If `right` is 0, lines are not broken. A piece that is longer than a line, such
  * as a path, is not broken either, so that the user can copy it. No '\n' is written at the end. */
 void write_wrapped(FILE *out, const char *text, int left, int right);

@@ -56,8 +56,8 @@ struct argument {
     bool optional;
     names_list *choices;
     /* Some arguments have a syntax of their own: the kinds from ARGUMENT_GRID to ARGUMENT_UNIT. The function
-     * `parse` reads such an argument, and stores its result in question->parsed. The function `bind` computes
-     * values from this result, and stores them in given->bound. */
+     * `parse` reads such an argument and stores its result in question->parsed. The function `bind` computes
+     * values from this result and stores them in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -164,7 +164,7 @@ bool command_is_print(const struct command *command);
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);
 
-/* Returns the maximum number of arguments that the command takes in an expression, and stores the minimum in
+/* Returns the maximum number of arguments that the command takes in an expression and stores the minimum in
  * *fewest. In an expression, only values can be arguments. If a command cannot be used in an expression,
  * returns -1. */
 int command_arity(const struct command *command, int *fewest);

@@ -7,7 +7,7 @@
 #include "interpreter/reader.h"
 
 /*
- * Returns the command of a line, and moves the reader to its arguments. If a command and a parameter have the
+ * Returns the command of a line and moves the reader to its arguments. If a command and a parameter have the
  * same name, the name stands for the command. If the name of a parameter is also an abbreviation of a
  * command, the name stands for the parameter, so 'q' does not mean 'quit'. After an error, sets the reader's
  * problem and returns NULL.

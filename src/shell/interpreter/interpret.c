@@ -244,7 +244,7 @@ static bool is_silent(const struct session *session, const struct command *c, bo
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
-/* Parses and runs the command at the reader's position, and moves the reader to where parsing ended. */
+/* Parses and runs the command at the reader's position and moves the reader to where parsing ended. */
 static void run_command_at(struct session *session, struct reader *line)
 {
     struct reader r = *line;

@@ -80,7 +80,7 @@ bool reader_ends(struct reader *reader);
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If the next word is `word`, skips this word and the blanks after it, and returns true. */
+/* If the next word is `word`, skips this word with the blanks after it and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
 /* These functions allocate memory in the arena. The memory from reader_memory is filled with zeros, and
@@ -89,7 +89,7 @@ void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
 /*
- * Reads a word, and returns a copy in the arena. A word ends at a blank, at a ';' or at one of the characters
+ * Reads a word and returns a copy in the arena. A word ends at a blank, at a ';' or at one of the characters
  * in `stops`. If `quotes` is true, the word may also be a text in double quotes, which may contain these
  * characters. In this text, '""' stands for one '"'. If the closing quote is missing, sets the reader's
  * problem and returns NULL.

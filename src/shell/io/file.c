@@ -92,8 +92,8 @@ static bool text_copy(FILE *text, long from, int to)
     return !ferror(text);
 }
 
-/* Writes the text into an open file, or appends it, and closes the file. If the disk is full, the file keeps
- * its old contents. Sets errno on failure. */
+/* Overwrites an open file with the text or, after '>>', appends the text to it. Then closes the file. If the
+ * disk is full, the file keeps its old contents. Sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;

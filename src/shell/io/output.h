@@ -73,10 +73,10 @@ const char *file_push(struct output **top, const char *path, bool append,
 /*
  * Pushes a pager for text that may be longer than the terminal. If standard input or the level below is not
  * the terminal, pushes nothing and returns false.
- * - The text goes through the pager if it fills at least `screens` screens, and does not arrive slowly.
+ * - The text goes through the pager if it fills at least `screens` screens and does not arrive slowly.
  * - The pager is the program $PAGER or, without this variable, 'less'. If `may_run` is false, no program is
  *   started, and the text is shown page by page.
- * - If the user quits before the end, or interrupts the command, further writing fails. When the pager is
+ * - If the user quits before the end or interrupts the command, further writing fails. When the pager is
  *   popped, output_pop then returns an error message.
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
@@ -88,7 +88,7 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
                         const volatile sig_atomic_t *interrupt);
 
 /* Writes the buffered text of the log and the tee into their files. If one of these files cannot be written,
- * ends this log or tee, and returns the reason. Otherwise returns NULL. */
+ * ends this log or tee and returns the reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
 /* Writes commands into the log, if there is one. A command that fails becomes a comment in the log. Unless

@@ -38,7 +38,7 @@ int utf8_columns(const char *text);
 double terminal_clock(void);
 
 /* Begins to show the progress of a long command on standard error, if it is a terminal. A line such as "3 s;
- * ^C stops it" then shows the elapsed time, and is updated every second. */
+ * ^C stops it" then shows the elapsed time and is updated every second. */
 void progress_begin(void);
 
 /* Clears the line that progress_begin has shown. */
