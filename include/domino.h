@@ -39,7 +39,7 @@
  * - the motion and the limits of trains with friction.
  *
  * Precision: the parameters and results in this header are of type double. <domino_quad.h> includes this
- * header, and declares its functions, structures and macros again for the widest floating-point type of the
+ * header and declares its functions, structures and macros again for the widest floating-point type of the
  * machine. Their names there begin with domq_ instead of dom_. The functions of both headers can compute in
  * every precision (compute.precision).
  *
@@ -74,7 +74,7 @@ typedef double dom_real;
 
 /* ---- Simple API: each function returns a number, or NaN if it fails ---- */
 
-/* Returns the largest growth of a train. The separation s and the thickness d are both divided by the height.
+/* Returns the largest growth of a train. The separation s and the thickness d are multiples of the height.
  * The mass exponent q is 4 for solid dominoes and 3 for hollow ones. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
@@ -83,7 +83,7 @@ dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
 /* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is the height in m. The
- * separation s and the thickness d are divided by the height. */
+ * separation s and the thickness d are multiples of the height. */
 dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /* ---- The train ---- */
@@ -408,8 +408,8 @@ struct dom_state_error {
     dom_real theta, time, omegasq, acceleration, kinetic, climbed, fallen, before, lost, friction_work;
 };
 
-/* The train at one tilt of a cycle. Energies are in m g h / 2 of the head. The energies balance, except with
- * the paper's fuel: before - lost - climbed - friction_work = kinetic. */
+/* The train at one tilt of a cycle. Energies are in units of m g h / 2 of the head. Unless the paper's fuel
+ * is used, the energies balance: before - lost - climbed - friction_work = kinetic. */
 struct dom_state {
     dom_real theta;        /* tilt of the head */
     dom_real time;         /* time since the launch, in tau */
@@ -487,7 +487,7 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
  * domino would be lifted off the floor, the coefficient is infinite.
  */
 struct dom_floor {
-    /* The coefficient needed during the motion, and the tilt of the head at that moment. */
+    /* The coefficient needed during the motion, and the tilt of the head at which it is needed. */
     dom_real motion, theta;
     size_t domino;     /* the domino whose foot needs the coefficient `motion`, 0 = head */
     dom_real hit;      /* the coefficient needed in the collision */
@@ -525,10 +525,10 @@ struct dom_limit {
  * the status is DOM_OK and `ends` is DOM_END_NONE. Does not use train->r.
  *
  * The margin can dip below 0 and rise again, so the search must not jump over a dip. Without friction and
- * with sharp edges, bounds on the margin cover every growth up to r_max. Even so, the search can miss a very
- * narrow dip: one narrower than 1e-6 in ln r, or just below r_max, one narrower than 1e-4. If the search
- * takes more than 1,500 intervals, it can also miss wider dips. With friction or rounded edges, no bounds are
- * known. The margin is then only sampled, and a dip between two samples can be missed.
+ * with sharp edges, bounds on the margin cover every growth up to r_max. Even so, the search can miss a dip
+ * that is narrower than 1e-6 in ln r. Just below r_max, it can miss a dip that is narrower than 1e-4. If the
+ * search takes more than 1,500 intervals, it can also miss wider dips. With friction or rounded edges, no
+ * bounds are known. The margin is then only sampled, and a dip between two samples can be missed.
  *
  * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
  * than a second or two in double precision.
@@ -537,8 +537,8 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
                                struct dom_limit *limit);
 
 /*
- * Finds the largest growth of a pair of dominoes (section "Two dominoes"). Domino 1 pushes domino 0. It
- * starts at the point of tipping over, and must carry domino 0 over the barrier of the pair. Does not use
+ * Finds the largest growth of a pair of dominoes (section "Two dominoes"). Domino 1 pushes domino 0. Domino 1
+ * starts at the point of tipping over and must carry domino 0 over the barrier of the pair. Does not use
  * train->r and train->fuel.
  *
  * Domino 1 tips over only if r is large enough (5; b0). So equal dominoes can fail although larger growths
@@ -558,13 +558,13 @@ struct dom_best {
 };
 
 /*
- * Finds the best separation, which allows the largest growth. Does not use train->s and train->r. The status
- * is DOM_NO_GROWTH if no separation allows r > 1.
+ * Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
+ * DOM_NO_GROWTH if no separation allows r > 1.
  *
- * Without friction and with sharp edges, bounds rule out that another s allows a larger growth. The search
- * can only miss a narrow peak of the function r_max(s): one narrower than 0.2 % of s, or a wider one if the
- * search takes very long. With friction or rounded edges, no bounds are known. The separations are then only
- * sampled, and a peak between two samples can be missed.
+ * Without friction and with sharp edges, bounds show which separations cannot allow a larger growth. So the
+ * search can miss a peak of the function r_max(s) only if the peak is narrower than 0.2 % of s. If the search
+ * takes very long, it can also miss a wider peak. With friction or rounded edges, no bounds are known. The
+ * separations are then only sampled, and a peak between two samples can be missed.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);

@@ -7,8 +7,8 @@
  * domino-model(7) explains the proof.
  *
  * A double can only approximate a fraction such as 7/48, and most decimals. So a proof holds for all trains
- * whose s, d and q round to the given doubles, including the fractions and decimals that were meant. If q is
- * a whole number, it is taken as exact.
+ * whose s, d and q round to the given doubles. The train that the caller meant, with d = 7/48 for instance,
+ * is one of them. If q is a whole number, it is taken as exact.
  *
  * There is no proof for trains with friction, a slope or rounded edges. Nothing is proved unless the rounding
  * mode is round-to-nearest.
@@ -48,10 +48,10 @@ struct dom_proof_work {
 
 /* What is proved about the largest growth. */
 enum dom_proof_end {
-    DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low`, and stops at `high` */
+    DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling at growths from `from` to 1/s; low <= 1/s <= high */
-    /* The train stops at r = 1. For a pair it means that no growth above 1 was found at which the pair
-     * provably keeps falling. */
+    /* A train stops at r = 1. For a pair, no growth above 1 was found at which the pair provably keeps
+     * falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, nothing is proved.
      * `gap` says why the proof is incomplete. */

@@ -29,7 +29,7 @@ enum dom_row_end {
 #undef DOM_ROW_ENUM
 };
 
-/* Returns the meaning of an end: a phrase about the domino at which the fall ends. */
+/* Returns the meaning of an end. The word "it" in a meaning stands for the domino at which the fall ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
 /* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
@@ -52,25 +52,27 @@ enum dom_design_limit {
 enum dom_window_of {
     /* The gap before a domino. When the gap changes, all dominoes after it move by the same distance. */
     DOM_WINDOW_GAP,
-    /* The distance between the backs of the first domino and this one. No other domino moves. */
+    /* The place of a domino: the distance from the back of the first domino to the back of this domino. When
+     * it changes, no other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT,   /* the height of a domino; the mass is proportional to the volume of the wood */
+    /* The height of a domino. When it changes, the mass changes in proportion to the volume of the wood. */
+    DOM_WINDOW_HEIGHT,
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_LEAN,     /* the lean of a domino, in rad */
-    /* The thickness of a domino. The mass is proportional to the volume of the wood. All gaps stay the
-     * same. */
+    /* The thickness of a domino. When it changes, the mass changes in proportion to the volume of the wood,
+     * and all gaps stay the same. */
     DOM_WINDOW_THICKNESS
 };
 
 /*
  * The errors that a row may have after it has been set up: X(name, unit, meaning). If the unit is "", the
  * error is relative to the value. The friction between dominoes and the friction of the floor are exceptions:
- * their errors are added to the coefficient. Each domino has errors of its own, up to the kind `radius`. From
- * `friction` on, each error is a single value for the whole row.
+ * their errors are added to the coefficient. From `gap` to `radius`, each domino has its own error. From
+ * `friction` on, there is one error for the whole row.
  */
 #define DOM_ERRORS(X)                                                                                        \
-    X(gap, "m", "gap before each domino; when it changes, all later dominoes move by the same distance")     \
-    X(place, "m", "place of each domino; all other dominoes stay in place")                                  \
+    X(gap, "m", "gap before each domino; an error moves this domino and all later ones")                     \
+    X(place, "m", "place of each domino; an error moves no other domino")                                    \
     X(height, "", "height of each domino; the error is relative to the height")                              \
     X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
     X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
@@ -91,7 +93,8 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback for the progress of a long computation: `done` parts out of `of` are complete. */
+/* A callback that reports the progress of a long computation. `of` is the number of its parts, and `done` is
+ * the number of parts that are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
@@ -99,7 +102,7 @@ typedef void dom_progress(size_t done, size_t of, void *context);
 /*
  * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
  * run them. The callback must call task(0, context) to task(count - 1, context), each exactly once. It may do
- * so in any order and on any threads. It waits until all tasks are done, and returns DOM_OK. If it has left
+ * so in any order and on any threads. It waits until all tasks are done and returns DOM_OK. If it has left
  * out tasks, it returns the reason, such as DOM_INTERRUPTED. The library passes `pool` to the callback
  * unchanged.
  */
@@ -115,7 +118,7 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
  * were upright. The first domino has a gap of 0.
  *
  * If the floor or the foot is not flat, the domino leans before it is hit. `lean` is its tilt at that time.
- * The domino then rests on its front edge, and turns about this edge when it falls. The lean must be within
+ * The domino then rests on its front edge and turns about this edge when it falls. The lean must be within
  * dom_lean_limits.
  */
 struct dom_domino {
@@ -244,9 +247,10 @@ struct dom_moment {
  * returns false to end the run. For a time after the end of the motion, such as INFINITY, visit gets the
  * final state and the time at which the row reached it. A domino that detaches keeps its tilt from then on.
  *
- * If the first domino is tipped over its edge, a time may be negative. The status is DOM_BAD_TIME for other
- * negative times, for NaN, and for times that are not in order. If the row comes so close to a stop that
- * later times cannot be computed, the status is DOM_NO_MARGIN. Other statuses are those of dom_row_run.
+ * Without a push, times may be negative, because they are measured from the first hit. With a push, a
+ * negative time gives the status DOM_BAD_TIME. So do a time that is NaN, and times that are not in order. If
+ * the row comes so close to a stop that later times cannot be computed, the status is DOM_NO_MARGIN. Other
+ * statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -266,8 +270,8 @@ struct dom_row_growth {
     dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
     /* All dominoes fall at growths from r_min to r_max. r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
-    /* How the fall ends just above r_max. If r_max is NaN, how the fall ends at r = 1. If `highest` limits
-     * r_max, DOM_ROW_FALLS. */
+    /* How the fall ends just above r_max. If r_max is NaN, `ends` is how the fall ends at r = 1. If r_max is
+     * `highest`, `ends` is DOM_ROW_FALLS. */
     enum dom_row_end ends;
 };
 
@@ -276,9 +280,9 @@ struct dom_row_growth {
  * dominoes for each growth r that is tried; row->domino is not used. For a train, let `make` call
  * dom_row_of_train, and let `highest` be dom_train_reach.
  *
- * The search starts at r = 1 and raises r in steps until the row falls. From there it raises r until the row
- * no longer falls, or until r is `highest`. The steps are 2 %. With an engine, they are 10 % until the row
- * falls. The search can miss an interval of growths that is narrower than a step.
+ * The search starts at r = 1 and raises r until the row falls, in steps of 2 %, or of 10 % with an engine.
+ * From there it raises r in steps of 2 %, until the row no longer falls or r is `highest`. The search can
+ * miss an interval of growths that is narrower than a step.
  *
  * The statuses are those of dom_row_run, which also checks the dominoes. The status is DOM_BAD_R if `highest`
  * is not a finite number >= 1.
@@ -306,8 +310,8 @@ struct dom_mend {
  * gap after the domino is too wide to reach across, the search tries no other gap.
  *
  * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
- * The current gap may be even wider. If all dominoes then fall at the widest gap within reach, `to` is this
- * widest gap.
+ * If the current gap is even wider, and all dominoes fall at the widest gap within reach, `to` is the widest
+ * gap within reach.
  *
  * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
  * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
@@ -379,8 +383,8 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
     /* For dom_row_improve: true to change not only gaps but also sizes, except those of the first and the
-     * last domino. A domino whose size changes keeps its proportions. If there are boards, its thickness is
-     * that of a board instead. */
+     * last domino. A domino whose size changes keeps its proportions. But if there are boards, it gets the
+     * thickness of a board. */
     bool sizes;
     /* The mass exponent: a domino x times as large has x^(q - 1) times the mass. With walls, the masses
      * follow from the walls instead. */
@@ -390,7 +394,7 @@ struct dom_limits {
     dom_real hall;
     /* The largest mass, in kg, that dom_row_improve may give to a domino. May be infinite. */
     dom_real heaviest;
-    /* the grid in m: changed sizes and gaps are multiples of this length. 0 without a grid */
+    /* the grid in m: changed sizes and gaps are multiples of this length. 0 means that there is no grid */
     dom_real grid;
     /* The thicknesses in m that dominoes may have: an array of `boards` numbers in increasing order. If
      * `boards` is 0, any thickness is allowed. In a row with boxes_above > 0, boxes may have any
@@ -444,7 +448,7 @@ struct dom_design {
  * exactly `height` tall. The separation stays as close to the best one as the hall and the start of the row
  * allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up to 30 more dominoes.
  *
- * The search computes in double, and tries separations that are multiples of 0.001. A separation at which a
+ * The search computes in double and tries separations that are multiples of 0.001. A separation at which a
  * train or a row cannot be computed is skipped.
  *
  * If the wish has an engine, the row must also fall in the engine. The engine runs rows only at separations
@@ -460,14 +464,14 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
  * Finds a row as dom_design_find does, but one that can be built:
  * - Sizes and gaps are multiples of the grid, except the sizes of the first domino and the height of the
  *   last.
- * - If there are boards, thicknesses are taken from them.
- * - The rounded row still has the safety of the wish and fits into its hall.
+ * - If there are boards, every thickness is that of a board.
+ * - The rounded row still has the safety of the wish and fits into the hall of the wish.
  *
- * The results about the endless train are those before rounding.
+ * The results about the endless train are computed before rounding.
  *
- * The members `sizes`, `hall` and `heaviest` of the limits have no effect, but `hall` and `heaviest` must be
- * positive. If a member of the limits is bad, the status is DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS,
- * DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
+ * The members `sizes`, `hall` and `heaviest` of the limits have no effect, and the hall is that of the wish.
+ * Even so, `hall` and `heaviest` must be positive. If a member of the limits is bad, the status is DOM_BAD_Q,
+ * DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -533,12 +537,12 @@ struct dom_study {
 };
 
 /*
- * Runs the rows of a placement, and counts how many of them fall. The tolerance is 1e-9 or compute->tol,
+ * Runs the rows of a placement and counts how many of them fall. The tolerance is 1e-9 or compute->tol,
  * whichever is larger. The result does not depend on placement->parallel. After DOM_INTERRUPTED, only the
  * rows that were run are counted.
  *
  * Unless `stops` is NULL, stops[k] is set to the number of rows that ended at domino k + 1. Rows that the
- * model cannot decide (study->unknown) are not counted there.
+ * model cannot decide (study->unknown) are not counted in `stops`.
  *
  * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN if leans
  * have errors and the row has rounded edges or is run by an engine. Other statuses come from dom_row_run and
@@ -562,7 +566,7 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
                                      const struct dom_placement *placement, struct dom_study *study,
                                      size_t without[DOM_ERROR_COUNT], size_t *stops);
 
-/* Sets `low` and `high` from the counts. These may be sums over several studies of one placement. */
+/* Sets `low` and `high` from the counts. The counts may be sums over several studies of one placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely a row must be set up. */
@@ -586,9 +590,9 @@ struct dom_budget {
  *
  * The status is DOM_STOPS if too few rows fall even at sigma = 0.
  *
- * If the search is interrupted, the status is DOM_INTERRUPTED. If a sigma > 0 at which enough rows fall was
- * known by then, the budget is written. Then `sigma` and `low` are the largest such sigma, and `high` is the
- * smallest sigma at which too few rows are known to fall, or infinity.
+ * If the search is interrupted, the status is DOM_INTERRUPTED. The budget is then written only if the search
+ * has found a sigma > 0 at which enough rows fall. In that case, `sigma` and `low` are the largest such
+ * sigma, and `high` is the smallest sigma at which too few rows are known to fall, or infinity.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A box of a row. `gap` is the clear distance to the previous box, and is ignored for the first box. */
+/* A box of a row. `gap` is the clear distance to the previous box and is ignored for the first box. */
 struct engine_box {
     double height, thickness, gap, mass;
     /* moment of inertia about the centre, divided by that of a solid box; 0 means a solid box */
@@ -50,21 +50,20 @@ struct engine_grain {
      * radian instead.
      */
     double steps;
-    /* The engine finds impulses by iteration, so the velocities after a step have errors. The iteration ends
-     * when the errors are at most this fraction of the largest change of a velocity in the step. */
+    /* The engine finds impulses by iteration, which leaves errors in the velocities after a step. The
+     * iteration ends when these errors are at most `tolerance` times the largest change of a velocity in the
+     * step. */
     double tolerance;
 };
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit. Times are measured from the push or, without a push, from the first hit. NaN for a
-     * first box that was released. */
+    /* Time of the hit. Times are measured from the push or, without a push, from the first hit. If the first
+     * box was released, its time is NaN. */
     double time;
-    /*
-     * Time at which the box hits the next box. For the last box of the row, this is the time at which it has
+    /* Time at which the box hits the next box. For the last box of the row, this is the time at which it has
      * fallen to the floor. NaN if the box does not get that far. If the first box was released and hits the
-     * next box, its time is NaN too.
-     */
+     * next box, its `until` is NaN too. */
     double until;
     double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes after the hit */
@@ -75,12 +74,11 @@ struct engine_hit {
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* true if the first box already touches the second when it is tipped over its edge; the row is then not
-     * run */
+    /* true if the first box, tipped over its edge, already touches the second box; the row is then not run */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
-    double zero;    /* zero point of all other times, measured from the start of the run */
+    double zero;    /* time from the start of the run to the moment from which all other times are measured */
     /* the deepest penetration of one box into another, relative to the height of the rear box */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
@@ -129,7 +127,7 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
- * each step, and returns false to end the run.
+ * each step and returns false to end the run.
  *
  * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
  * that all boxes fall, and fall->seconds is roughly the time at which the run ended.
@@ -159,7 +157,7 @@ struct engine_settled {
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row repeatedly, and halves the step length until the verdict no longer changes. `hit` has row->count
+ * Runs a row repeatedly and halves the step length until the verdict no longer changes. `hit` has row->count
  * elements, or may be NULL if `times` is false.
  * - If `times` is true, halving goes on until no time changes by more than ENGINE_AGREES times the duration.
  * - If `times` is false, a coarse first run is not repeated if its verdict is certain.

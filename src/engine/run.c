@@ -7,14 +7,15 @@
 /*
  * The engine uses the symplectic Euler method, which is of first order, and finds impulses by iteration. If
  * boxes penetrate each other, they are not pushed apart, since this would move them off their hinges. If a
- * box has drifted from its hinge, it is pulled back slowly, since it keeps the velocity of the pull.
+ * box has drifted from its hinge, it is pulled back. The pull must be slow, because the box keeps the
+ * velocity that the pull gives it.
  *
- * Before a hit, the steps become short. So the hit is detected on time, and the penetration is small. After
- * the hit, the steps stay short for a while. The reason is that each step starts from the impulses of the
- * previous step, multiplied by the ratio of the step lengths. If a long step followed the short step of the
- * hit, it would start from a large multiple of the hit's impulse, and act like another hit.
+ * Before a hit, the steps become short, so that the hit is detected on time and the penetration is small.
+ * After the hit, a few more steps stay short, because each step starts from the impulses of the previous
+ * step, multiplied by the ratio of the step lengths. A long step right after the hit would start from a large
+ * multiple of the hit's impulse and act like another hit.
  */
-/* The unit of time is sqrt(height / g) for the height of the head. */
+/* In these constants, the unit of time is sqrt(height / g), where `height` is the height of the head. */
 static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
@@ -73,7 +74,7 @@ static double time_to_hit(const struct world *w)
 /* Records how far hinges have drifted and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
-    /* the fraction of a drift that remains after one unit of time */
+    /* the fraction of a drift that remains after a time of 1, which is 1 / `unit` units of time */
     const double left = exp(-hinge_rate / unit);
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];

@@ -25,10 +25,9 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
  *
  * The limits below come from 3,750 random rows with friction, bounce, slopes and rounded edges, on floors
  * without hinges. Each row was run again with finer steps:
- * - In some rows, all boxes had fallen, and none had slowed down to less than 0.41 times its largest angular
- *   velocity. In these rows, all boxes fell again.
- * - In 1,400 rows, the foremost box had stopped less than a quarter of the way to its balance point. Only one
- *   of these rows fell with finer steps.
+ * - In every row in which all boxes had fallen and `slowest` was at least 0.41, all boxes fell again.
+ * - In 1,400 rows, the foremost box had stopped less than a quarter of the way to its balance point
+ *   (`climbed` < 0.25). Only one of these rows fell with finer steps.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {

@@ -37,7 +37,7 @@ struct world {
     struct body *body;
     size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
     double now;
-    double energy;             /* energy of the boxes in the space when the head was hit */
+    double energy;             /* energy of all boxes in `space`, recorded when the head was hit */
     struct cpConstraint watch; /* ends the iterations of a step (converge.c) */
     double tolerance;          /* tolerance of the impulses, as in struct engine_grain */
     double change;             /* the largest change in any velocity during the last iteration */

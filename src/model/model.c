@@ -153,8 +153,8 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* Makes the request for the double kernel, whose answer is the starting point of the search in the quad
- * kernel. Returns false if the quad kernel is not the one that answers the question. */
+/* A search in the quad kernel starts from the result of the double kernel. Makes the request for the double
+ * kernel. Returns false if the question is invalid or does not go to the quad kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;

@@ -59,10 +59,10 @@ struct dynamics {
      * so. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /* Optional. Solves the equation of motion over [lo, *hi]. J is the inertia at lo. If friction locks the
-     * motion inside this interval, lowers *hi to the tilt at which it locks, and returns DOM_LOCKS. */
+     * motion inside this interval, lowers *hi to the tilt at which it locks and returns DOM_LOCKS. */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
-    /* Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The smooth piece
-     * in which the motion starts reaches from edge[0] to edge[1]. */
+    /* Optional. If the motion stops before *hi, lowers *hi to a tilt shortly after the stop. The motion
+     * starts in a smooth piece, which extends from edge[0] to edge[1]. */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
     /* Optional if friction cannot lock a motion. Called only if friction locks the motion at the tilt `head`.
@@ -102,15 +102,17 @@ struct dynamics {
                                     real *acceleration, size_t *n);
     /*
      * Tells how strongly the speed at theta depends on the speed at the launch. Returns the derivative of
-     * omegasq at theta with respect to omegasq at the launch. `gain` is the same derivative at the start of
-     * the motion, and J_at is the inertia at theta.
+     * omegasq at theta with respect to omegasq at the launch. The motion may begin later than the launch,
+     * where a domino has detached. So `gain` is the same derivative at the tilt start->from. J_at is the
+     * inertia at theta.
      */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };
 
-/* Returns true if this law of motion has error bounds, including a bound on the margin at tilts between two
- * samples. Without them, error bounds are NaN, and searches rely on samples alone. */
+/* Returns true if error bounds are known for this motion, and also the bounds on all trains of a strip
+ * (growth/strip.h). If not, error bounds are NaN, and searches for a growth or a separation rely on samples
+ * alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* Limits the work for one solution. All its passes along the chain together may visit this many dominoes. In
- * double precision, these visits take half a second. */
+/* The largest number of dominoes that one solution may visit, in all its passes along the chain. In double
+ * precision, so many visits take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -201,7 +201,7 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
 }
 
 /* If the motion stops soon after lo, a long piece would have panels that are too wide to locate the stop. So
- * this function solves a short piece that contains the stop, and lowers *hi to the end of the short piece. */
+ * this function solves a short piece that contains the stop and lowers *hi to the end of the short piece. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {

@@ -21,18 +21,19 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "friction",
             .synonyms = "mu rub rough sandpaper slippery coefficient",
             .adds = "Coulomb friction between dominoes, in motion and in the collision",
-            .help = "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's "
-                    "model. The tip of each follower slides down the face of its leader, and a friction "
-                    "force mu N acts along the face, where N is the contact force. The lever arms of a "
-                    "contact become a = Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the follower. "
-                    "The torques add up with S_0 = 1, S_(i+1) = S_i a_i/b_i. For w = tau^2 omega^2 the "
-                    "equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B "
-                    "= sum r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision "
-                    "the angular velocity is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic "
-                    "energy that the train needs to pass every tilt of the cycle. The verdict 'locks' is "
-                    "possible only with friction: near r s = 1 the force on the struck domino passes on the "
-                    "wrong side of its hinge and cannot turn it. 'fuel paper' cannot be combined with "
-                    "friction: the paper's closed form of the fuel does not include this effect.",
+            .help =
+                "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's model. "
+                "The tip of each follower slides down the face of its leader, and a friction force mu N acts "
+                "along the face, where N is the contact force. The lever arms of a contact become a = Y/r - "
+                "L x - mu d on the leader and b = (Y + mu X)/r on the follower. In the sum of the torques, "
+                "domino i has the weight S_i, where S_0 = 1 and S_(i+1) = S_i a_i/b_i. For w = tau^2 omega^2 "
+                "the equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B "
+                "= sum r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision the "
+                "angular velocity is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic energy that "
+                "the train needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
+                "friction: near r s = 1 the force on the struck domino passes on the wrong side of its hinge "
+                "and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's closed form "
+                "of the fuel does not include this effect.",
             .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
             .plan = "equation of motion, linear in omega^2: Chebyshev series",
             .dissipates = true,
@@ -70,24 +71,24 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "walls",
             .synonyms = "box hollow boards plywood inertia shell",
             .adds = "the moment of inertia of boxes made of six walls",
-            .help =
-                "Without this effect the moment of inertia is that of a solid block, even if 'q' is hollow. "
-                "In a train, the thickness of the walls is the same fraction of the height for every domino. "
-                "Only times change, because the moment of inertia affects only tau: with thin walls, times "
-                "are 2.8 % longer. In a row, all dominoes are boxes made of the same boards, whose thickness "
-                "is THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
-                "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
-                "than ABOVE are boxes, and all others are solid. The endless train then consists of solid "
-                "dominoes. With ABOVE, and unless the row comes from a file, masses follow from the volumes "
-                "of the blocks and boxes, and 'q' has no effect. The moments of inertia of boxes, and masses "
-                "computed from a density, take the walls into account. Walls half as thick as the domino "
-                "make a solid block. A domino is half as wide as it is tall, unless a file or 'change' gives "
-                "its width. The moment of inertia about the lower edge is that of a solid block of the same "
-                "mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 "
-                "t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+            .help = "Without this effect the moment of inertia is that of a solid block, even if 'q' is "
+                    "hollow. In a train, the thickness of the walls is the same fraction of the height for "
+                    "every domino. The walls then change only tau, the unit of time, and the friction that "
+                    "the floor needs: with thin walls, times are 2.8 % longer. In a row, all dominoes are "
+                    "boxes made of the same boards, whose thickness is THICKNESS times the height of the "
+                    "first domino, or a length as in 'effect walls 12 mm'. With ABOVE, as in 'effect walls "
+                    "12 mm 30 cm', only the dominoes of a row that are taller than ABOVE are boxes, and all "
+                    "others are solid. The endless train then consists of solid dominoes. If ABOVE is given "
+                    "and the row does not come from a file, masses follow from the volumes of the blocks and "
+                    "boxes, and 'q' has no effect. The moments of inertia of boxes, and masses computed from "
+                    "a density, take the walls into account. Walls half as thick as the domino make a solid "
+                    "block. A domino is half as wide as it is tall, unless a file or 'change' gives its "
+                    "width. The moment of inertia about the lower edge is that of a solid block of the same "
+                    "mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 "
+                    "- 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
-            .plan = "a factor of the moment of inertia, in closed form",
+            .plan = "moment of inertia of a box, in closed form",
             .argument = {{.name = "THICKNESS",
                           .unit = "h",
                           .meaning =
@@ -194,7 +195,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "each domino, and error_friction, error_slope, error_floor and error_push for the "
                     "whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
-                      "generators of GSL",
+                      "pseudo-random numbers from GSL",
             .plan = "verdicts on many random rows, computed on all processors",
             .argument = {{.name = "SIGMA",
                           .unit = "m",

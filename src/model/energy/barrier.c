@@ -2,7 +2,7 @@
 /*
  * The search for the barrier, the global maximum of H over a cycle. H may increase again after a pushing
  * follower has detached, so the first maximum need not be the highest. H and H' are continuous. H'' jumps
- * where a domino detaches. So the search brackets the sign changes of H' in each smooth piece, and compares
+ * where a domino detaches. So the search brackets the sign changes of H' in each smooth piece and compares
  * all maxima.
  */
 #include "energy/barrier.h"
@@ -166,8 +166,8 @@ static bool falls_above_u(const struct geometry *geometry)
  * concave up to the tilt theta_u, and it decreases above theta_u, because there the head and its followers
  * all lose height (6; b2). The proof that H is concave follows.
  *
- * Let c = r L / cos theta_c. With rounded edges, the term r L in c is replaced by (r L + (r + 1) rho) / l, as
- * in rolling_here. Since Y_i >= Y_0 = cos theta_c, equations (12; b8) and (14; b10) give
+ * Let c = r L / cos theta_c. With rounded edges, let l = 1 - 2 rho. Then (r L + (r + 1) rho) / l takes the
+ * place of r L. Since Y_i >= Y_0 = cos theta_c, equations (12; b8) and (14; b10) give
  *
  *     theta_(i+1)'' >= theta_1' theta_i'' - c theta_i'^2,   theta_1' <= 1.
  *
@@ -177,9 +177,10 @@ static bool falls_above_u(const struct geometry *geometry)
  *
  *     w^j theta_j'^2 (h_j'' + bends),   bends = g c (w + w^2 + ...).
  *
- * For every domino, -h'' = h. For the head, h is at least h.y. For a follower, h is at least `least`, the
- * smaller of h.y and the height h(theta_f), and theta_j'^2 is at most 1. A follower that has detached adds
- * nothing to H''. The code below tests whether the sum of these bounds is negative.
+ * For every domino, -h'' = h, because h = h.y cos theta + h.x sin theta. The head, which is between 0 and
+ * theta_u, has h >= h(0) = h.y. A follower has h >= `least`, the smaller of h(0) and h(theta_f), and
+ * theta_j'^2 <= 1. A follower that has detached adds nothing to H''. The code below tests whether the sum of
+ * these bounds is negative.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -393,9 +394,9 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 
 /*
  * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The function
- * tries a distance and doubles it until the top is certainly inside: H' must be positive at this distance
- * below theta, and negative at this distance above theta. The first distance tried follows from H''. Tilts
- * outside the cycle need no test.
+ * tries a distance and doubles it until the top is certainly within this distance of theta: H' must be
+ * positive at theta minus the distance, and negative at theta plus the distance. A tilt outside [first, last]
+ * needs no test. The first distance follows from H''.
  *
  * *steepest is an upper bound on |H'| at the tilts that were tried.
  */

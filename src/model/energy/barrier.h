@@ -31,7 +31,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
                                       struct barrier *barrier);
 
 /*
- * barrier_follow finds one top by Newton's method, and stores it in *b. The search does not look for other
+ * barrier_follow finds one top by Newton's method and stores it in *b. The search does not look for other
  * tops, so a higher top may exist (see barrier_tops). `tol` is the relative tolerance of the tilt. Returns
  * false if it finds no top.
  *
@@ -42,7 +42,7 @@ KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct ba
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
                            struct barrier *b);
 
-/* Searches [0, theta_c] for tops of H that are higher than *b, and stores the highest in *b. */
+/* Searches [0, theta_c] for tops of H that are higher than *b and stores the highest in *b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);
 
 /* Returns true only if it is proved that H has a single top. */
@@ -77,8 +77,8 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* Two terms of the size `whole` differ by `left`. To know this difference to the relative tolerance tol, the
- * terms themselves need a finer tolerance. Returns the relative tolerance that they need. */
+/* Returns the relative tolerance to which two terms must be computed, so that their difference is known to
+ * the relative tolerance tol. Both terms are about `whole`, and their difference is about `left`. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*

@@ -2,8 +2,9 @@
 #include "motion/forces.h"
 #include <stdlib.h>
 
-/* The force on the last domino shown depends on all dominoes after it. The list contains at most this many of
- * them. All later dominoes move alike, so moving_push replaces them by a geometric series. */
+/* The force on the last domino shown depends on all dominoes behind it. forces_walk lists about as many of
+ * these dominoes as it shows, but at most about this many. The dominoes even farther behind all move alike,
+ * so moving_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
 
 static real geometric(real first, real ratio)
@@ -252,8 +253,8 @@ static real least_at(real theta, void *context)
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000
-/* The relative tolerance of the tilt at which the force is smallest. If an interval begins at 0, the error of
- * the tilt is at most 1/1000 of the distance between two samples. */
+/* The relative tolerance of the tilt at which the force is smallest. If the samples begin at the tilt 0, no
+ * tilt is larger than LEAST_SAMPLES times their distance, so the error is at most 1/1000 of this distance. */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */

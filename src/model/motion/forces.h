@@ -9,7 +9,8 @@
 
 #include "motion/motion.h"
 
-/* The motion of a chain: tau^2 omega^2 and tau^2 times the angular acceleration of its head. */
+/* The motion of a chain, given by the motion of its head: `omegasq` is tau^2 omega^2, and `acceleration` is
+ * tau^2 times the angular acceleration. */
 struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute to the sums */
@@ -55,11 +56,9 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
  * jump at the edges, so *lo and *hi are set just inside. Returns false if the cycle ends before this part. */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
-/*
- * Finds the contact forces at a few tilts up to `to`, each divided by the weight of the domino that it
- * pushes. If the smallest of them is smaller than *least, lowers *least to it. Does nothing if
- * segment->end.pushes is true.
- */
+/* Finds the contact forces at a few tilts up to `to`. Each force is divided by the weight of the domino that
+ * it pushes. Lowers *least to the smallest of these ratios if the ratio is smaller. If segment->end.pushes is
+ * true, no contact opens, so the function does nothing. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
 /* Returns the friction coefficient |x| / z that a hinge needs if (x, z) is the force of the floor on it. If
@@ -72,14 +71,15 @@ KERNEL real friction_needed(real x, real z);
  * impulse of this force.
  */
 struct required_friction {
-    real motion, theta; /* largest ratio during the motion, and the tilt of the head at that moment */
+    real motion, theta; /* largest ratio during the motion, and the tilt of the head at which it occurs */
     size_t domino;      /* domino with the largest ratio during the motion; 0 is the head */
     real hit;           /* largest ratio |R_x| / R_z in the collision */
     size_t hit_domino;
 };
 
-/* Finds the friction needed at the tilts in [lo, hi], and raises *required to it. No domino may detach inside
- * this interval. At a smooth peak, the relative error is about a millionth. */
+/* Finds the friction needed at the tilts in [lo, hi]. If this is more than the friction in *required, updates
+ * *required. No domino may detach inside this interval. If the friction is smooth around its maximum, the
+ * relative error is about a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

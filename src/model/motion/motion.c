@@ -26,17 +26,15 @@ KERNEL void motion_end(struct motion *m)
     free(m->room.list);
 }
 
-/*
- * Returns the integrand of the time before a stop. Near the stop, the slowness grows like 1/sqrt(end -
+/* Returns the integrand of the time before a stop. Near the stop, the slowness grows like 1/sqrt(end -
  * theta), so it is not integrated over theta. The substitution theta = end (1 - u^2) gives the smooth
- * integrand dt/du = 2 end u / (tau omega). The integral covers a range of u, which is u = `root` + `span` x
- * with 0 <= x <= 1.
- */
+ * integrand dt/du = 2 end u / (tau omega). The argument x runs from 0 to 1, and u = `root` + `span` x. */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow, but a larger u gives the same dt/du. */
+    /* Very near the stop, the remaining energy would underflow. So u has a minimum, below which dt/du no
+     * longer changes. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -144,8 +142,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy that detached dominoes have released. At the tilt where a follower detaches, rounding can
- * put theta just before this tilt. The follower counts as detached even then. */
+/* Corrects *left, the energy that detached dominoes have released, if theta is the tilt at which a follower
+ * detaches. There, the follower counts as detached, even if rounding has made theta slightly smaller. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;

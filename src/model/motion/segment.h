@@ -39,15 +39,14 @@ KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
  * friction locks the motion, lowers hi to the tilt at which it locks. */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
-/*
- * Finds segment->end, the sums at hi, and prepares the segment *next, which begins at hi. next->start.omegasq
- * is a linear function of omegasq at the launch. If it is negative, the motion does not reach hi, and the
- * value shows how much energy is missing.
- */
+/* Finds the sums at hi and stores them in segment->end. Also prepares *next, the segment that begins at hi.
+ * next->start.omegasq is a linear function of omegasq at the launch. If next->start.omegasq is negative, the
+ * motion does not reach hi, and the value shows how much energy is missing. */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Only for a segment that friction locks at hi. If the motion slows down before hi, it cannot reach hi, and
- * *braked is set to true. Otherwise *braked is set to false. */
+/* Only for a segment that friction locks at hi. Near hi, the angular acceleration grows without limit. If it
+ * slows the motion down, the motion stops before hi, and *braked is set to true. If it speeds the motion up,
+ * *braked is set to false. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */

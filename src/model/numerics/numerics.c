@@ -106,11 +106,9 @@ struct span {
 /* Computes the integral with the nodes of one level of the rule. */
 typedef real span_level(struct span *s, int level);
 
-/*
- * Estimates the relative error of a level. The last two levels differ by the fraction `off`, and the two
- * levels before by the fraction `off_before`. From each level to the next, the number of correct digits
- * nearly doubles.
- */
+/* Estimates the relative error of the last level. `off` is the relative difference between the last level and
+ * the level before, and `off_before` is the difference that was found one level earlier. The number of
+ * correct digits nearly doubles from each level to the next, so the error is much smaller than `off`. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -123,8 +121,8 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Two levels can agree by chance, even if their nodes are too far apart to resolve f. So the error of
-         * the unresolved part of f, `unseen`, must be small too. */
+        /* Two levels can agree by chance, even if their nodes are too far apart to resolve f. So `unseen`, an
+         * estimate of the error from the unresolved part of f, must be small too. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
@@ -146,14 +144,15 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Near an end of the interval,
+/* Returns the weighted sum of f at the nodes +t and -t and stores their weight. Near an end of the interval,
  * x itself would lose digits. So each node is computed from its distance to the nearer end. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
-    /* A node that rounds to the end still counts: a peak may be there. */
+    /* Rounding can put a node exactly at an end of the interval. It still counts, because f may have a peak
+     * there. */
     real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
     s->failed = s->failed || !isfinite(sum);
     return *weight * sum;
@@ -315,8 +314,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The integral is a series
- * of n + 1 terms. Its constant is chosen so that it has the value `start` at -1. */
+/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
+ * more. The constant term gives the result the value `start` at -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;

@@ -121,8 +121,8 @@ struct num_linear {
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
-/* A rough solution from x = 0 to hi. It has a single panel, with ROUGH evaluations of p and c, so its series
- * may not have converged. The errors are absolute, and estimated from the last terms. */
+/* A rough solution from x = 0 to hi. It has a single panel, on which p and c are evaluated only ROUGH times,
+ * so its series may not have converged. The errors are absolute, and estimated from the last terms. */
 enum { ROUGH = 8 };
 struct num_rough {
     real node[ROUGH]; /* Chebyshev nodes, set by num_rough_begin */
