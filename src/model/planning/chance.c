@@ -6,9 +6,9 @@
  *
  * A first-order reliability index would be cheaper. It needs only the derivatives of the margins at the row
  * without errors. But a gap can be too narrow, and it can be too wide. Somewhere in between, the margin has a
- * maximum. There its derivative is 0, as if errors of the gap did not matter. A search with this index found
- * a row that stopped in 54 % of all cases. With the function in this file, the search found a row that
- * stopped in 29 %.
+ * maximum. At this maximum, the derivative is 0, as if errors of the gap did not matter. A search with this
+ * index found a row that stopped in 54 % of all cases. With the function in this file, the search found a row
+ * that stopped in 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -55,7 +55,7 @@ struct run {
     double *margin;
     bool tips;          /* true if the first domino is tipped over its edge, and therefore has no margin */
     const double *base; /* the margins before the change, or NULL if nothing was changed */
-    size_t from;        /* number of the first domino that is affected by the change */
+    size_t from;        /* number of the first domino that the change affects, counted from 1 */
     double most;        /* the largest change in a margin so far */
 };
 

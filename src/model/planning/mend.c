@@ -16,9 +16,9 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /* Mends a gap that is too wide for the domino before it to reach the next domino. The widest gap within reach
- * equals the height of that domino. If the row falls at the widest gap within reach, finds how much narrower
- * the gap may be while the row still falls. Returns false if the gap is already within reach, or if the row
- * does not fall at the widest gap within reach. */
+ * equals the height of that domino. If the row falls at this widest gap, also finds the narrowest gap down to
+ * which the row still falls. Returns false if the gap is already within reach, or if the row does not fall at
+ * the widest gap within reach. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;

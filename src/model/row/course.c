@@ -28,10 +28,10 @@
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
- * The limits and the other numbers of a head are its mark. The trial ends as soon as D and all further
- * changes together are within the limits. Its verdict is then the verdict on the unchanged row. If the
- * unchanged row stops, the heads after the stop have no marks until a trial falls to the end of the row. This
- * trial then makes their marks, and takes the place of the unchanged row for them.
+ * The limits of a head are stored in its mark, together with `need`, `gain` and `offset`. The trial ends as
+ * soon as D and all further changes together are within the limits. Its verdict is then the verdict on the
+ * unchanged row. If the unchanged row stops, the heads after the stop have no marks until a trial falls to
+ * the end of the row. This trial then makes their marks, and takes the place of the unchanged row for them.
  */
 #include "row/run.h"
 #include <stdlib.h>

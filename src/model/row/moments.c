@@ -271,9 +271,9 @@ static real tipping_at(const struct segment *st, real left)
 }
 
 /*
- * A single domino tips over from theta_u. Let its tilt be theta_u + phi. With sharp edges, tau^2 omega^2 = 2
- * u sin^2(phi / 2), where u = sqrt(1 + d^2) is the reach. So at the time t in tau, tan(phi / 4) is
- * proportional to exp(t sqrt(u / 2)).
+ * A single domino tips over from theta_u. Let its tilt be theta_u + phi. With sharp edges, tau^2 omega^2 =
+ * 2 u sin^2(phi / 2), where u = sqrt(1 + d^2) is the reach. So tan(phi / 4) is proportional to
+ * exp(t sqrt(u / 2)), where t is the time in tau.
  */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {

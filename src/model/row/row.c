@@ -13,8 +13,9 @@
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion of a head ends early. If `used_up` is true, it ends because the head has
- * used up its energy. If `used_up` is false, it ends because friction stops or locks the head. */
+/* Finds the tilt at which the motion of a head ends early. If `used_up` is true, the motion ends because the
+ * head has used up its energy. If `used_up` is false, the motion ends because friction stops or locks the
+ * head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;

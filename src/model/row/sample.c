@@ -38,8 +38,8 @@ struct random_row {
 
 /*
  * Sums along a chain while its head turns from one tilt to another. A few digits of these sums suffice, so
- * rounding errors are not compensated. The sums yield an upper bound on the barrier. With a = `rise` and b =
- * `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, and the maximum of the right side is a^2 / (2 b).
+ * rounding errors are not compensated. The sums yield an upper bound on the barrier: if a is `rise` and
+ * b is `bend`, H(theta) - H(0) <= a theta - b theta^2 / 2, and the maximum of the right side is a^2 / (2 b).
  */
 struct glide {
     real J, dH;
@@ -212,8 +212,8 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
  * this fraction of the weight of the pushed domino. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. In a rough run, omegasq has an error of up to s->motion.off. Sets s->doubt
- * to true if such an error may change the verdict. */
+/* Runs head k with row_head. In a rough run, omegasq has an error of up to s->motion.off. Sets s->doubt to
+ * true if such an error may change the verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;
