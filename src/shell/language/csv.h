@@ -90,8 +90,7 @@ const char *csv_separator_name(const struct csv_file *file);
  * the cell. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Must be called after the last number. If the other numbers do not show how to read a number such as
- * "1,234", this is an error. */
+/* Must be called after the last number. If a number such as "1,234" is still ambiguous, this is an error. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. Control

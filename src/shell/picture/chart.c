@@ -136,9 +136,9 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Chooses the ends of an axis that are still NaN. The data reach from `low` to `high`. The axis extends
- * beyond the data at each end, by about `pad` times their range. A linear axis begins at 0 if the data begin
- * not far above 0. */
+/* Chooses the ends of an axis that are still NaN. The data reach from `low` to `high`. At each end, the axis
+ * extends beyond the data by about `pad` times the range of the data. If the data begin a little above 0, a
+ * linear axis begins at 0. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */

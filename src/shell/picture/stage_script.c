@@ -278,8 +278,8 @@ static void labels_script(const struct stage *stage, const struct sheet *v, FILE
 {
     struct labels l = {.script = script, .sheet = v};
     bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
-    /* Later labels get only the room that earlier ones leave. The first pass writes the labels of marked
-     * dominoes. The second pass writes those of the other dominoes, beginning at the front, where the largest
+    /* Later labels get only the room that earlier labels leave. The first pass writes the labels of marked
+     * dominoes, and the second pass those of all other dominoes. It begins at the front, where the largest
      * dominoes usually are. The third pass writes the gaps. */
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {

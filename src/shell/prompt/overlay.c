@@ -25,8 +25,8 @@ static bool is_coloured, is_hinted;
  * insert it. */
 static char rest[HINT];
 
-/* Returns true if the terminal has colours, and the user is typing the line itself. During a search, for
- * example, Readline shows other text. */
+/* Returns true if the terminal has colours, and the user has begun to type a line. During a search, for
+ * example, Readline shows other text, so the result is false. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |

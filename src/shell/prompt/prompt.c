@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt. Readline runs through its callback interface, and pselect waits for a key. Signals are blocked,
- * except in pselect and while a command runs, so that none is missed between two checks. */
+ * except in pselect and while a command runs, so that no signal is missed between two checks. */
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
@@ -34,8 +34,8 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. If one of them is going to end the program, the prompt ends first. Without
- * this, the terminal would stay in the mode that Readline uses. */
+/* The signals that are caught. Before a signal ends the program, the prompt ends and restores the mode of the
+ * terminal. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };

@@ -122,7 +122,7 @@ domq_real scene_mass(const struct scene *scene);
 domq_real lean_offset(const struct domq_domino *domino);
 
 /* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
- * radians. If it would fall over, writes a message with the limit of the lean, and returns false. */
+ * radians. If the domino would fall over, writes a message with the limit of the lean, and returns false. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 

@@ -8,8 +8,8 @@
 
 enum {
     STEPS = 100, /* the maximum number of steps */
-    /* The maximum total length of the arrays listed_row.domino and listed_row.change in all steps. It limits
-     * the memory that the history needs. */
+    /* The maximum total length of the arrays listed_row.domino and listed_row.change in all steps, which
+     * limits the memory for the history. */
     HELD_MOST = 4000000
 };
 
