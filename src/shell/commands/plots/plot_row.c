@@ -90,8 +90,8 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine, which does not compute the energies of this plot, "
-                                 "runs this row because %s; 'plot speed' shows how the row falls",
+                                 "the rigid-body engine, which does not compute the energy that a domino "
+                                 "needs, runs this row because %s; 'plot speed' shows how the row falls",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;

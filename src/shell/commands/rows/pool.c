@@ -73,7 +73,7 @@ static uint32_t scene_checksum(const struct scene_row *scene)
     return sum;
 }
 
-/* The data of a worker thread. Workers differ only in `status`. */
+/* The data of a worker thread. The copies of different workers differ only in `status`. */
 struct blocks {
     const struct scene_row *scene;
     const struct domq_placement *placement; /* the parameters of the whole study */

@@ -163,8 +163,8 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-/* The number of digits for a limit, and for a current value. A current value needs fewer digits, because it
- * was measured with a tape. */
+/* Limits are printed with DIGITS digits. A current value was measured with a tape, so DIGITS_NOW digits are
+ * enough for it. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
 static struct measured length(domq_real value, int digits)
