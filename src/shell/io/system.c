@@ -78,7 +78,7 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
 }
 
 #else
-#error "this system has neither fopencookie() nor funopen(); install libbsd, which has funopen()"
+#error "this system has neither fopencookie() nor funopen(); install libbsd and build with 'make PORTABLE=1'"
 #endif
 
 /* ---- Files ---- */
