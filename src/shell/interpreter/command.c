@@ -206,8 +206,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
                        struct problem *problem)
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
-    /* The parameters s and d are fractions of the height. If the user enters a length instead, this length is
-     * divided by the height of domino 1. */
+    /* Parameters with the unit "h", such as s and d, are fractions of the height. If the user enters a length
+     * instead, this length is divided by the height of domino 1. */
     bool is_share =
         a->kind == ARGUMENT_VALUE_OF && strcmp(parameter_find(a->parameter)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))

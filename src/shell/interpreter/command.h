@@ -98,14 +98,13 @@ struct command {
      * over the parameter already shows its values, so the sweep leaves this column of the answer out. If an
      * argument replaces the value, as in 'rmax 0.4', the sweep keeps the column. */
     const char *echo;
-    /* The key of the last column, if this column takes a long time to compute. Sweeps and expressions leave
-     * this column out. NULL if no column is slow. */
+    /* The key of the last column, if this column takes a long time to compute. Sweeps leave this column out,
+     * and expressions can use it only as a column of 'ans'. NULL if no column is slow. */
     const char *slow_column;
     /* The reason why 'sweep' refuses this command, as a text for messages. NULL if 'sweep' accepts the
      * command. Also NULL if the command computes nothing, because 'sweep' refuses every such command. */
     const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
-    /* What the command writes: */
     enum {
         WRITES_DATA,
         WRITES_PICTURES,  /* in csv and json: the data of a picture */
@@ -133,7 +132,7 @@ struct command {
 
 struct command_group {
     const char *title;
-    const struct command *commands; /* the commands of the group; the name of the last element is NULL */
+    const struct command *commands; /* the name of the last element is NULL */
 };
 
 /* Registers the groups of all commands. This function must be called before the first command runs. The list
@@ -147,15 +146,16 @@ const char *topic_names(const void *context, int k);  /* all commands and parame
 const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
-/* A names_list of all names that have a value. `context` is the state whose variables are included. If
- * `context` is NULL, the list contains only the names that have a value in every state. */
+/* A names_list of the names that are known in expressions: the built-in names, 'ans', the variables of the
+ * state `context`, and all commands and parameters, even those without a value, such as 'quit'. If `context`
+ * is NULL, the list has no variables. */
 const char *value_names(const void *context, int k);
 
 /* Several topics can have the same synonym, such as 'speed'. Returns the name of topic number k, counted from
- * 0, among those with this synonym. Returns NULL if there are no more. */
+ * 0, among those with this synonym. Returns NULL if there are no more. If the word is the first synonym of a
+ * parameter, only this parameter is returned. */
 const char *topic_by_synonym(const char *word, int k);
 
-/* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
 /* Returns true for 'print'. Messages do not mention 'print', because the user can omit it. */

@@ -53,7 +53,6 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true if a word ends at c, because there is a blank, a '>' or the end of the command. */
 static bool word_ends(const char *c)
 {
     return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
@@ -86,9 +85,9 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Users sometimes write a command like a function. Returns true for "print(2)", and for a command before an
- * empty "()", such as "quit()", unless the command can be used in an expression. In this case, also moves the
- * reader past the name and the empty "()". */
+/* Users sometimes write a command like a function, such as "print(2)" or "quit()". Returns true for 'print'
+ * before a '(', and for a command before an empty "()" unless the command can be used in an expression. Then
+ * also moves the reader past the name and the empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -196,7 +195,7 @@ static int reserved_command(const char *name)
     return NAMES_SEVERAL;
 }
 
-/* Returns the first command with this synonym, or NULL. */
+/* Returns the first command with this synonym, or NULL. A word of one or two letters is not looked up. */
 static const char *synonym_command(const char *word)
 {
     const char *name;

@@ -135,7 +135,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-/* Returns a list of the file extensions that a command can write, for messages. */
+/* Lists the file extensions that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
     return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt (for the data: .csv or .json)"
@@ -146,7 +146,6 @@ static const char *endings_of(const struct command *c)
                                    : ".txt";
 }
 
-/* Returns true if the command can write a file with this extension. Otherwise reports a problem. */
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
@@ -208,7 +207,6 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
                  "; to write the answer into a file, put '>' before its name: '> %s'", names_shown(path));
 }
 
-/* Runs a command that is followed by '>' or '>>' and the path of a file. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
                            const struct query *query)
 {
@@ -232,14 +230,14 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 
 /* ---- Commands ---- */
 
-/* Returns true if the command has written nothing. The json format then writes an object, because a program
- * may be waiting for an answer. With --shard, the outputs of all parts are concatenated later, so only part 1
- * writes this object. */
+/* Returns true if standard output has no answer of this command. The json format then writes an object,
+ * because a program may be waiting for an answer. With --shard, the outputs of all parts are concatenated
+ * later, so only part 1 writes this object. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->run_context.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote says only what the last command of the file did. */
+    /* 'source' has no answer of its own; session->wrote is about the last command of the file. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
@@ -303,8 +301,8 @@ static void run_commands(struct session *session, const struct text *text, const
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
     /* A command that fails becomes a comment in the log. A single command is therefore logged only when it
-     * writes an answer or an error. A line with several commands is logged before they run, because some of
-     * them may succeed before another one fails. */
+     * writes an answer or an error, or after it has run. A line with several commands is logged before they
+     * run, because some of them may succeed before another one fails. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {

@@ -58,7 +58,7 @@ static bool end_wrong(struct reader *r, const char *name, const char *end)
                                        : "an operator or a blank is missing");
 }
 
-/* Returns true if the text from `begin` to `end` ends in a number. The user may then type a unit after it. */
+/* A unit may follow a text that ends in a number. */
 static bool ends_in_number(const char *begin, const char *end)
 {
     const char *c = end;
@@ -166,9 +166,8 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /*
  * Returns the index of the next word in a list. The word may be abbreviated, unless it could also be an
- * expression, like h in 'set q h'. If the list does not have the word, returns a negative number, does not
- * move the reader, and explains the failure in `message`. If the word may be an expression, `message` is
- * empty.
+ * expression, like h in 'set q h'. If the list does not have the word, returns a negative number and does not
+ * move the reader. `message` then explains the failure, but is empty if the word may be an expression.
  */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
@@ -222,7 +221,6 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Writes all names of a list, separated by commas. */
 enum { NAMES_ALL = 384 };
 static void names_all(names_list *list, char all[NAMES_ALL])
 {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses and binds the values in a command's arguments. To bind a value means to compute it in a state, and
- * to check whether it is allowed. A sweep parses a value once, and binds it at every point. */
+/* Parses and binds the values in a command's arguments. To bind a value means to compute it in a state and to
+ * check whether it is allowed. A sweep parses a value once and binds it at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* The functions below parse text at the position of the reader, and move the reader to the end of this text.
- * After an error, they set the reader's problem, and return false or NULL. */
+/* The functions below parse text at the position of the reader and move the reader to the end of this text.
+ * After an error, they set the reader's problem and return false or NULL. */
 
 /* Parses an expression for an argument. The item keeps a pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);

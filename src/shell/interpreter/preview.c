@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Parses the command at the position of the reader, and a '>' after the command. */
 static enum preview command_preview(struct reader *r)
 {
     struct question question;

@@ -6,7 +6,7 @@
 #include "interpreter/reader.h"
 #include "session/session.h"
 
-/* The character that marks the cursor. No parser accepts this character, so parsing stops there. */
+/* The character that marks the cursor. No name, value or operator contains this character. */
 #define PREVIEW_CURSOR "\001"
 
 enum preview {

@@ -2,8 +2,8 @@
 /*
  * A question is a command with its arguments, after parsing. The names in the arguments have been resolved,
  * but their values have not been computed. To bind a question means to compute these values in a state. A
- * sweep therefore parses its question once, and binds it at every point. Several threads can use the same
- * question. Its memory is in the arena of the line.
+ * sweep therefore parses its question once and binds it at every point. Several threads can use the same
+ * question. The memory of a question is in the arena of the line.
  */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
@@ -23,10 +23,10 @@ struct question {
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
     const struct text *text;
-    const char *name; /* the text of the question as typed, for messages */
+    const char *name; /* the text from question_name, for messages and headings */
 };
 
-/* After an error, the functions below set the reader's problem or *problem, and return false. */
+/* After an error, the functions below set the reader's problem or *problem and return false. */
 
 /* Parses the command at the reader's position, and its arguments. */
 bool command_parse(struct reader *reader, struct question *question);
@@ -36,14 +36,14 @@ bool command_parse(struct reader *reader, struct question *question);
 bool question_parse(struct reader *reader, struct question *question);
 
 /* Parses a question inside another command, such as 'sweep'. The question can be a command, a command with
- * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. If `is_number` is true,
- * the answer must be one number. */
+ * the key of a column, such as "rmax.r", or an expression, which stands for 'print'. The answer must be one
+ * number. If `is_number` is false, it may also be yes or no. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
-/* A names_list of the commands that question_parse_any accepts. */
+/* A names_list of the commands that completion offers for question_parse_any. */
 const char *question_names(const void *context, int k);
 
-/* Returns a copy of the text from `begin` to `end`, without trailing blanks, for messages. */
+/* Returns a copy of the text from `begin` to `end` without trailing blanks, shortened and escaped. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
 /* The result of question_bind: the values of the arguments, and the query that the command answers. */
@@ -57,8 +57,8 @@ struct call {
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 
-/* Allocates memory for the result of argument.bind, and fills it with zeros. The memory belongs to
- * given->memory, and given->bound points to it. Returns NULL if memory runs out. */
+/* Allocates zeroed memory for the result of argument.bind in the arena given->memory and stores its address
+ * in given->bound. Returns NULL if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 

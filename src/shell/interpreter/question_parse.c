@@ -16,7 +16,6 @@ static bool is_path(const struct state *state, const char *word)
            (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(state, word));
 }
 
-/* Reports an argument that the command does not take. Returns false. */
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
 {
     return problem_error(r->problem, "'%s' is one argument too many; usage: %s%s", names_shown(word), prefix,
@@ -114,7 +113,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
-/* Parses the name of an effect. An '=' may follow the name directly. */
+/* An '=' may follow the name of an effect directly. */
 static bool effect_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     const char *outer = r->stops;
@@ -184,7 +183,7 @@ static bool check_wrong(const struct reader *r, const struct command *c)
     return true;
 }
 
-/* Parses "with NAME VALUE ...", if this text is next. Returns false after an error. */
+/* Parses "with NAME VALUE ...". Also returns true if no 'with' follows. */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))

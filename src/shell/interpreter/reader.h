@@ -14,7 +14,7 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /* What the user may type next, for completion, hints and colours. To find out, the line is parsed with a
  * special cursor character at its end. Each parsing function that reaches this character records what it
- * would accept there and then fails, because none of them accepts the cursor character itself. */
+ * would accept there. The function then fails, unless it accepts any text, such as the name of a file. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
@@ -49,7 +49,7 @@ struct reader {
     struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
 };
 
-/* Returns reader->offer if the reader is at the cursor, and NULL otherwise. */
+/* Returns NULL unless the reader is at the cursor. */
 static inline struct offer *reader_offer(const struct reader *r)
 {
     struct offer *o = r->offer;
@@ -67,7 +67,6 @@ void reader_named(const struct reader *reader, const char *begin, const char *en
 /* Sets the place of the next problem to the column of `at`. */
 void reader_place(const struct reader *reader, const char *at);
 
-/* Returns true if a command ends at c. */
 static inline bool command_ends(const char *c)
 {
     return *c == '\0' || *c == ';' || *c == '#';
@@ -80,7 +79,8 @@ bool reader_ends(struct reader *reader);
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If the next word is `word`, skips this word with the blanks after it and returns true. */
+/* If the next word is `word`, skips this word with the blanks after it and returns true. Completion offers
+ * the word at the cursor. */
 bool reader_takes(struct reader *reader, const char *word);
 
 /* These functions allocate memory in the arena. The memory from reader_memory is filled with zeros, and
@@ -99,8 +99,8 @@ char *read_word(struct reader *reader, bool quotes);
 /* Reads a word or quoted text as it was typed, without replacing Greek letters. */
 char *read_text(struct reader *reader);
 
-/* Reads the name of a file, which may be in double quotes. If the name begins with '~', replaces the '~' by
- * the home directory. */
+/* Reads the name of a file, which may be in double quotes. Replaces '~' or '~USER' at the beginning of the
+ * name by a home directory. */
 char *read_file(struct reader *reader);
 
 #endif
