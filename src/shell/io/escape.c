@@ -24,8 +24,9 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true if a character is invisible, or can change how other text is shown. These are the Unicode
- * classes Cc, Zl, Zp, Cf and Cn, except the joiners U+200C and U+200D, which some scripts need. */
+/* Returns true if a character is invisible, or can change how other text is shown: control characters, the
+ * separators of lines and paragraphs, the invisible format characters, tags, and codes that are not
+ * characters. The joiners U+200C and U+200D are not hidden, because some scripts need them. */
 static bool is_hidden(uint32_t code)
 {
     static const struct {
@@ -77,7 +78,6 @@ const char *escape_text(const char *text, char *shown, size_t size)
     char piece[ESCAPE_PIECE];
     size_t n = 0, last = 0; /* the length of the longest prefix that leaves room for "..." */
     for (;;) {
-        /* a fast path, because nearly all text is ASCII */
         while (*text >= ' ' && *text <= '~' && n + sizeof more < size)
             shown[n++] = *text++;
         last = n + sizeof more <= size ? n : last;

@@ -17,7 +17,6 @@ enum { ESCAPE_PIECE = 12 };
  * be escaped again without further changes. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
-/* Returns true if any character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
 /* Writes an escaped copy of a string into the buffer `shown` and returns `shown`. The buffer has `size`

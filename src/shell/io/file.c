@@ -80,7 +80,7 @@ static long repeated_header(const struct file *f)
     return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
 }
 
-/* Copies the text from the offset `from` into an open file. Sets errno on failure. */
+/* Copies the text, beginning at the offset `from`, into an open file. Sets errno on failure. */
 static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
@@ -93,7 +93,8 @@ static bool text_copy(FILE *text, long from, int to)
 }
 
 /* Overwrites an open file with the text or, after '>>', appends the text to it. Then closes the file. If the
- * disk is full, the file keeps its old contents. Sets errno on failure. */
+ * disk is full, the file keeps its old contents, provided that the file system can reserve space. Sets errno
+ * on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
@@ -111,7 +112,7 @@ static bool file_fill(const struct file *f, int file)
     return is_copied && is_cut && is_closed;
 }
 
-enum { REPLACEMENT = PATH_MAX + 32 }; /* the size of a buffer for the name of a replacement */
+enum { REPLACEMENT = PATH_MAX + 32 };
 
 /* Creates the replacement. It gets the group and the mode of the target, if the target exists. Returns -1 if
  * the replacement cannot be created, or if its group or mode cannot be set. */

@@ -33,7 +33,7 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     if (file >= 0)
         FD_SET(file, to_write ? &out : &in);
     sigset_t before = io_block();
-    /* A signal that arrives after this check stays blocked until pselect, and ends pselect at once. */
+    /* A signal that arrives after this check stays blocked until pselect and ends pselect at once. */
     if (!dom_raised(interrupt))
         pselect(file + 1, &in, &out, NULL, longest, &before);
     io_unblock(&before);
@@ -42,7 +42,7 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     return !dom_raised(interrupt);
 }
 
-/* Returns true if the file is a FIFO. Does not change errno. */
+/* Does not change errno. */
 static bool is_fifo(const char *path)
 {
     struct stat status;

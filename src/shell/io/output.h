@@ -43,13 +43,14 @@ struct output {
     int error;                  /* errno of the first answer that could not be written, or 0 */
 };
 
-/* Pushes a level. The caller sets the members of the level except `below`. */
+/* Pushes a level. The caller sets the members of the level except `below`. If `messages` is NULL, it becomes
+ * that of the level below. */
 void output_push(struct output **top, struct output *output);
 
 /* Ends and frees a level, usually the topmost one. Returns the result of the level's pop function. */
 const char *output_pop(struct output **top, bool keep);
 
-/* Writes all buffered text of the level. */
+/* Writes all buffered text of the level and of standard output. */
 void output_flush(struct output *output);
 
 /* OUTPUT_SINKS are the kinds of levels that do not pass text on to the level below. OUTPUT_BASE are the kinds
@@ -92,7 +93,8 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
 const char *records_flush(struct output **top);
 
 /* Writes commands into the log, if there is one. A command that fails becomes a comment in the log. Unless
- * `at_once` is true, the log therefore holds the commands back until the next answer or error. */
+ * `at_once` is true, the log therefore holds the commands back until the next answer or error or until
+ * records_flush. `commands` must be valid until then. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
 /* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log has

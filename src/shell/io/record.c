@@ -23,8 +23,8 @@ struct record {
     enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence;
 };
 
-/* Returns true unless the character belongs to a control sequence. *sequence keeps the state between
- * calls. */
+/* Returns false for a carriage return and for the characters of a control sequence. *sequence keeps the state
+ * between calls. */
 static bool is_text(enum sequence *sequence, char c)
 {
     const enum sequence before = *sequence;

@@ -20,9 +20,9 @@ struct system_stream {
 /* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Reserves disk space for a part of a file, from the byte `from` to the byte before `to`. Afterwards, the
- * file has at least `to` bytes. Returns 0, or an error number. Even on failure, the file may have become
- * longer. */
+/* Reserves disk space for a part of a file, from the byte `from` to the byte before `to`. The file then has
+ * at least `to` bytes. If the file system cannot reserve space, does nothing. Returns 0, or an error number.
+ * Even on failure, the file may have become longer. */
 int system_reserve(int file, off_t from, off_t to);
 
 /* Creates and opens an unnamed file in a folder. Returns -1 if this is not supported. */

@@ -8,18 +8,19 @@
 #include <sys/stat.h>
 
 struct target {
-    /* The absolute path without symbolic links, even if the file does not exist. */
-    char *path;
+    char *path; /* the absolute path without symbolic links, even if the file does not exist */
     bool exists;
-    struct stat status; /* the result of stat(2), if the file exists */
+    struct stat status; /* set if the file exists */
     struct target *next;
 };
 
 /*
- * Registers a file that will be written. Returns NULL, or a message on failure. The session may already be
- * writing this file for another target. In this case, registering fails, unless that other target is
- * `except`, which may be NULL. If the file is standard output, registering fails unless `may_be_standard` is
- * true.
+ * Registers a file that will be written. Returns NULL, or a message on failure. Registering fails in these
+ * cases:
+ * - The path contains characters that have to be escaped.
+ * - The file is standard output, and `may_be_standard` is false.
+ * - The session is already writing the file for another target. There are two exceptions: this other target
+ *   is `except`, which may be NULL, or the file is a device or a FIFO.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);

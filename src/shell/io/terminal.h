@@ -21,8 +21,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 int terminal_width(FILE *stream);
 
 /* While a log, a tee or a pager is open, answers go to a stream that passes them on to standard output, so
- * the functions above must treat this stream like standard output. If this stream has been `from` so far, it
- * is `to` from now on. Before the first such stream, `from` is standard output itself. */
+ * the functions above must treat this stream like standard output. This call says that answers which went to
+ * `from` now go to `to`. If they did not go to `from`, the call has no effect. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */

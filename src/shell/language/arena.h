@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An arena hands out pieces of memory, and frees all of them at once. A parsed command lives in an arena
- * until the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
+/* An arena hands out pieces of memory and frees all of them at once. A parsed command lives in an arena until
+ * the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 
@@ -17,7 +17,7 @@ void *arena_take(struct arena *arena, size_t size);
 /* Returns a NUL-terminated copy of the first `length` bytes of a text, or NULL if memory runs out. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 
-/* Frees all memory of the arena. The arena is then empty, and can be used again. */
+/* Frees all memory of the arena. The arena is then empty and can be used again. */
 void arena_free(struct arena *arena);
 
 #endif

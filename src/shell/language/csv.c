@@ -65,7 +65,6 @@ bool csv_load(struct csv_file *file, FILE *in)
 
 /* ---- Cells ---- */
 
-/* Moves to the next character and keeps track of the line and column. */
 static void advance(struct csv_file *file)
 {
     char c = *file->next++;
@@ -81,7 +80,6 @@ static void skip_cell_blanks(struct csv_file *file)
         advance(file);
 }
 
-/* Returns true at the end of a line or at the beginning of a comment. */
 static bool at_end(const struct csv_file *file)
 {
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
@@ -124,7 +122,7 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
     return true;
 }
 
-/* Finds the separator. A line such as "sep=;" names it, and is skipped. */
+/* Finds the separator of cells. If the line is of the form "sep=;", skips the line. */
 static void separator_find(struct csv_file *file)
 {
     const char *name = file->next + (*file->next == '"'), *tab = text_end(file->next, "\t\n");

@@ -251,8 +251,7 @@ static bool constant_read(const char *text, struct quantity *q, struct expressio
     return good && *error->at == '\0';
 }
 
-/* Reads the number in column k of the current row. Stores the number in csv->value[k], in SI units. Does not
- * check whether the number is in the range of the column. */
+/* Reads the number in column k of the current row without checking its range. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -305,7 +304,6 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads and checks the value of column k in the current row. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];

@@ -2,8 +2,8 @@
 /*
  * Tables in csv files.
  * - The first line names the columns. Their order does not matter, and neither do upper and lower case.
- * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". If
- *   it gives none, the second line may give them.
+ * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm".
+ *   The second line may also give them.
  * - A cell is an expression. A cell that contains only a '-' counts as empty. If a cell has a unit, the unit
  *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
@@ -96,8 +96,8 @@ void csv_close(struct csv_table *csv);
 /* Reads the next row. Returns false at the end. After an error, sets the file's problem and returns false. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of column k in the current row. If the row is too short, returns an empty cell, whose
- * position is the beginning of the row. */
+/* Returns the cell of column k in the current row. If the row is too short or the file does not have this
+ * column, returns an empty cell, whose position is the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
 /* Returns true if a value is in the range of a column. Otherwise writes a message and returns false. */

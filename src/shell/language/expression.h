@@ -19,7 +19,7 @@
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
 /* The parser makes a TREE_NAME for each name that is not built in. Another part of the program then resolves
- * the name, and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
+ * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
  * names have been resolved. */
 enum tree_kind {
     TREE_NUMBER,
@@ -90,7 +90,8 @@ struct parse {
     const char *end;  /* the end of the expression, or the position of an error */
     struct expression_error *error;
     struct arena *arena;
-    /* letters that are names, not units, when they stand alone after a blank; may be NULL */
+    /* Letters that are names, not units, when they stand alone after a blank. If this member is not NULL, the
+     * word "feet" after a blank is also a name, that of an effect. */
     const char *no_unit;
     /* Parses a "with" after a value, as in "rmax with q hollow d 0.1". The "with" begins at parse->end.
      * Returns a tree for the value and its "with", or NULL after an error. If the pointer `with` itself is

@@ -24,7 +24,7 @@ static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *
     return t;
 }
 
-/* Returns a node with one child, or NULL if the child is NULL. */
+/* Makes a node with one child. If the child is NULL because of an error, returns NULL as well. */
 static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
 {
     struct tree *t = child ? make_node(p, kind, at) : NULL;
@@ -67,7 +67,6 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    /* In a list of names and values, "feet" is the name of an effect and not a unit. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
     if (*c == '%' && value->kind == TREE_NUMBER && quantity_is_number(value->value)) {

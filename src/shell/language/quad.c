@@ -7,7 +7,6 @@
 #include <string.h>
 
 #if defined DOMQ_REAL_FLOAT128
-/* glibc defines these functions for every compiler, but its header declares them only for gcc. */
 extern int strfromf128(char *restrict text, size_t size, const char *restrict format, domq_real value);
 extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif

@@ -8,7 +8,8 @@
 
 #if defined DOMQ_REAL_FLOAT128
 #define quad(function) function##f128
-/* glibc defines these functions for every compiler, but its header declares them only for gcc. */
+/* glibc defines these functions for every compiler, but its header declares them only for gcc. The same holds
+ * for strfromf128 and strtof128 in quad.c. */
 extern domq_real quad(sqrt)(domq_real), quad(fabs)(domq_real), quad(sin)(domq_real), quad(cos)(domq_real),
     quad(tan)(domq_real), quad(asin)(domq_real), quad(acos)(domq_real), quad(atan)(domq_real),
     quad(exp)(domq_real), quad(log)(domq_real), quad(log10)(domq_real), quad(floor)(domq_real),

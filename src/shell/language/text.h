@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line of input for the interpreter, converted to ASCII. Greek letters are replaced by their names, and
- * typographic signs by plain ones. Users see only the line that they have typed, so error messages count
- * columns in that line. */
+/* A line of input for the interpreter. Greek letters such as θ are replaced by their names, and typographic
+ * signs such as × by ASCII. Other characters stay as they are. Users see only the line that they have typed,
+ * so error messages count columns in that line. */
 #ifndef SHELL_TEXT_H
 #define SHELL_TEXT_H
 

@@ -57,7 +57,7 @@ enum { UNIT_POWER_MOST = 9 };
 #define expression_kind(quantity) kind_write(quantity, (char[UNIT_TEXT]){""})
 const char *kind_write(struct quantity quantity, char text[UNIT_TEXT]);
 
-/* Returns an example of a quantity with this unit, such as "10 g", or NULL if there is none. */
+/* Returns an example of a quantity with this unit, such as "10 g", or NULL. */
 const char *expression_example(struct quantity quantity);
 
 /* A names_list (see names.h) of the units. */

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The text of a function. Each step of 'undo' has a copy of every variable. To save memory, all copies of a
- * function share one text, and count their references to it. */
+/* The text of a function with its reference count. Each step of 'undo' has a copy of every variable. To save
+ * memory, all copies of a function share one text. */
 struct body {
     atomic_size_t users;
     char text[];

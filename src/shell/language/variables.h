@@ -20,7 +20,6 @@ struct variables {
     size_t count;
 };
 
-/* Returns the variable with this name, or NULL. */
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
 /* Adds a copy of a variable, or replaces the variable of the same name. Returns false if memory runs out. */
