@@ -45,8 +45,7 @@ struct mark {
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
     /* the smallest contact force of this and all later heads, divided by the weight of the pushed domino */
     real pushes;
-    /* true if this domino and all later ones fall; false if the fall stops where it stops in the unchanged
-     * row */
+    /* true if this domino and all later ones fall; false if the fall ends as it ends in the unchanged row */
     bool falls;
 };
 
@@ -68,9 +67,9 @@ struct course {
 
 /*
  * A trial may end early only if the changes that are still to come are small. Their sum must be below
- * LEFT_MOST, and also below LEFT_FORCE times the smallest contact force. With friction, the program does not
- * measure how close the row is to locking. So with friction, the sum must be below the tiny LEFT_MOST_LOCKING
- * instead of LEFT_MOST.
+ * LEFT_MOST and, if all later dominoes fall, also below LEFT_FORCE times the smallest contact force. With
+ * friction, the program does not measure how close the row is to locking. So the sum must then be below the
+ * tiny LEFT_MOST_LOCKING instead of LEFT_MOST.
  */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
@@ -84,7 +83,7 @@ struct course {
 #define DECAYS ((real)0.9)
 
 /* Runs head k as if it had been hit with this omegasq. Returns the smallest contact force, or -1 if the head
- * does not complete its motion. */
+ * does not complete its motion or the run fails. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -119,8 +118,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq may deviate so that head k itself still falls. Later heads are not
- * considered here. */
+/* Finds how far omegasq may deviate so that head k itself still falls. marks_join then adds the limits of
+ * later heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -183,7 +182,7 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
 }
 
 /* Runs the row from head `from`. Fills in the marks of heads that have none yet. Dominoes after `last` are
- * unchanged. */
+ * unchanged, so only the heads after `last` may end the run early. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;

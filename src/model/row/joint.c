@@ -8,7 +8,7 @@
 #include "dynamics/walls.h"
 #include <string.h>
 
-/* Returns the walls' thickness divided by the height of domino k, or 0 if it is solid. */
+/* Returns the thickness of the walls of domino k divided by its height, or 0 if the domino is solid. */
 static dom_real row_walls(const struct row_request *row, size_t k)
 {
     const dom_real height = row->domino[k].height;
@@ -44,7 +44,6 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Fills in the geometry of domino k and its follower k - 1. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -121,8 +120,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Chooses the dynamics of domino k according to the effects that are on. The thickness of walls and the
- * radius of edges are passed on as multiples of the height of domino k. */
+/* Chooses the dynamics of domino k. In a row, each domino has its own thickness of walls and radius of edges
+ * as multiples of its height. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -189,22 +188,21 @@ static enum dom_status settings_check(const struct row_request *row)
                : dynamics_check(row->effect);
 }
 
-/* Returns true if domino k is solid, or if its walls fit. */
 static bool walls_room(const struct row_request *row, size_t k, const struct block *self)
 {
     const dom_real walls = row_walls(row, k);
     return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
-/* Returns true if a leaning domino stands by itself. It must not tip over the front edge or the back edge of
- * its foot. */
+/* Returns true if a leaning domino with sharp edges tips over neither the front edge nor the back edge of its
+ * foot. */
 static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
 {
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Checks the values of domino k, and the values that are computed from them. The kernel must be able to
- * represent all of them in its precision. */
+/* The kernel must be able to represent the values of domino k in its precision, and also the values that are
+ * computed from them. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

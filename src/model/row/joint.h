@@ -8,9 +8,9 @@
 
 /*
  * Allows for rounding errors in a gap. A head counts as reaching the next domino even if the gap exceeds the
- * height of the head by up to this fraction. Example: if a row is made from a train with r = 1/s, the gap
- * should equal the height. But the gap has rounding errors from r, from two powers, from four products, and
- * from the kernel's precision.
+ * reach of the head by up to this fraction. With sharp edges, the reach is the height. Example: in a row that
+ * is made from a train with r = 1/s, each gap equals the height of the domino before it, but only up to the
+ * rounding errors of r, of the heights and of the gap.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
@@ -24,20 +24,20 @@ struct block {
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* row_check checks all dominoes of a row. If it finds a bad one, it sets *wrong to the number of the first
- * bad domino, counted from 1. row_domino_check checks only domino k, counted from 0. */
+/* row_check checks the settings and all dominoes of a row. If a domino is bad, sets *wrong to the number of
+ * the first bad domino, counted from 1. row_domino_check checks only domino k, counted from 0. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
 /*
- * row_make allocates memory, and fills in the geometry of the first `count` dominoes. Afterwards, even if
- * row_make fails, the caller must call dynamics_end(&row[0]). row_geometry fills in only the element row[k].
- * For this, row[k - 1] must be filled in already.
+ * row_make allocates memory and fills in the geometry of the first `count` dominoes. Before the call, row[0]
+ * must have valid dynamics and no memory (`flow`). Afterwards, even if row_make fails, the caller must call
+ * dynamics_end(&row[0]). row_geometry fills in only the element row[k], from row[0] and row[k - 1].
  */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row of which only the gaps have changed. All dominoes must be plumb and have
+/* Updates the geometry of a row in which only the gaps have changed. All dominoes must be plumb and have
  * sharp edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 

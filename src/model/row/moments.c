@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the state of a row at given times. The motion of each head is divided into passages: whenever a
- * domino detaches, a new passage begins. A detached domino keeps its tilt. In each passage, time is expressed
- * as a Chebyshev series in the tilt of the head. The tilt at a given time is the root of this series.
+ * domino detaches, a new passage begins. A detached domino keeps its tilt. In a passage with requested times,
+ * time is expressed as a Chebyshev series in the tilt of the head. The tilt at a given time is found by
+ * inverting this series. If no series is accurate enough, time is integrated instead.
  */
 #include "row/moments.h"
 #include "geometry/rounded.h"
@@ -23,8 +24,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and angular velocities of all moving dominoes, in rad and rad/s. The arguments `theta` and
- * `omega` are those of the head. */
+/* Sets the tilts and angular velocities of all moving dominoes from those of the head, `theta` and `omega`,
+ * in rad and rad/s. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -67,8 +68,8 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns a scale for the tilts in a passage. The scale is the last tilt. If the head leans backwards at
- * first, the scale is the range of the tilts. */
+/* Returns a scale for the tilts in a passage. If the head leans backwards at first, the range of the tilts
+ * can be larger than the last tilt. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
@@ -173,7 +174,7 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
     /*
      * The series for the time is needed if a requested time lies in this passage. It is also needed if the
-     * run ends here: the duration of the passage is then unknown, and watch_rest needs the time of the end.
+     * motion ends here: the caller then does not know the duration, and watch_rest needs the time of the end.
      */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
@@ -216,9 +217,8 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    real end; /* p = ln tan(phi / 4) at the hit */
-    /* how long before the hit the state is wanted, in tau */
-    real left;
+    real end;  /* p = ln tan(phi / 4) at the hit */
+    real left; /* the time, in tau, by which the wanted state precedes the hit */
 };
 
 /* Returns the angle phi beyond theta_u, given p = ln tan(phi / 4). */
@@ -255,8 +255,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* A domino with rounded edges tips over from theta_u, and will hit the next domino. Returns the angle phi by
- * which the domino has turned beyond theta_u when the time until the hit is `left`, in tau. */
+/* Returns the angle phi by which a domino with rounded edges has turned beyond theta_u when the time until it
+ * hits the next domino is `left`, in tau. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};

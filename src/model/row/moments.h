@@ -22,8 +22,8 @@ struct passage {
     size_t head;     /* index of the head, from 0 */
     bool has_series; /* true if times are computed from `series`, false if from integrals */
     real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    /* The tilt of the head is to be found at this time, in tau. If `rests` is false, the time is counted from
-     * the beginning of the passage. If `rests` is true, it is counted backwards from the end. */
+    /* The time, in tau, at which the tilt of the head is sought. It is counted from the beginning of the
+     * passage or, if `rests` is true, backwards from the end. */
     real into;
     struct num_series series;
 };
@@ -40,9 +40,11 @@ struct watch {
     struct passage last;    /* the latest passage */
 };
 
-/* These two functions allocate and free the memory for a row of `count` dominoes. */
+/* Allocates the memory for a row of `count` dominoes. Call watch_free even after an error. */
 KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
 KERNEL void watch_free(struct watch *watch);
+
+/* In watch_tip, watch_passage and watch_detach, a NULL `watch` stands for a run without requested times. */
 
 /* Reports the states at those requested times that lie before the first hit. Until then, the first domino
  * tips over its edge. */

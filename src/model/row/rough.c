@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/rough.h"
 
-/* A rough computation has errors. Its verdict counts as certain if the margin is larger than ROUGH_CLEAR
- * times the estimated error, and also larger than ROUGH_ROOM times the energy. */
+/* A rough verdict counts as certain if the margin exceeds ROUGH_CLEAR times the estimated error.
+ * rough_reaches also demands ROUGH_ROOM times the energy on top of that. */
 #define ROUGH_CLEAR 8
 #define ROUGH_ROOM  ((real)1 / 64)
 
@@ -15,7 +15,7 @@ struct rough_sums {
     real S, curve; /* S_i and theta_i'' of the current domino i */
 };
 
-/* Adds one domino to the sums. Returns false if the contributions of all further dominoes are negligible. */
+/* Adds one domino. Returns false if the contributions of all further dominoes are negligible. */
 static bool rough_add(struct rough_sums *s, const struct link *k, real ratio, real tol)
 {
     const struct geometry *self = k->geometry;
@@ -33,7 +33,7 @@ struct rough_context {
     const struct geometry *head;
 };
 
-/* Finds the sums for a chain with sharp edges. */
+/* Finds the sums for a chain with sharp edges. Returns false if friction locks the chain. */
 static bool rough_sharp(const struct geometry *head, struct tilt tilt, struct rough_sums *sums)
 {
     struct rough_sums s = {.S = 1};
@@ -53,7 +53,7 @@ static bool rough_sharp(const struct geometry *head, struct tilt tilt, struct ro
     return true;
 }
 
-/* Finds the equation of motion as a function of p = tan(theta / 2). Unlike theta itself, p needs no
+/* Finds the coefficients of the equation of motion at p = tan(theta / 2). Unlike theta itself, p needs no
  * trigonometric functions. */
 static bool rough_rate(real p, void *context, struct num_rate *rate)
 {

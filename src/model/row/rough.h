@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A quick, rough computation of a head's motion with friction. It evaluates the equation of motion only eight
- * times. This gives a few digits of omegasq, and an estimate of the error. For most verdicts, a few digits
- * suffice.
+ * A quick, rough computation of a head's motion with friction. It evaluates the equation of motion only ROUGH
+ * times. This gives a few digits of omegasq, which suffice for most verdicts, and an estimate of the error.
  */
 #ifndef DOM_ROUGH_H
 #define DOM_ROUGH_H
@@ -14,7 +13,7 @@
 
 struct rough_motion {
     struct num_rough flow;
-    real off; /* bound on the error in the omegasq of the current head */
+    real off; /* estimate of the error in the omegasq of the current head */
 };
 
 /* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
@@ -25,9 +24,9 @@ KERNEL real rough_error(const struct geometry *head);
 KERNEL bool rough_reaches(struct rough_motion *s, const struct geometry *head, real hi, real omegasq);
 
 /*
- * Computes the motion of a head to its end. Sets *after to omegasq at the end, and *after_off to a bound on
- * the error in *after. Returns false if the head may come to rest earlier. All dominoes must be plumb. The
- * caller must make sure that no contact force is negative.
+ * Computes the motion of a head to its end. Sets *after to omegasq at the end, and *after_off to an estimate
+ * of the error in *after. Returns false if the head may come to rest earlier. The requirements are those of
+ * rough_reaches.
  */
 KERNEL bool rough_descend(struct rough_motion *s, const struct geometry *head, real omegasq, real *after,
                           real *after_off);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Runs a finite row of dominoes. Each domino has its own size, weight and gap. The dominoes before the head
+ * Runs a finite row of dominoes. Each domino has its own size, weight and gap. The dominoes behind the head
  * lean on it in a chain. Energies, motion and collisions are computed as for a train, with two differences:
  * - In a train, the same cycle repeats. In a row, each head begins with the energy that the previous head
  * leaves to it.
@@ -13,9 +13,8 @@
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion of a head ends early. If `used_up` is true, the motion ends because the
- * head has used up its energy. If `used_up` is false, the motion ends because friction stops or locks the
- * head. */
+/* Finds the tilt at which the motion of a head ends early, either because its energy is `used_up`, or because
+ * friction stops or locks the head. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -30,7 +29,8 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* Follows the motion to the end of the segment, or until the head comes to rest. */
+/* Follows the motion to the end of the segment, or to the tilt at which descent_rest has found that it ends
+ * early. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;
@@ -55,8 +55,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes the motion of the head in one segment and prepares the next segment. If the head has already
- * stopped, only finds the energy that it would need for the segment. */
+/* Computes the motion of the head in one segment and prepares the next segment. If the head has stopped in an
+ * earlier segment, only finds the energy that it would need for this one. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -70,15 +70,15 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->moving);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* The margin is the energy to spare at the launch of the head. With friction, a change of omegasq at the
-     * launch is only partly felt in this segment. The fraction that is felt is st->gain. */
+    /* The margin is the energy to spare at the launch of the head. If omegasq at the launch changes, omegasq
+     * at the beginning of this segment changes by st->gain times as much. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
         d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
-    /* Prepare the next segment now, since descent_rest may shorten the current one. */
+    /* Prepare the next segment now, because descent_rest may replace the solution of the current one. */
     if (!st->locks)
         status = segment_next(st, &next);
     if (status == DOM_OK && !over && (used_up || st->locks))
@@ -95,7 +95,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 /*
  * Finds the inertia J of all moving dominoes after head k is hit. J is a sum along the chain. With rounded
  * edges, this sum is slow, because the tilts have no closed form. So J is computed from the inertia ratio of
- * the collision instead. With friction, this is not possible, since friction changes the inertia ratio.
+ * the collision instead, unless there is friction, which changes the inertia ratio.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
@@ -134,7 +134,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* these values remain if the head touches the next domino from the start and has no segment */
+    /* if the head touches the next domino from the start, there is no segment, and these values remain */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
@@ -158,8 +158,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs a first domino that is tipped over its edge and let go. Its kinetic energy is the potential energy
- * that it has lost (9; b5). */
+/* Runs a first domino that is tipped over its edge and let go. When it hits the next domino, its kinetic
+ * energy is the potential energy that it has lost (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -195,8 +195,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Finds what happens when head k reaches the next domino, if at least one of the two leans. Returns how the
- * fall ends, or DOM_ROW_FALLS if it goes on. */
+/* Returns how the fall ends when head k reaches the next domino, if at least one of the two leans at the
+ * start. Returns DOM_ROW_FALLS if the fall goes on. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;
@@ -237,7 +237,6 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-/* Updates the verdict on the row with the result for one domino. */
 static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
 {
     dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
@@ -349,7 +348,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
     return DOM_OK;
 }
 
-/* Adds the work of a row to the caller's counters. */
+/* Adds the work of a row to the caller's counters, which may be NULL. */
 static void work_add(struct dom_work *sum, const struct dom_work *self)
 {
     if (!sum)

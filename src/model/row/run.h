@@ -17,8 +17,8 @@ struct run {
     bool forces;   /* true if the smallest contact force is wanted, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* inertia ratio of the collision that set the head in motion. Without friction, the ratio is J(0) - 1.
-     * With friction, it is A(0) - 1. If there was no collision, it is 0. */
+    /* Inertia ratio T of the collision that set the head in motion (dynamics.h), or 0 if there was none. With
+     * sharp edges, T is J(0) - 1 without friction, and A(0) - 1 with friction. */
     real inertia_ratio;
     real time;           /* time since the start in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */

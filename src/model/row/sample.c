@@ -23,15 +23,15 @@ struct random_row {
      * the verdict of this run is in doubt, `doubt` is set to true, and the row is run again, precisely. */
     bool rough, doubt;
     struct rough_motion motion;
-    real off_at_end; /* bound on the error in omegasq at the end of the current head's motion */
+    real off_at_end; /* estimate of the error in omegasq at the end of the current head's motion */
     struct block *block;
     struct geometry *geometry;
     /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
     struct link *link;
     size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
     /*
-     * The dynamics for which dynamics_begin was called, or NULL if it was not called. This value is kept
-     * because geometry[0].dynamics may change later: one random row may have friction, and the next one none.
+     * The dynamics for which dynamics_begin was called, or NULL if it was not called. geometry[0].dynamics
+     * may differ later: one random row may have friction, and the next one none.
      */
     const struct dynamics *begun;
 };
@@ -50,8 +50,7 @@ struct glide {
     bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds a domino to the sums. Its state is *b when the head has its first tilt, and *a when the head has its
- * last tilt. */
+/* Adds a domino. Its state is *b when the head has its first tilt, and *a when the head has its last tilt. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -255,7 +254,6 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     return status;
 }
 
-/* Sets the tolerance for a rough run or for a precise run. */
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;

@@ -8,9 +8,9 @@
 #include "row/run.h"
 
 struct steady {
-    struct dom_fall fall; /* result for the last head that was computed */
+    struct dom_fall fall; /* result for the previous head */
     size_t alike;         /* number of equal dominoes up to the current head */
-    /* how many more dominoes move with each head than with the head before: 0 or 1 */
+    /* how many more dominoes move with each head than with the head before; 0 or 1 if `found` is true */
     size_t more;
     /* true if the motion is steady. The next head then repeats the motion, provided that the next two
      * dominoes both equal the current one. */
@@ -38,9 +38,9 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
 
 /*
  * Runs the last head of a row, head k, after a repeated motion. The repetition has skipped the heads before
- * head k, so head k has no geometry. The last domino that has a geometry equals head k, so it is run instead,
- * as if the row ended there. Returns false if too few equal dominoes precede this substitute. The caller must
- * then run head k itself.
+ * head k, so head k has no geometry. The last domino that has a geometry equals head k, and is run in its
+ * place, as if the row ended there. Returns false if too few equal dominoes precede this substitute. The
+ * caller must then run head k itself.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
