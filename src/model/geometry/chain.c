@@ -24,7 +24,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of the torque on domino b->i that reaches the head: theta_i' without friction. */
+    /* The part of the torque on domino b->i that reaches the head. Without friction, this is theta_i'. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
@@ -57,8 +57,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower detaches as soon as the head moves, so H' jumps at the tilt 0. Start just after
-     * the jump. */
+    /* With sharp edges and r s = 1, the follower detaches as soon as the head moves, so H' jumps at the tilt
+     * 0. Start just after the jump. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -84,7 +84,6 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
-/* Returns the public description of a domino. *e holds its error bounds. */
 static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
                                    const struct bound *e)
 {

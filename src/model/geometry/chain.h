@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The chain of followers at one tilt of the head. A pass visits the dominoes from the head down and computes
- * sums over them, such as the energy H of equation (19; c1). The pass ends after geometry->n dominoes, or
- * earlier if a geometric series shows that the remaining terms are negligible at the tolerance.
+ * sums over them, such as the energy H of equation (19; c1). The pass ends after geometry->n dominoes. It
+ * ends earlier at a domino whose follower has detached, or if a geometric series shows that the remaining
+ * terms are negligible at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -10,19 +11,20 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Calls the function `change` of struct contact_law for two tilts of the head. */
+/* Does the same as `change` of struct contact_law, but computes t from the two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error);
 
-/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c], and error bounds unless `error` is NULL. */
+/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c]. With sharp edges, also finds error bounds unless
+ * `error` is NULL. */
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error);
 
 /*
  * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves
  * from 0 to theta_c, since the train at theta_c is the train at 0 shifted by one domino. If no domino
- * detaches, *leaves is false. Unless `domino` is NULL, *domino receives the number of the domino that
- * detaches.
+ * detaches, or only one that contributes less than the rounding errors, *leaves is false. Unless `domino` is
+ * NULL, *domino receives the number of the domino that detaches.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
@@ -30,7 +32,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
 /*
  * Divides the motion up to the tilt `end` into pieces in which the sums are smooth functions of the tilt. The
  * array `edge` receives the tilts of the head at which the pieces begin and end:
- * - edge[0] is 0. If r s = 1, it is just above 0.
+ * - edge[0] is 0. If the head only just reaches the next domino, edge[0] is slightly above 0.
  * - If a domino detaches before `end`, the tilt at that moment is the next edge. From this edge on, the
  *   detached domino no longer moves.
  * - The last edge is `end`.

@@ -3,7 +3,7 @@
 
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
-    /* theta_c exceeds its sine; if theta is below this sine, the arc tangent is not needed */
+    /* theta_c exceeds its sine, so an angle below this sine needs no arc tangent. */
     const real theta_c = theta < geometry->c.x ? geometry->c.x : tilt_angle(geometry->c);
     if (!(theta >= geometry->lean) ||
         theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))

@@ -12,7 +12,6 @@ struct tilt {
     real v;    /* 1 - cos theta, accurate even near theta = 0 */
 };
 
-/* The tilt of an upright domino, before it is hit. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
 struct contact_law; /* law.h */
@@ -49,13 +48,13 @@ struct far {
  */
 struct far_friction {
     real A[3], B[3], C[3];
-    bool known; /* true if the series converge */
+    bool known; /* true if the series down the tail converge */
 };
 
 /*
  * The shape of a domino with rounded edges (rounded.h). Lengths are divided by its height. The moment of
- * inertia is taken about the line where the foot touches the floor. It is i times the moment of inertia of a
- * sharp block, where
+ * inertia is taken about the line where the foot touches the floor. It is i times the moment of inertia that
+ * the domino would have about its edge if its edges were sharp, where
  *
  *     i(theta) = i.c + i.x sin theta + i.y cos theta.
  *
@@ -90,36 +89,38 @@ struct geometry {
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
-    /* 1 - r^2 s^2. A follower detaches when its leader has 1 - cos theta >= leave_at / leave_by. */
+    /* 1 - r^2 s^2. With sharp edges, a follower detaches when its leader has 1 - cos theta >= leave_at /
+     * leave_by. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q: weight of a follower / weight of its leader in H (19; c1) */
     real inertia;  /* r^-(q+1): weight of a follower / weight of its leader in J (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
-    real steepest; /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    real steepest; /* the largest |dh/dtheta|, apart from rolling; sqrt(1 + d^2) with sharp edges */
     struct {
         real along, down; /* gravity along and into the floor; 0 and 1 on a level floor */
     } g;
     struct {
-        real x, y; /* h(theta) = h.y cos theta + h.x sin theta; on a level floor, x = d and y = 1 */
+        /* h(theta) = h.y cos theta + h.x sin theta, apart from a constant and from rolling. With sharp edges
+         * on a level floor, x = d and y = 1. */
+        real x, y;
     } h;
-    /* r^-q theta_1'(theta_inf): the ratio of successive terms of H1, far down the train */
-    real decay;
-    /* the smallest ratio of successive terms that the tail of J is assumed to have */
-    real decay_J;
+    /* A bound on the tail of H1 takes the ratio of successive terms to be at least `decay`, and a bound on
+     * the tail of J takes it to be at least decay_J. In a train, `decay` is r^-q theta_1'(theta_inf), the
+     * ratio of H1 far down the train, and decay_J is 0. In a row, joint_make sets both. */
+    real decay, decay_J;
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
-    struct tilt leave; /* theta_leave, only if a follower detaches */
+    struct tilt leave; /* theta_leave, only if a follower detaches; in a row, y = -1 if none does */
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
-    real upright_inertia; /* inertia of an upright domino; 1 with sharp edges */
-    /* The largest gap that a head can reach across, divided by its height. It is 1 with sharp edges. */
-    real span;
+    real upright_inertia; /* i(0) of struct rounded; 1 with sharp edges */
+    real span; /* the largest gap that a head can reach across, divided by its height; 1 with sharp edges */
     struct rounded rounded;
     real lean; /* tilt before the hit; 0 if the domino is plumb */
 };
@@ -132,7 +133,7 @@ KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct t
     return geometry->h.x * t.y - geometry->h.y * t.x;
 }
 
-/* Returns the potential energy of one domino, h(theta). */
+/* Returns -d2h/dtheta2 of one domino. With sharp edges, this is also the potential energy h(theta) itself. */
 KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.y + geometry->h.x * t.x;
@@ -165,10 +166,10 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest tilt of the head that matters at the beginning of a cycle. Two tilts can matter. The
- * first is theta_u, where the head tips over. The second is the tilt at which a follower that started near
- * pi/2 is no longer near pi/2. Returns the smaller of the two. If theta_u is 0 (edges of radius d/2), returns
- * the second tilt.
+ * Returns about the smallest tilt of the head that matters at the beginning of a cycle. Two tilts can matter:
+ * theta_u, where the head tips over, and the tilt at which a follower that started near pi/2 is no longer
+ * near pi/2. Returns the smaller of the two, unless it is 0. (theta_u is 0 if the edges have the radius d/2.
+ * The second tilt is 0 if the edges are sharp and r s = 1.)
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -185,11 +186,11 @@ KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
 /* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 hits the next domino
- * before it tips over (5; b0). */
+ * before it tips over (5; b0). With rounded edges on a slope, only the sign of the sine is right. */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts an angle to a tilt. The angle must not be less than the lean of the head (0 in a train), and must
- * not exceed theta_c. If the angle equals theta_c apart from rounding, the result is theta_c. */
+/* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.
+ * Returns DOM_BAD_TILT if the angle is less than the lean of the head (0 in a train), or exceeds theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* Returns an upper bound on the error of the angle of t. `units` is the relative error of t.x plus the
@@ -232,15 +233,11 @@ KERNEL real tan_half_between(struct tilt from, struct tilt head)
     return sine / (1 + cosine);
 }
 
-/*
- * The contact of a leader with its follower. X and Y describe the angle between the two dominoes, and are
- * accurate for all angles. `arm` is the lever arm of the force on the leader (table 1). `slope` tells how
- * much the follower turns when the leader turns (34; A10).
- */
+/* The contact of a leader with its follower. */
 struct contact {
-    real X, Y;  /* sine and cosine of theta_1 - theta (30; A5) */
-    real arm;   /* r a = Y - r L x; see geometry_contact */
-    real slope; /* d theta_1 / d theta (14; b10); 1 for an upright leader, even at Y = 0 */
+    real X, Y;  /* sine and cosine of theta_1 - theta (30; A5), accurate for all angles */
+    real arm;   /* r times the lever arm of the force on the leader (table 1); Y - r L x with sharp edges */
+    real slope; /* d theta_1 / d theta (14; b10), (34; A10); 1 for an upright leader, even at Y = 0 */
 };
 
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
@@ -257,9 +254,9 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 }
 
 /*
- * Returns the follower's tilt, by equation (31; A6), corrected: y' = Y y - X x. The formula for v' = 1 - y'
- * only adds terms of one sign, so no digits cancel. x' and y' are computed from v'. So they stay the sine and
- * cosine of one angle, even far down a long train.
+ * Returns the follower's tilt, by equation (31; A6), corrected: y' = Y y - X x. In a train, X >= 0, so the
+ * formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are computed from v'.
+ * So they stay the sine and cosine of one angle, even far down a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
@@ -267,8 +264,8 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The follower may then lean backwards, too: its
- * sine may be negative. The formula x' = Y x + X y gives the sine with its sign. */
+/* Returns the follower's tilt if the leader leans backwards. The follower may then lean backwards, too, and
+ * the formula x' = Y x + X y gives its sine with the right sign. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
@@ -280,7 +277,7 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
 }
 
-/* Returns the slope d theta_1 / d theta at the hit. */
+/* Returns the slope d theta_1 / d theta when the leader is hit. A leaning leader must have sharp edges. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).slope;

@@ -6,7 +6,7 @@
 static void geometry_powers(real r, real q, real *rq, real *rq_1)
 {
     const int whole = (int)q;
-    if (q == (real)whole && whole <= 8) { /* for hollow and solid dominoes, r^q - 1 = (r - 1) (1 + r + ...) */
+    if (q == (real)whole && whole <= 8) { /* r^q - 1 = (r - 1) (1 + r + ... + r^(q-1)) */
         real power = r, sum = 1;
         for (int k = 1; k < whole; k++) {
             sum += power;

@@ -40,16 +40,16 @@ struct moving {
     real force, impulse;    /* force and impulse of this contact, set by forces.c */
 };
 
-/* What a pass down the chain computes besides J, H1 and dH. */
+/* The kinds of passes down the chain. Each pass computes J, H1 and dH. */
 enum pass {
     PASS_PLAIN = 0,
-    PASS_ERROR = 1, /* bounds on the errors */
+    PASS_ERROR = 1, /* also bounds on the errors; only inside sharp_change.c */
     /* For a head that falls from upright to theta_c: each follower has started at the tilt that its leader
      * reaches at the end. So the chain at the start is the chain at the end, shifted by one domino, and only
      * one chain must be computed. */
     PASS_SHIFT = 2,
-    PASS_SECOND_DERIVATIVE = 4, /* H2 */
-    PASS_PUSHES = 8,            /* tries to prove that all contacts push */
+    PASS_SECOND_DERIVATIVE = 4, /* also H2 */
+    PASS_PUSHES = 8,            /* also tries to prove that all contacts push */
 };
 
 struct contact_law {
@@ -102,14 +102,15 @@ struct contact_law {
 
     /* ---- Passes down a chain ---- */
 
-    /* Finds only the sign of H1: *H1 receives a number that has this sign, as far as rounding permits. The
-     * pass stops as soon as the sign is certain. */
+    /* Sets *H1 to a number that has the sign of H1, as far as rounding permits. The pass stops as soon as the
+     * sign is certain. */
     enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
-     * Finds J, H1 and H(head) - H(from), and also whatever `pass` selects (see enum pass). Unless `error` is
-     * NULL, finds error bounds, too (bound.h).
+     * Finds J, H1 and H(head) - H(from), and also what `pass` selects (see enum pass; the constants cannot be
+     * combined). With sharp edges, unless `error` is NULL, finds error bounds, too (bound.h). With rounded
+     * edges, *error is left unchanged.
      * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
      *   computing t here from two close tilts would be inaccurate.
      * - If the tilt `from` is not upright, `error` must be NULL, and no domino may detach between the two
@@ -119,14 +120,13 @@ struct contact_law {
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);
     /* Finds the sums at `head` (including H2) and the sums at theta_c, both in one pass. This is faster than
-     * two calls of `change`. The train must be endless, and no domino may detach. The member may be NULL. */
+     * two calls of `change`. The train must be endless, and no domino may detach. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
                             struct sums *at_c);
-    /* Finds J, H1 and half of dJ/dtheta. Usually the far series replaces the dominoes of the far tail. If
-     * `every` is true, the pass visits these dominoes, too. */
+    /* Finds J, H1 and half of dJ/dtheta. With sharp edges, the far series usually replaces the dominoes of
+     * the far tail. If `every` is true, or if the edges are rounded, the pass visits these dominoes, too. */
     enum dom_status (*rates)(const struct geometry *geometry, struct tilt head, bool every, struct sums *sums,
                              real *half_J1);
-    /* Finds the equation of motion with friction. */
     enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
                                 struct equation_of_motion *equation);
 };
@@ -146,7 +146,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
 /* Gives the dominoes rounded edges. rho is the radius of the edges divided by the height. Before the call,
- * geometry->d and gravity must be set. If rho > d/2, returns DOM_NO_ROUND. */
+ * gravity, geometry->d and geometry->inertia_factor must be set. If rho > d/2, returns DOM_NO_ROUND. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* Members of `sharp_edges` that are not defined in sharp.c. */
