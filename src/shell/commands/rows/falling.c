@@ -111,7 +111,7 @@ void weakest_say(struct answer *a, const struct domq_verdict *v)
 {
     if (v->weakest > 0 && isfinite(v->spare))
         answer_say(a, "%s %zu has the least energy to spare: it has %s.",
-                   v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes before it, domino", v->weakest,
+                   v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes that tip over, domino", v->weakest,
                    energy_words(v->spare + 1).text);
 }
 
@@ -133,7 +133,7 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         return problem_no_answer(
             problem, "a domino of this row leans, but rounded edges need upright dominoes; enter "
                      "'effect edges off', or a row whose file has neither a 'lean' nor a 'radius' column");
-    /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the sizes and masses of dominoes. */
+    /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return query_status(query, problem, status);
     if (engine)

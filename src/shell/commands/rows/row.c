@@ -367,10 +367,13 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help = "Tries the gap at which the row stops, and the 30 gaps before it. For each gap, 'mend' finds "
-             "the nearest value at which all dominoes fall, and lists the smallest change first. If the row "
-             "needs a push, the answer says so. The search tries 40 smaller and 40 larger values of each "
-             "gap, and then bisects. It can miss a range of gaps that is narrower than one step.",
+     .help =
+         "Tries the gap at which the row stops, and up to 30 gaps before it. If the row stops at a gap that "
+         "is "
+         "too wide to reach across, only this gap is tried. For each gap, 'mend' finds the nearest value "
+         "at which all dominoes fall, and lists the smallest change first. If the row needs a push, the "
+         "answer says so. The search tries up to 40 smaller and 40 larger values of each gap (10 in the "
+         "rigid-body engine), and then bisects. It can miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},

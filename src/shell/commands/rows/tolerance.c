@@ -163,7 +163,7 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-/* Limits are printed with DIGITS digits. A current value was measured with a tape, so DIGITS_NOW digits are
+/* In sentences, limits have DIGITS digits. A current value was measured with a tape, so DIGITS_NOW digits are
  * enough for it. */
 enum { DIGITS = 6, DIGITS_NOW = 4 };
 
@@ -243,9 +243,10 @@ static void heights_say(struct answer *a, const struct windows *w)
         answer_say(a,
                    "%zu height window%s end%s where the upper edge of a domino would pass above the next "
                    "domino. The face of the domino would then strike the next one. The model does not "
-                   "include this contact, so the row may also fall with taller dominoes. The rigid-body "
-                   "engine includes it: 'set method engine'.",
-                   passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
+                   "include this contact, so the row may also fall with heights outside %s. "
+                   "The rigid-body engine includes the contact: 'set method engine'.",
+                   passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "",
+                   passing == 1 ? "this window" : "these windows");
 }
 
 /* Prints the command that moves domino k, and no other domino, to the middle of its window. */
