@@ -12,10 +12,10 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* A worker's blocks grow from one to the next by about this factor at most, because later points may take
-     * more time. */
+    /* A block has at most about this many times as many points as the worker's previous block, because later
+     * points may take more time. */
     GROWTH = 4,
-    WINDOW = 16, /* for each worker, at most this many blocks wait to be written */
+    WINDOW = 16, /* for each worker, at most this many blocks are being computed or wait to be written */
     BLOCK_MOST = 4096,
     THREADS_MOST = 256
 };
@@ -49,7 +49,6 @@ struct worker {
     double seconds;
 };
 
-/* Returns the number of points of the next block. */
 static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
 {
     double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
@@ -61,7 +60,7 @@ static size_t block_points(const struct workers *job, const struct worker *me, s
     return points < share ? points : share;
 }
 
-/* Computes the points of a block. Returns false if the function `point` returned false. */
+/* Returns false if the function `point` returned false. */
 static bool block_compute(struct worker *me, size_t from, FILE *out)
 {
     const struct workers *job = me->pool->job;
@@ -110,9 +109,9 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker the next block of points. Sets *block to the number of the block, and *from to the index of
- * its first point. Sets me->points to the number of points in the block. Returns false if there are no more
- * blocks. */
+/* Gives a worker the next block of points. Waits first if too many blocks have not been written. Sets *block
+ * to the number of the block, *from to the index of its first point, and me->points to the number of its
+ * points. Returns false if there are no more points, or if the computation has been stopped. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)
@@ -127,7 +126,10 @@ static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *b
     return true;
 }
 
-/* The main function of a worker: computes blocks until there are no more points. */
+/* ---- Workers; the caller of these functions does not hold the lock ---- */
+
+/* The main function of a worker: computes blocks until pool_take has no more of them, or `point` returns
+ * false. */
 static void *worker_run(void *worker)
 {
     struct worker *me = worker;

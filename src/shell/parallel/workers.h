@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The thread pool. It computes the points of curves and sweeps, and runs tasks of the library. Each worker
- * takes a block of consecutive points, computes it, and then takes another block. All workers share one lock.
- * They seldom wait for it, because a block takes about a millisecond. Blocks are written in order, so the
- * output does not depend on the number of workers. */
+/* The thread pool. It computes the points of an answer, such as a sweep, and runs tasks of the library. Each
+ * worker takes a block of consecutive points, computes it, and then takes another block. All workers share
+ * one lock. They seldom wait for it, because a block takes about a millisecond, or longer if one point takes
+ * longer. Blocks are written in order, so the output does not depend on the number of workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
@@ -15,15 +15,15 @@ struct workers {
      * change only `context`, which is the worker's own copy. Returns false to stop the computation after this
      * point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* The context for `point`. Each worker has a copy of it. If `point` returns false in one of the workers,
-     * the copy of this worker is copied back into `context`. */
+    /* The context for `point`. Each worker has a copy of it. If `point` returns false, the copy of its worker
+     * is copied back into `context`. */
     void *context;
     size_t size; /* the size of the context */
-    /* Merges a worker's copy into `context` after the last point. May be NULL. */
+    /* Merges a worker's copy into `context` after all points have been computed. May be NULL. */
     void (*merge)(void *context, const void *copy);
     unsigned count; /* the number of workers, including the caller's thread */
     FILE *out;      /* the stream for the rows, or NULL if the points have no rows */
-    bool progress;  /* show the progress */
+    bool progress;
     const volatile sig_atomic_t *interrupt;
 };
 
@@ -35,7 +35,8 @@ struct workers_end {
 /* Computes all points. If some threads cannot be created, the other workers compute all points. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* Returns how many workers to use. `threads` is the parameter 'threads'; 0 means one for each processor. */
+/* Returns how many workers to use: `threads`, which is the parameter 'threads', or one for each processor if
+ * `threads` is 0. The result is from 1 to 256, and not above `points` unless `points` is 0. */
 unsigned workers_count(domq_real threads, size_t points);
 
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */

@@ -73,8 +73,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis, with a unit that suits its largest number. Returns this unit as a
- * multiple of the column's own unit. */
+/* Chooses a unit that suits the largest number of an axis. Returns this unit as a multiple of the column's
+ * own unit. Writes the label of the axis, unless the plot has already written it. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {

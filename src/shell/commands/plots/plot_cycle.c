@@ -11,7 +11,7 @@
 enum { STEPS = 160 };
 
 /* If the train stops, the barrier lies beyond the tilt at which it stops. To show the barrier, the chart
- * extends to this multiple of that tilt. */
+ * extends to this multiple of that tilt, but not beyond theta_c. */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };

@@ -19,7 +19,7 @@ static enum dom_status sigma_most(const struct scene_row *scene, const struct do
 {
     struct domq_budget half;
     struct domq_placement rough = *placement;
-    rough.rows = ROWS_ROUGH; /* a rough result is enough */
+    rough.rows = ROWS_ROUGH;
     enum dom_status status =
         domq_placement_budget(&scene->row, &scene->compute, &rough, DOM_ERROR_gap, 0.5, &half);
     *most = 0;

@@ -27,7 +27,8 @@ static void end_note(const struct row_run *run, struct chart *chart)
 /* ---- Energy to spare ---- */
 
 /* Returns the energy that the domino of run->fall[i] has to spare, divided by the energy that it needs.
- * Returns NaN if it needs no energy, or if it was tilted until it tipped over. */
+ * Returns NaN if the domino needs no energy, if friction locks it whatever its energy, or if it was tilted
+ * until it tipped over. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];

@@ -12,8 +12,9 @@
 #include "picture/show.h"
 
 /* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
- * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. It leaves the curves to
- * plot_write, which finds them in struct plot. On failure, sets *problem and returns false. */
+ * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. Unless plot.x.key is
+ * NULL, plot_write then adds the curves that struct plot lists. On failure, plot_run sets *problem and
+ * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain;

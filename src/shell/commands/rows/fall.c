@@ -133,7 +133,6 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves out the columns that are not needed. */
 static void columns_choose(struct answer *a, const struct scene_row *scene, bool has_masses)
 {
     if (answer_for_people(a)) {
@@ -147,7 +146,6 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Records the latest hit and updates the friction that feet need. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;

@@ -37,7 +37,8 @@ void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene
 /* Returns a cell that a table shows with this many digits and without an error bound. */
 struct cell cell_narrow(domq_real value, int digits);
 
-/* Rounds a positive number to this many significant digits. Returns any other number unchanged. */
+/* Rounds a positive number to this many significant digits, up or down. Returns any other number
+ * unchanged. */
 domq_real round_digits(domq_real value, int digits, bool up);
 
 struct words {

@@ -147,7 +147,7 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
     snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(scene));
     a->columns = block_columns;
     a->rows = true;
-    a->style.errors = false; /* counts are exact, and have no error bounds */
+    a->style.errors = false; /* counts are exact and have no error bounds */
     answer_plan(a, NULL);
     b.answer = *a;
     const struct workers workers = {.points = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,

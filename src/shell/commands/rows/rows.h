@@ -53,8 +53,8 @@ struct study {
     size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
 };
 
-/* Runs a study of the scene's row with `rows` random rows. Stores the sizes of the scene's errors in `error`.
- * If the scene has no errors, runs nothing and sets study->rows to 0. */
+/* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
+ * the scene has no random errors, runs nothing and sets study->rows to 0. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_random_error error[DOM_ERROR_COUNT]);
 

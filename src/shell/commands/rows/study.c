@@ -59,9 +59,8 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     const enum dom_status status =
         study_run_with_causes(&t->scene.row, &t->scene.compute, &t->placement, &study);
     const size_t rows = study.result.rows;
-    bool interrupted =
-        /* Within a sweep, an interrupted study has no answer. */
-        status == DOM_INTERRUPTED && rows > 0 && !a->sink;
+    /* Within a sweep, an interrupted study has no answer. */
+    const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink;
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, &study, interrupted ? partial : NULL);
@@ -118,7 +117,7 @@ static struct words share_words(domq_real share)
     return words;
 }
 
-/* Rounds sigma down, which is safe: more rows fall with a smaller sigma. */
+/* Rounds sigma down to two digits, which is safe: more rows fall with a smaller sigma. */
 static domq_real two_digits(domq_real sigma)
 {
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);

@@ -20,7 +20,6 @@ struct grid {
     size_t points; /* number of points: the product of the counts of all axes */
 };
 
-/* A grid as it was parsed. */
 struct grid_parsed {
     struct axis_parsed {
         const struct parameter *parameter;
@@ -46,7 +45,6 @@ bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const 
 /* Returns value number k of an axis, counted from 0. */
 domq_real axis_value(const struct axis *axis, size_t k);
 
-/* Returns a value of an axis as a cell. */
 struct cell axis_cell(const struct axis *axis, domq_real value);
 
 #endif

@@ -37,8 +37,7 @@ static void list_columns(struct sweeper *w)
     }
 }
 
-/* Returns the columns of the answer that is computed at each point. The columns for the parameters of the
- * grid are not among them. */
+/* Returns the columns of the answer at a point, without those for the parameters of the grid. */
 static const struct column *answered_columns(const struct sweeper *w)
 {
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
@@ -73,9 +72,9 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         bool is_parameter = false;
         for (int i = 0; i < w->grid->axes; i++)
             is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
-        const bool is_alone =
+        const bool is_slow =
             !w->question->next && q->command->slow_column && strcmp(q->command->slow_column, from->key) == 0;
-        if (is_alone || (is_parameter && strcmp(repeated, from->key) == 0))
+        if (is_slow || (is_parameter && strcmp(repeated, from->key) == 0))
             continue;
         if (is_parameter) {
             snprintf(c->renamed[renamed], sizeof *c->renamed, "%s.%s", q->command->name, from->key);
@@ -118,8 +117,8 @@ static int column_find(const struct column *columns, const char *key)
     return -1;
 }
 
-/* A callback that receives a row of the answer at a point, and writes it as a row of the sweep. The columns
- * of the answer, and their units, may differ from point to point. */
+/* A callback that receives a row of the answer at a point and writes it as a row of the sweep. The columns of
+ * the answer and their units may differ from point to point. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
@@ -229,8 +228,7 @@ bool point_write(void *sweeper, size_t k, FILE *out)
     struct sweeper *w = sweeper;
     w->to = &w->answer;
     w->to->out = out;
-    w->to->columns =
-        w->columns.column; /* the units of a column may differ between the answers of two workers */
+    w->to->columns = w->columns.column; /* row_take changes the units, so each worker has its own columns */
     if (k > 0)
         w->to->has_rows = w->to->is_open = true;
     if (!point_answer(w, k))

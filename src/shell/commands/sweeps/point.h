@@ -56,12 +56,12 @@ struct sweeper {
     struct problem problem;
 };
 
-/* Makes the columns of the sweep: first the parameters of the grid, then the columns of the answer. Two kinds
- * of columns are left out: columns that only repeat a parameter, and columns that take much longer to compute
- * than the others. Fails if there are too many columns. */
+/* Makes the columns of the sweep. Two kinds of columns of the answer are left out: columns that only repeat a
+ * parameter of the grid, and columns that take a long time to compute (see command.echo and
+ * command.slow_column). Fails if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
-/* Computes the values of the parameters at point k. */
+/* Stores the values of the parameters at point k in w->assigned and w->value. */
 void point_values(struct sweeper *w, size_t k);
 
 /* Looks for a point with an answer among the first 256 points. If there is one, stores its first row in

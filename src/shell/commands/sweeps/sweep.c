@@ -80,7 +80,6 @@ static bool list_parse(struct reader *r, struct point_question *s)
     return false;
 }
 
-/* Parses the text after the ':': one answer, or several with commas between them. */
 bool sweep_parse_answers(struct reader *r, struct question *q)
 {
     struct sweep_parsed *s = q->parsed;
@@ -147,7 +146,6 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;

@@ -20,11 +20,11 @@ const struct command sweep_commands[] = {
              "VALUE, ... lists the values. The first parameter changes slowest. ANSWER is a command or an "
              "expression, evaluated at each point, as in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several "
              "answers, separated by commas, have a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax "
-             "with q hollow'. Every line of the output begins with the values of the parameters. If the "
-             "answer at a point has several lines, each of them begins with these values. If a point has no "
-             "answer, csv and json give the reason. The parameters of the session do not change. Points are "
-             "computed on all cores, unless 'set threads' gives another number of threads. The output does "
-             "not depend on this number. 'domino --shard 2/7' computes only the second of seven parts.",
+             "with q hollow'. Every line of the output begins with the values of the parameters, even if the "
+             "answer at a point has several lines. If a point has no answer, csv and json give the reason. "
+             "The parameters of the session do not change. Points are computed on all cores, unless 'set "
+             "threads' gives another number of threads. The output does not depend on this number. 'domino "
+             "--shard 2/7' computes only the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,
