@@ -66,7 +66,6 @@ static const struct parameter *parameter_for(const char *word)
     return NULL;
 }
 
-/* Returns true if the word is a synonym of the topic, or a value of the parameter. */
 static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
@@ -201,7 +200,6 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-/* Checks the unit of a value that is not a plain number. */
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {

@@ -89,8 +89,8 @@ struct command {
     const char *synonyms; /* other words that users may look for, separated by blanks */
     const char *equation; /* the numbers of the paper's equations */
     const char *help;     /* the text that 'help' shows below the summary */
-    const char *example;  /* example commands */
-    const char *see;      /* related commands */
+    const char *example;
+    const char *see; /* related commands */
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */

@@ -86,8 +86,8 @@ static bool is_expression(const struct state *state, const struct head *h)
 }
 
 /* Users sometimes write a command like a function, such as "print(2)" or "quit()". Returns true for 'print'
- * before a '(', and for a command before an empty "()" unless the command can be used in an expression. Then
- * also moves the reader past the name and the empty "()". */
+ * before a '(', and for a command before an empty "()" unless the command can be used in an expression. If
+ * so, also moves the reader past the name and the empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;

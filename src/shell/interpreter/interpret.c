@@ -104,7 +104,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The line with the time must not appear in csv or json, because programs read these formats. */
+        /* The time must not appear in csv, in json or in a file, which programs may read. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -169,7 +169,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                                  draws || !extension->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
-/* Runs a command and writes its answer to a file. The extension of the file determines the format. */
+/* The extension of the file determines the format of the answer. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {

@@ -41,8 +41,7 @@ const struct assignment *assignments_parse(struct reader *reader);
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
-/* Returns true if the name has a value in the state `state`. If `state` is NULL, returns true if the name has
- * a value in every state. */
+/* Returns true if the name is known in expressions (see value_names). */
 bool is_value_name(const struct state *state, const char *name);
 
 /* A names_list of the parameters of the model and, after them, the effects. */

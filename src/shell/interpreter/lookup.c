@@ -3,7 +3,6 @@
 #include "language/quad.h"
 #include <string.h>
 
-/* The context that symbol_quantity needs during an evaluation. */
 struct lookup {
     const struct query *query;
     const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */

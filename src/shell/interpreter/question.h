@@ -15,10 +15,8 @@ struct question {
     int key; /* index of the requested column of the answer, or -1 for the whole answer */
     int count;
     struct item item[ARGUMENTS_MAX];
-    /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
+    /* These two members are copied to struct arguments. */
     const struct parameter *parameter;
-    /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
-     * the name after 'let'. NULL if no variable was named. */
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
@@ -28,7 +26,6 @@ struct question {
 
 /* After an error, the functions below set the reader's problem or *problem and return false. */
 
-/* Parses the command at the reader's position, and its arguments. */
 bool command_parse(struct reader *reader, struct question *question);
 
 /* Parses the arguments of question->command. They extend to the end of the command, to a '>', or to one of

@@ -59,7 +59,6 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* If the word belongs to a later argument, argument i has been omitted. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;

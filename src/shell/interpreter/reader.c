@@ -30,7 +30,7 @@ char *reader_copy(struct reader *r, const char *text, size_t length)
 
 /* ---- Words ---- */
 
-/* Reads a word. If `is_typed` is true, Greek letters are not replaced by their names. */
+/* If `is_typed` is true, Greek letters are not replaced by their names. */
 static char *word_read(struct reader *r, bool quotes, bool is_typed)
 {
     char ends[16];

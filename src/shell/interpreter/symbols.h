@@ -11,8 +11,8 @@
 /* One value in the arguments of a command. The user has typed it as an expression, or as a word that stands
  * for a value. */
 struct item {
-    const struct argument *argument; /* the argument to which the value belongs */
-    const struct tree *value;        /* the expression, or NULL if `number` is the value */
+    const struct argument *argument;
+    const struct tree *value; /* the expression, or NULL if `number` is the value */
     domq_real number;
     const char *word; /* the word, name or path that was typed, or NULL */
     const char *at;   /* the position of the value in the line; may be NULL */
@@ -30,7 +30,7 @@ struct assignment {
  * unit. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
-    SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
+    SYMBOL_ARGUMENT,  /* NULL; the symbol is argument `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
     /* Column `index` of the last answer. `refers` points to the struct command that gave this answer. If

@@ -63,7 +63,6 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt);
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
-/* Writes all buffered text to standard output. */
 void io_stdout_flush(void);
 
 /* Returns the folder for temporary files: $TMPDIR, or /tmp. */

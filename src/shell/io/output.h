@@ -44,7 +44,7 @@ struct output {
 };
 
 /* Pushes a level. The caller sets the members of the level except `below`. If `messages` is NULL, it becomes
- * that of the level below. */
+ * that of the level below, or stderr at the bottom. */
 void output_push(struct output **top, struct output *output);
 
 /* Ends and frees a level, usually the topmost one. Returns the result of the level's pop function. */

@@ -15,8 +15,8 @@ struct target {
 };
 
 /*
- * Registers a file that will be written. Returns NULL, or a message on failure. Registering fails in these
- * cases:
+ * Registers a file that will be written. Returns NULL, or a message on failure. Apart from system errors,
+ * registering fails in these cases:
  * - The path contains characters that have to be escaped.
  * - The file is standard output, and `may_be_standard` is false.
  * - The session is already writing the file for another target. There are two exceptions: this other target

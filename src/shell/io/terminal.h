@@ -10,7 +10,7 @@
 bool terminal_shows(FILE *stream);
 
 /* Returns true if text written to the stream may contain colours. The stream must be shown on a terminal that
- * has colours, and the environment variable NO_COLOR must not be set. */
+ * has colours, and the environment variable NO_COLOR must be empty or not set. */
 bool terminal_colour(FILE *stream);
 
 /* Stores the number of columns and the number of rows of the stream's terminal. If the stream is not shown on
@@ -21,8 +21,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 int terminal_width(FILE *stream);
 
 /* While a log, a tee or a pager is open, answers go to a stream that passes them on to standard output, so
- * the functions above must treat this stream like standard output. This call says that answers which went to
- * `from` now go to `to`. If they did not go to `from`, the call has no effect. */
+ * the functions above must treat this stream like standard output. Call terminal_pass when answers that went
+ * to `from` go to `to` from now on. The call has no effect if the answers do not go to `from`. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */

@@ -93,8 +93,9 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 /* Must be called after the last number. If a number such as "1,234" is still ambiguous, this is an error. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. The characters
- * that escape.h calls unsafe to show are escaped, except newlines and tabs. */
+/* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. Control
+ * characters and the other characters that escape_next escapes become escape sequences, except newlines and
+ * tabs. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -101,8 +101,7 @@ static const char *name_split(const char *text, char name[NAMES_SHOWN])
     return unit;
 }
 
-/* Returns the index of the column with this name in the array kind->column. If there is no such column,
- * returns kind->columns. */
+/* Returns kind->columns if there is no column with this name. */
 static int column_find(const struct csv_kind *kind, const char *name)
 {
     int k = 0;
@@ -126,7 +125,6 @@ static bool kind_fits(const struct csv_table *csv, const struct csv_kind *kind)
     return fits;
 }
 
-/* Reads the name and the unit of column i of the file. */
 static bool name_read(struct csv_table *csv, int i, const char *text)
 {
     const struct csv_kind *kind = csv->kind;

@@ -53,7 +53,7 @@ struct csv_kind {
     /* The first line, which names the columns, may be missing. The columns must then be those of `column`, in
      * the same order. */
     bool headless;
-    size_t rows_most; /* the maximum number of rows */
+    size_t rows_most;
     /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
     const char *item, *items;
     const char *names;   /* for messages: a list of the names of the columns */

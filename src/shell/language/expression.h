@@ -93,9 +93,9 @@ struct parse {
     /* Letters that are names, not units, when they stand alone after a blank. If this member is not NULL, the
      * word "feet" after a blank is also a name, that of an effect. */
     const char *no_unit;
-    /* Parses a "with" after a value, as in "rmax with q hollow d 0.1". The "with" begins at parse->end.
-     * Returns a tree for the value and its "with", or NULL after an error. If the pointer `with` itself is
-     * NULL, the parser does not accept "with". */
+    /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The "with" begins at
+     * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`
+     * itself is NULL, the parser does not accept "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */
@@ -115,7 +115,7 @@ struct evaluation {
     domq_real angle;
 };
 
-/* Evaluates a tree. After an error, sets *evaluation->error and returns false. */
+/* After an error, sets *evaluation->error and returns false. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
 /* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in

@@ -28,7 +28,7 @@ const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-    /* Whole numbers are common, and are written by faster code. */
+    /* Whole numbers are common, so they have faster code. */
     if (near >= 1 && near < 1e15 && (domq_real)(long long)near == value &&
         whole_text((long long)near, text) <= digits)
         return text;

@@ -125,7 +125,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit that a word such as "metre" or "metres" stands for, or NULL if the word is not a unit. */
+/* Also accepts the plural of a word, such as "metres". */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;

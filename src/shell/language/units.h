@@ -15,7 +15,7 @@ struct quantity {
     int length, time, angle, mass;
 };
 
-/* Returns true for a plain number and for an angle, whose units contain no length, time or mass. */
+/* Returns true if the unit contains no length, time or mass. This holds for plain numbers and angles. */
 static inline bool quantity_is_dimensionless(struct quantity q)
 {
     return q.length == 0 && q.time == 0 && q.mass == 0;
@@ -69,7 +69,8 @@ static inline bool name_start(char c)
     return isalpha((unsigned char)c) || c == '_';
 }
 
-/* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
+/* Returns the number of letters, digits and '_' at the beginning of a text. These characters are a name if
+ * the first of them is not a digit. */
 size_t name_length(const char *text);
 
 /* Copies a name of `length` bytes into the buffer `name`, which has `size` bytes. If the name does not fit,
@@ -77,7 +78,8 @@ size_t name_length(const char *text);
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
 /* Reads the unit at the beginning of a text and multiplies *quantity by it. Returns the end of the unit, or
- * NULL if there is no unit. In "4.8 cm/h", the unit is only cm, because h is not a unit. */
+ * NULL if there is no unit or its exponent is too large. In "4.8 cm/h", the unit is only cm, because h is not
+ * a unit. */
 const char *unit_scan(const char *text, struct quantity *quantity);
 
 #endif

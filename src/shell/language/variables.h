@@ -9,10 +9,10 @@ enum { VARIABLE_NAME = 32, VARIABLES_MOST = 256 };
 
 struct variable {
     char name[VARIABLE_NAME];
-    struct quantity value;                              /* the value of a variable */
-    char *body;                                         /* the text of a function; NULL for a variable */
-    int count;                                          /* the number of arguments of a function */
-    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* the names of the arguments of a function */
+    struct quantity value; /* the value of a variable */
+    char *body;            /* the text of a function; NULL for a variable */
+    int count;             /* the number of arguments of a function */
+    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME];
 };
 
 struct variables {
@@ -25,7 +25,6 @@ const struct variable *variable_find(const struct variables *variables, const ch
 /* Adds a copy of a variable, or replaces the variable of the same name. Returns false if memory runs out. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
-/* Removes the variable with this name, if there is one. */
 void variable_drop(struct variables *variables, const char *name);
 
 /* Copies all variables; the copies share the texts of functions. Returns false if memory runs out. */
