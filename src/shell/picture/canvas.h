@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A canvas is a picture made of characters. It has text, shades, and lines of dots. Text and shades replace
- * what was in a cell before. Dots also replace text, but they are added to dots that are already in the
- * cell. */
+ * what was in a cell before. Dots replace text, and are added to dots that are already in the cell. A
+ * coloured shade hides dots that are drawn over it. */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
 
@@ -56,7 +56,7 @@ struct canvas {
     struct canvas_cell *cell;
 };
 
-/* Makes an empty canvas. Returns false if memory runs out. */
+/* Returns false if memory runs out. */
 bool canvas_make(struct canvas *canvas, struct display display, int width, int height);
 void canvas_free(struct canvas *canvas);
 

@@ -137,8 +137,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
 }
 
 /* Chooses the ends of an axis that are still NaN. The data reach from `low` to `high`. At each end, the axis
- * extends beyond the data by about `pad` times the range of the data. If the data begin a little above 0, a
- * linear axis begins at 0. */
+ * extends beyond the data by about `pad` times the range of the data. If `pad` is positive and the data begin
+ * a little above 0, a linear axis begins at 0. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -171,8 +171,8 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Lengthens the axis of a map. At first, the axis ends at the centres of the outermost cells. Afterwards it
- * ends at their outer edges, so that whole cells are visible. */
+/* Lengthens the axis of a map from the centres of the outermost cells to their outer edges, so that whole
+ * cells are visible. */
 static void cells_fit(struct chart_axis *a, int cells)
 {
     double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);

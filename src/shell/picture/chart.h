@@ -88,7 +88,6 @@ struct chart {
     bool failed; /* there was no memory for the data */
 };
 
-/* Returns an empty chart. */
 struct chart chart_make(void);
 void chart_free(struct chart *chart);
 
@@ -119,18 +118,18 @@ void chart_convert(struct chart *chart, double x, double y);
  */
 bool chart_prepare(struct chart *chart);
 
-/* ---- For the painters ---- */
+/* ---- For the functions that draw charts ---- */
 
 /* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font. If the user has not chosen a size, it is the default. */
+/* Returns the sizes of the picture and of its font. A height that the user has not chosen leaves room for all
+ * texts, and a font size that the user has not chosen is smaller in a narrow picture. */
 struct chart_look chart_size(const struct chart *chart);
 
-/* Returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end. */
+/* axis_place returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end.
+ * axis_number returns the value at a position. */
 double axis_place(const struct chart_axis *axis, double value);
-
-/* Returns the value at a position. */
 double axis_number(const struct chart_axis *axis, double place);
 
 enum { TICKS = 24, TICK_TEXT = 24 };

@@ -80,7 +80,6 @@ static int columns_of(const struct chart *c)
     return columns_in(look.width, look.font);
 }
 
-/* Returns how many ticks fit on the y axis. */
 static int ticks_up(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
@@ -95,8 +94,8 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/* Breaks a text into lines of similar length, each with at most `most` characters. Writes them to `script` in
- * the form of a double-quoted gnuplot string. Returns the number of lines. */
+/* Breaks a text into lines of similar length, each with at most `most` characters. Writes them to `script`,
+ * escaped for a double-quoted gnuplot string. Returns the number of lines. */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };

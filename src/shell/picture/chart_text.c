@@ -6,8 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-/* AXIS_LEAST is the minimum width of the y axis with its labels, in columns. */
-enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 };
+/* AXIS_USUAL is the width of the y axis with its labels, in columns, that is assumed until the labels are
+ * known. */
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_USUAL = 7 };
 
 /* The part of the canvas between the axes, in cells. `bottom` is the row of the x axis. */
 struct frame {
@@ -37,7 +38,7 @@ static double clamp(double value, double low, double high)
 }
 
 /* Clips a line to a strip of the canvas. A point of the line has the coordinate start + f * change, where f
- * goes from 0 at one end of the line to 1 at the other end. Narrows the interval [*from, *to] of f to those
+ * goes from 0 at one end of the line to 1 at the other end. Narrows the interval [*from, *to] of f to the
  * points whose coordinate is in [low, high]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
@@ -309,11 +310,11 @@ bool chart_text(const struct chart *chart, struct display display, int width, in
     int note_rows = *chart->note ? 1 + utf8_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(&canvas, display, width, height - note_rows))
         return false;
-    struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_LEAST, .right = width};
+    struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_USUAL, .right = width};
     f.most = height / 10 > 0 ? height / 10 : 1;
     int title_rows = text_put(&canvas, 0, width, 0, f.most, true, chart->title);
     f.top = title_rows + text_put(&canvas, 0, width, title_rows, f.most, false, chart->y.label) +
-            event_rows(chart, 1.0 / (width - AXIS_LEAST));
+            event_rows(chart, 1.0 / (width - AXIS_USUAL));
     int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
     f.bottom = canvas.height - 2 - label_rows;
     int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;

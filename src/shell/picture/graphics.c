@@ -15,10 +15,10 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads the reply of the terminal, which ends with 'c'. Gives up after a time limit. */
+/* Reads the reply of the terminal, which ends with 'c'. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
-    enum { WAIT = 1000 /* the time limit in ms, long enough even for a slow connection */ };
+    enum { WAIT = 1000 /* time limit for a character in ms, long enough even for a slow connection */ };
     size_t n = 0;
     struct pollfd ready = {.fd = terminal, .events = POLLIN};
     while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {
@@ -54,7 +54,7 @@ static bool ask_sixel(void)
         quiet.c_cc[VMIN] = 1;
         quiet.c_cc[VTIME] = 0;
         tcsetattr(terminal, TCSANOW, &quiet);
-        /* characters that the user has already typed would be lost */
+        /* If the user has already typed something, do not ask: these characters would be lost. */
         if (poll(&typed, 1, 0) == 0 && write(terminal, "\033[c", 3) == 3)
             answer_read(terminal, answer, sizeof answer);
         tcsetattr(terminal, TCSANOW, &before);

@@ -9,9 +9,9 @@
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /* Finds out how the terminal of a stream can show pictures. The environment variable DOMINO_GRAPHICS may name
- * the protocol: none, sixel or kitty. If it is not set, the terminal kitty is recognised by its name, and a
- * terminal that may support sixel is asked whether it does. If the terminal has no colours, returns
- * GRAPHICS_NONE. */
+ * the protocol: none, sixel or kitty. If it is not set, terminals with the protocol of kitty are recognised
+ * by environment variables, and a terminal that may support sixel is asked whether it does. Returns
+ * GRAPHICS_NONE if the stream may not contain colours. */
 enum graphics graphics_of(FILE *stream);
 
 /* Computes the size of a picture in pixels, with room for the prompt. The height is at most 2/3 of the

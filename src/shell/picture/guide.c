@@ -13,7 +13,6 @@ static int columns_of(const struct guide_table *table)
     return count;
 }
 
-/* Returns the width of a column of the table in characters. */
 static size_t column_width(const struct guide_table *table, int column)
 {
     size_t width = strlen(table->head[column]);
@@ -75,7 +74,7 @@ static void text_put(const struct page *p, double x, const char *align, int size
             1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
 }
 
-/* Draws the page and begins the next one. The first page contains the stage. */
+/* Draws the page and prepares gnuplot for the next one. The first page contains the stage. */
 static void page_end(struct page *p)
 {
     if (p->number == 1)
@@ -153,7 +152,7 @@ static void table_put(struct page *p, const struct guide_table *table)
     p->y += SPACE;
 }
 
-/* Makes the first page, with only the title and the drawing. */
+/* Sets up the first page. The tables begin below the drawing. */
 static struct page page_first(const struct guide *guide, bool is_cut)
 {
     struct page p = {.guide = guide, .number = 1, .is_cut = is_cut};
@@ -187,7 +186,7 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
     page_end(p);
 }
 
-/* Writes the gnuplot terminal setting. The font is smaller than for 'draw', since a guide has margins. */
+/* The font is smaller than for 'draw', since a guide has margins. */
 static void guide_terminal(const struct sheet *v, const char *extension, char *terminal, size_t size)
 {
     if (strcmp(extension, ".pdf") == 0)

@@ -28,7 +28,6 @@ bool movie_named(const char *path, struct problem *problem);
 bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Adds a frame to the script. */
 void movie_frame(struct movie *movie, const struct stage *stage);
 
 /* Ends the animation. Writes the film if the script is complete (`whole`). Otherwise discards the film and

@@ -46,8 +46,8 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 /* Makes the child process run the program. */
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
-    /* ^Z stops a whole process group. At the prompt, this program catches ^Z. If the child were in the same
-     * group, only the child would stop, and this program would wait for it forever. */
+    /* ^Z stops a whole process group, but at the prompt, this program catches ^Z. If the child were in the
+     * same group, only the child would stop, and this program would wait for the child forever. */
     setpgid(0, 0);
     /* The program must end when its parent ends. The parent may already have ended. */
     system_end_with_parent();
@@ -60,7 +60,7 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
     _exit(127);
 }
 
-/* Reports the first line that a failed program wrote to standard error. Returns false. */
+/* Reports the first line of text that a failed program wrote to standard error. */
 static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
 {
     char line[256] = "";

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs gnuplot and other programs that make pictures. */
+/* Runs gnuplot, and other programs that make pictures, films or documents. A function that fails sets
+ * *problem and returns false or NULL. */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
 
@@ -13,11 +14,9 @@ struct picture {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Returns true if gnuplot is installed. Otherwise reports a problem. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture for `out`, with a gnuplot terminal setting. On failure, sets *problem and returns
- * false. */
+/* Begins a picture for `out`, with a gnuplot terminal setting. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
@@ -27,11 +26,11 @@ bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 /* Returns true if a program with this name is in one of the directories in PATH. */
 bool program_exists(const char *name);
 
-/* Opens a temporary file, which is deleted when it is closed. On failure, sets *problem and returns NULL. */
+/* Opens a temporary file, which is deleted when it is closed. */
 FILE *temporary_open(struct problem *problem);
 
-/* Runs a program, whose standard input is `in` and whose standard output is `out`. If the program fails,
- * returns false. The message is then "PROGRAM did not WHAT: REASON", where WHAT is the string `what`. */
+/* Runs a program that reads `in` from its beginning and writes to `out`. If the program fails, the message is
+ * "PROGRAM did not WHAT: REASON", where WHAT is the string `what`. */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -44,7 +44,6 @@ static bool is_filed(const struct answer *a)
     return a->path && extension_of(a->path)->terminal;
 }
 
-/* Returns true if gnuplot draws the picture, and false if it is drawn in characters. */
 static bool by_gnuplot(const struct answer *a)
 {
     return is_filed(a) || (!a->path && graphics_of(a->out) != GRAPHICS_NONE && program_exists("gnuplot"));
@@ -84,7 +83,7 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
-    /* half the usual width, because characters are twice as tall as wide */
+    /* The height is at most half of the usual width, because characters are twice as tall as wide. */
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
     return chart ? chart_text(chart, display, width, height, a->out)
                  : stage_text(stage, display, width, height, a->out);
@@ -92,8 +91,7 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 
 #define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
 
-/* Writes the arguments of gnuplot's 'set terminal' to the buffer `terminal`. They fit a chart that is drawn
- * into the file `path`. */
+/* Writes the gnuplot terminal setting for a chart that is drawn into the file `path`. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look *chosen = &chart->look;

@@ -42,15 +42,16 @@ struct drawn {
     /* The corners without rounding: front foot, front top, back top and back foot. */
     struct point corner[CORNERS];
     bool touched;         /* the follower of this domino touches it */
-    struct point contact; /* where the follower touches the domino; NaN if it does not */
-    double force;         /* the push at the contact, in units of the head's weight; NaN if not known */
-    double of_own;        /* the push at the contact, in units of this domino's weight; NaN if not known */
+    struct point contact; /* where the follower touches the domino; valid only if `touched` is true */
+    /* In a train: the push at the contact, in units of the weight of the head (`force`) and of this domino
+     * (`of_own`). NaN if the push is not known. */
+    double force, of_own;
 };
 
 enum { CAPTION = 1024 };
 
 struct stage {
-    struct drawn *domino; /* the dominoes, each of which is drawn over all later ones */
+    struct drawn *domino; /* a row begins with domino 1, and a train with the foremost domino */
     size_t count;
     double left, right, top; /* the limits of the visible part */
     /* The unit of all lengths. For a train, it is "h". For a row, the pointer is NULL: lengths are in m, and
@@ -83,16 +84,16 @@ void drawn_corners(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Returns true if a domino covers a point. If a silhouette is drawn for the domino, the silhouette must cover
- * the point. The point is `up` heights above the foot and `back` thicknesses behind the front. */
+/* Returns true if a domino, or the silhouette that is drawn in its place, covers a point of the rectangle of
+ * the domino. The point is `up` heights above the foot and `back` thicknesses behind the front. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
 /* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 
-/* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a
- * domino. */
+/* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a domino.
+ * The forces must be known. */
 bool drawn_locked(const struct drawn *domino);
 
 /* Returns true for the weakest domino, and for the domino at which the fall ends. */
@@ -114,7 +115,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
                              const struct domq_compute *compute, domq_real theta);
 
-/* Makes an empty stage with room for `room` dominoes. Returns false if memory runs out. */
+/* Makes an empty stage for up to `room` dominoes. Returns false if memory runs out. */
 bool stage_make(struct stage *stage, size_t room);
 void stage_free(struct stage *stage);
 

@@ -195,7 +195,7 @@ static struct measured height_of(const struct stage *stage, size_t k)
 }
 
 /* Stores the text above a domino: its height and, if the domino is marked, the reason. Returns false if the
- * neighbours of the domino leave no room for the text. */
+ * neighbours of an unmarked domino leave no room for the text. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -273,14 +273,13 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
     }
 }
 
-/* Writes numbers, heights and gaps where there is room. */
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
     struct labels l = {.script = script, .sheet = v};
     bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
     /* Later labels get only the room that earlier labels leave. The first pass writes the labels of marked
-     * dominoes, and the second pass those of all other dominoes. It begins at the front, where the largest
-     * dominoes usually are. The third pass writes the gaps. */
+     * dominoes, the second pass those of all other dominoes, and the third pass the gaps. Each pass begins at
+     * the front, where the largest dominoes usually are. */
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);
@@ -354,7 +353,7 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
             k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
 }
 
-/* Writes the outlines of all dominoes in one state as closed curves. Returns their number. */
+/* Writes the outlines of the visible dominoes in one state as closed curves. Returns their number. */
 static int part_script(const struct stage *stage, const struct sheet *v, enum part part, FILE *script)
 {
     int count = 0;

@@ -143,7 +143,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
     }
 }
 
-/* Writes the numbers of the dominoes. Marked dominoes have priority. */
+/* Where numbers would overlap, marked dominoes have priority. */
 static void numbers_draw(struct grid *g, const struct stage *stage)
 {
     struct canvas *c = &g->canvas;
@@ -157,7 +157,7 @@ static void numbers_draw(struct grid *g, const struct stage *stage)
         }
 }
 
-/* Prints the caption. Returns the number of its lines. */
+/* Returns the number of lines. */
 static int caption_write(const char *text, int width, FILE *out)
 {
     int lines = 0;

@@ -17,14 +17,13 @@ bool typeset_ready(struct problem *problem)
                                   "texlive-latex-base', or write a .txt, .md or .tex file");
 }
 
-/* Returns the path of one of the document's files, which are in `folder`. */
 static const char *file_of(const char *folder, const char *extension, char path[PATH_TEXT])
 {
     snprintf(path, PATH_TEXT, "%s/document%s", folder, extension);
     return path;
 }
 
-/* Runs pdflatex in the folder and copies the document to `out`. */
+/* Runs pdflatex, which writes all its files into the folder, and copies the document to `out`. */
 static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {
