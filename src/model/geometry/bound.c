@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/bound.h"
 
-/* Finds the error bounds on Y, the arm and the slope of the contact of a domino with its follower. */
 static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
     b->Y = b->arm = b->contact_slope = 0;

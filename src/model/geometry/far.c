@@ -41,9 +41,9 @@ static real far_rest(const struct far *far, const real *series)
     return 16 * most;
 }
 
-/* Returns a radius inside which the series converge. Inside this radius, f has no branch points, which lie
- * where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is not inside the
- * radius either. */
+/* Returns a radius inside which the series converge with sharp edges. Inside this radius, f has no branch
+ * points, which lie where X is 1 or -1. The second fixed point of f, which belongs to theta = -theta_inf, is
+ * not inside the radius either. With rounded edges, the radius is an estimate. */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));

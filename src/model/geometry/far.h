@@ -6,7 +6,8 @@
 #include "geometry/sums.h"
 
 /* Builds the series geometry->far. Its order is chosen to save the most time if `passes` passes use the
- * series. If a domino detaches, or if no series saves time, the order is 0: there is no series. */
+ * series. If a domino detaches, if theta_inf is pi/2, or if no series saves time, the order is 0: there is no
+ * series. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -19,8 +20,8 @@ KERNEL_LOOP real far_variable(const struct geometry *geometry, struct tilt t)
 
 /*
  * Returns (z / radius)^order, from which bounds on the omitted terms follow. Multiplied by rest_H, this power
- * bounds the omitted terms of H. Multiplied by rest_J, it bounds the omitted terms of J. If z is too large
- * for the series, the result is infinity.
+ * bounds the omitted terms of dH/dz. Multiplied by rest_J, it bounds the omitted terms of J. If z is too
+ * large for the series, the result is infinity.
  */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
@@ -60,7 +61,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
 }
 
 /* These two functions return H or J of a domino and all dominoes behind it. z is far_variable of the domino.
- * H is known only up to a constant. */
+ * H is known only up to a constant. far_J does not find the second derivative. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);
@@ -88,7 +89,8 @@ KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
     return -t * (1 + z_a * z_b) * sum;
 }
 
-/* Returns true if a and b are so close to theta_inf that the far series can replace all further dominoes. */
+/* Returns true if a and b are so close to theta_inf that the far series can replace them and all dominoes
+ * behind them. */
 KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_state *state,
                               const struct link *a, const struct link *b, real t)
 {

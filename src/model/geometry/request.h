@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The input of a kernel: a train or a row, and the options of the computation. */
+/* The input of a kernel. */
 #ifndef DOM_REQUEST_H
 #define DOM_REQUEST_H
 
@@ -44,7 +44,6 @@ struct row_request {
 
 #undef MEMBER
 
-/* Sets all members of a structure of error bounds to NaN. */
 static inline void bounds_set_nan(void *bounds, size_t size)
 {
     const dom_real none = DOM_NAN;

@@ -91,7 +91,6 @@ struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts. t is the tangent of half the difference. */
 static struct apart apart_by(real t)
 {
     return (struct apart){2 * atan(t), t};
@@ -249,7 +248,8 @@ struct rolling_pair {
     real H2;
 };
 
-/* Starts chain a at `head`, and chain b at `from`. t is the tangent of half the angle between these tilts. */
+/* Starts chain a at `head`. Chain b, which the caller starts, is at `from`. t is the tangent of half the
+ * angle between these two tilts. */
 static void rolling_begin(struct rolling_pair *p, const struct geometry *geometry, struct tilt from,
                           struct tilt head, real t)
 {
@@ -257,7 +257,6 @@ static void rolling_begin(struct rolling_pair *p, const struct geometry *geometr
     p->apart = from.x == 0 ? (struct apart){p->a.theta, t} : apart_by(t);
 }
 
-/* Adds the current domino to the sums. */
 KERNEL_LOOP void rolling_add(struct rolling_pair *p, const struct walk *b)
 {
     const struct link *link = &p->a.link;

@@ -122,7 +122,7 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* Returns the angle of a tilt between -pi/2 and pi/2, faster than tilt_angle. */
+/* Returns the angle of a tilt, faster than tilt_angle. The angle must not be less than -pi/3. */
 static real tilt_theta(struct tilt t)
 {
     return t.v < (real)0.5 ? asin(t.x) : PI / 2 - asin(t.y);
@@ -140,7 +140,6 @@ static real left_of_reach(const struct geometry *geometry, struct tilt leader, r
            (of->rho - of->rho_1) * (leader.v - sine_excess(leader, theta));
 }
 
-/* Finds the turn from a domino to its follower. */
 static void rounded_turn(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
@@ -159,7 +158,7 @@ KERNEL void rounded_levers(struct walk *k)
     const struct rounded *of = &geometry->rounded;
     const struct tilt leader = k->link.tilt;
     const real x = k->turn.tilt.x, y = k->turn.tilt.y, turn = k->turn.angle, more = of->rho - of->rho_1;
-    /* The derivative of the contact equation is b turn' = -x M + rho_1 x turn. */
+    /* With x = sin theta, the derivative of the contact equation is b turn' = x (rho_1 turn - M). */
     const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
                arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
     k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
@@ -467,7 +466,7 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
         turn[k] = (G - of->tall_1 * sines) / (of->tall_1 + of->rho_1 * y);
         sine[k] = turn[k] + sines;
         cosine[k] = -cosines / (real)k;
-        p[k] = (sine[k] - half) / 2; /* p (1 + cos delta) = sin delta */
+        p[k] = (sine[k] - half) / 2; /* from p (1 + cosine) = sine */
     }
 }
 

@@ -29,7 +29,6 @@
 /* Returns h(0) - h(theta) for one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
-/* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 
@@ -52,10 +51,10 @@ KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 KERNEL struct arms rounded_arms(const struct link *link);
 KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 
-/* Adds one to the counter of work for the effect 'edges'. */
+/* Counts a pass as work for the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
-/* Members of struct contact_law. They find no error bounds. */
+/* Members of struct contact_law, without error bounds. */
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,

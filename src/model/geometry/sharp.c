@@ -114,7 +114,7 @@ static void sharp_touch(struct walk *walk)
 
 static struct arms sharp_arms(const struct link *link)
 {
-    const bool has_friction = link->geometry->mu != 0; /* without friction the ratio is the slope (14; b10) */
+    const bool has_friction = link->geometry->mu != 0;
     return (struct arms){.a = contact_arm_a(link),
                          .b = contact_arm_b(link),
                          .ratio = has_friction ? torque_ratio(link) : link->contact_slope};
@@ -178,7 +178,7 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* Uses the far series to add this domino and all dominoes behind it to J, H1 and J'/2. If there is no series,
+/* Uses the far series to add this domino and all dominoes behind it to J, H1 and J'/2. If no series applies,
  * or if the tilt is too far from theta_inf for the series, adds nothing and returns false. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {

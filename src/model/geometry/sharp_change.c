@@ -68,8 +68,7 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* Returns one domino's term of H2. */
-KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
+KERNEL_LOOP real H2_term(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
                         k->slope * k->slope * geometry_height(k->geometry, k->tilt));
@@ -82,7 +81,7 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when the tails of all sums can be left out. `shrink` is the result of pair_shrink. */
+/* Returns true when the tails of dH, J and H1 can be left out. `shrink` is the result of pair_shrink. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrink, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrink, a->geometry->decay);
@@ -106,8 +105,9 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  * acceleration of the whole chain is <a> + <c> w. Suppose that neither a_k nor c_k decreases down the chain.
  * Then this sum is not negative for any i, and all contacts push, at every speed.
  *
- * The condition on c_k: from leader to follower, c_k increases by r L (y_1 + theta_1' x X) / Y^2 times a
- * square (link_second_derivative). Here y_1 = Y y - X x is the follower's cosine.
+ * The condition on c_k: from domino k to its follower, c_k increases by r L (y_1 + theta_1' x X) / Y^2 times
+ * theta_k' / theta_1' (link_second_derivative). Here theta_1' >= 0 is the slope of the contact, and y_1 =
+ * Y y - X x is the follower's cosine.
  *
  * The condition on a_k: a_k does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0. With R =
  * weight/inertia,
@@ -193,7 +193,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         }
         pair_add(&state, &a, &b, t);
         if (pass & PASS_SECOND_DERIVATIVE)
-            H2 += second_derivative_H2(&a, second_derivative);
+            H2 += H2_term(&a, second_derivative);
         if (pass & PASS_ERROR)
             error_add(geometry, &e, &a, &b, t);
         if (a.i + 1 >= geometry->n || !b.leads)
@@ -309,7 +309,7 @@ KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt h
         }
         pair_add(&up, &a, &b, t);
         pair_add(&down, &c, &b, t_c);
-        H2 += second_derivative_H2(&a, second_derivative);
+        H2 += H2_term(&a, second_derivative);
         real shrink = pair_shrink(&a, &b, t), shrink_c = pair_shrink(&c, &b, t_c);
         if (pair_done(&up, &a, t, shrink, geometry->tol) &&
             pair_done(&down, &c, t_c, shrink_c, geometry->tol))

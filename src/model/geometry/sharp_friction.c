@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain with sharp edges and friction (equations: dynamics/friction.c). */
+/* The pass down a chain with sharp edges and friction (equations: dynamics/friction.c). */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
@@ -20,7 +20,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
     const real S1 = above[1] - above[0] * below1,
                S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
     const real k = step[0], k1 = step[1];
-    /* Derivatives of the products S theta_1', S theta_1'^2 and S theta_1''. */
+    /* The products S theta_1', S theta_1'^2 and S theta_1'', each with its first two derivatives. */
     const real a[] = {S[0] * k, S[1] * k + S[0] * k1, S[2] * k + 2 * S[1] * k1 + S[0] * step[2]};
     const real b[] = {a[0] * k, a[1] * k + a[0] * k1, a[2] * k + 2 * a[1] * k1 + a[0] * step[2]};
     const real c[] = {S[0] * contact[0], S[1] * contact[0] + S[0] * contact[1],
@@ -70,7 +70,8 @@ static void friction_next(struct friction_link *k)
 
 /*
  * Returns true when the tails of all three sums can be left out. The ratio of one term to the term before it
- * is taken to be at least `decay`. Far down an endless train without friction, the ratio is exactly `decay`.
+ * is taken to be at least `decay`. Without friction, the ratio of the terms of C tends to `decay` far down an
+ * endless train.
  */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
@@ -98,8 +99,11 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* Uses far_friction to add this domino and all dominoes behind it to the sums. Adds nothing and returns false
- * in two cases: if far_friction does not apply, or if its quadratic terms matter at this domino. */
+/*
+ * Uses far_friction to add this domino and all dominoes behind it to the sums. If far_friction does not
+ * apply, if the tilt is too far from theta_inf, or if the quadratic terms matter, adds nothing and returns
+ * false.
+ */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {

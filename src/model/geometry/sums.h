@@ -8,17 +8,16 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /*
-     * The second derivative d2H/dtheta2. Valid only with PASS_SECOND_DERIVATIVE. H2 is less accurate than the
-     * other sums: its rounding errors are not compensated, and the test for the end of the pass does not look
-     * at its tail.
-     */
+    /* The second derivative d2H/dtheta2, found by `both` and by PASS_SECOND_DERIVATIVE. H2 is less accurate
+     * than the other sums: its rounding errors are not compensated, and the test for the end of the pass does
+     * not look at its tail. */
     real H2;
     /* H(theta) - H(0), or H(theta) minus H at another tilt. Only in passes that compare two tilts. */
     real dH;
     real left; /* part of dH due to a follower that has detached in the cycle */
     size_t n;  /* number of dominoes in the sums */
-    /* True if all contacts are proved to stay closed between the two tilts. Valid only with PASS_PUSHES. */
+    /* True if the contacts of all dominoes that the pass visits are proved to stay closed between the two
+     * tilts. Valid only with PASS_PUSHES. */
     bool pushes;
 };
 
@@ -30,7 +29,7 @@ struct equation_of_motion {
     real A_size, B_size, C_size;
     /* True if no acceleration satisfies the equation (Painleve): A <= 0, or some arm b <= 0. */
     bool locks;
-    size_t n; /* number of dominoes in the sums */
+    size_t n;
 };
 
 /* The largest number of dominoes in a pass. A pass of this length takes tens of milliseconds. Few trains
@@ -49,7 +48,7 @@ struct series {
     real next, ratio;
 };
 
-/* Adds a term to `sum`, and the rounding error to `lost`. Fast2Sum needs the larger number first. */
+/* Adds a term by Fast2Sum, which needs the larger number first. */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
