@@ -17,11 +17,9 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/*
- * sine_below(v) and sine_above(v) return a lower and an upper bound on the sine of a tilt. The computed
- * square root has a relative error below 2^-52. The factors 1 - 2^-51 and 1 + 2^-51 cover this error. They
- * also cover the rounding error of the product with the factor.
- */
+/* sine_below(v) and sine_above(v) return a lower and an upper bound on the sine of a tilt. The computed
+ * square root has a relative error below 2^-52. The factors 1 - 2^-51 and 1 + 2^-51 cover this error and the
+ * rounding error of the product with the factor. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));
@@ -99,11 +97,9 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/*
- * Returns a lower bound on v of the follower, computed at the lower corner of a box. The tilt of the follower
- * is F(theta), the maximum of theta_1(t) over all t <= theta (chain.h). So if t <= theta, the v of the tilt
- * theta_1(t) is such a lower bound.
- */
+/* Returns a lower bound on v of the follower, computed at the lower corner of a box. The tilt of the follower
+ * is F(theta), the maximum of theta_1(t) over all t <= theta (chain.h). So for any t <= theta, the v of the
+ * tilt theta_1(t) is such a lower bound. */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
@@ -123,7 +119,7 @@ static struct corner corner_make(const struct shape *shape, double r)
     struct corner c = {.r = r};
     struct span s = shape->s, of_r = span_of(r);
     c.rs = span_scale(of_r, s);
-    c.rs.hi = most_1(c.rs.hi); /* r s <= 1 is assumed for all bounds in this file */
+    c.rs.hi = most_1(c.rs.hi); /* all bounds in this file hold only for r s <= 1 */
     c.rL = span_scale(of_r, shape->L);
     /* 1 - r s by fma, which rounds only once */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};

@@ -5,15 +5,15 @@
  * all these growths and tilts.
  *
  * A tilt theta is represented by v = 1 - cos theta, which increases with theta. The sine of the tilt is
- * sqrt(v (2 - v)), so no function of libm is needed.
+ * sqrt(v (2 - v)), so no trigonometric function is needed.
  *
  * The follower of a domino with the tilt theta leans on it at the tilt
  *
  *     theta_1(theta, r) = theta + asin X,   X = r (L cos theta - d).
  *
- * This tilt increases with theta up to min(theta_leave, theta_inf). Beyond that, the follower has detached
- * and keeps its tilt. So the tilt of the follower is F(theta, r), defined as the maximum of theta_1(t, r)
- * over all t <= theta.
+ * This tilt increases with theta up to theta_leave, where the follower detaches. From then on, the follower
+ * keeps its tilt. (If theta_inf < theta_leave, no domino tilts beyond theta_inf, so no follower detaches.) So
+ * the tilt of the follower is F(theta, r), defined as the maximum of theta_1(t, r) over all t <= theta.
  *
  * F increases with theta, because it is a running maximum. F also increases with r: for every t <= theta_inf,
  * X >= 0, so theta_1(t, r) increases with r. Domino i has the tilt theta_i = F(F(... theta)), where F is
@@ -29,7 +29,8 @@
 #include "proof/span.h"
 
 /* All parameters of a train except its growth. A parameter is given as a double, but it stands for a decimal
- * number. So each interval contains all decimal numbers that round to this double. */
+ * number. So its interval contains all numbers that round to this double. If q is a whole number up to 64, it
+ * is exact. */
 struct shape {
     struct span s, d, L, q;
     /* v at the tilt theta_inf; it is s/L, because cos theta_inf = d/L (40; A16) */
@@ -37,7 +38,7 @@ struct shape {
     /* v at the tilt theta_u, at which the energy h of a domino is largest; tan theta_u = d */
     struct span v_top;
     struct span g_top; /* h(theta_u) - 1 */
-    double steepest;   /* sqrt(1 + d^2), which is the largest |dh/dtheta| */
+    double steepest;   /* upper bound on sqrt(1 + d^2), which no |dh/dtheta| exceeds */
     bool paper;        /* true to use the paper's closed form of the fuel */
     bool pair;         /* true for a train of two dominoes instead of the endless train */
 };
@@ -46,18 +47,17 @@ struct shape {
 struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
-    struct span leave;            /* v of the tilt min(theta_leave, theta_inf), beyond which F is constant */
-    /* upper bound on the v of every follower: the v of theta_f or of theta_inf */
-    double last;
+    /* v of the tilt min(theta_leave, theta_inf); no follower leans on a domino beyond this tilt */
+    struct span leave;
+    double last; /* upper bound on the v of every follower: the v of theta_f or of theta_inf */
 };
 
 /* A train for all growths r in an interval, where r s <= 1. */
 struct growth {
     const struct shape *shape;
     struct span r;
-    struct corner low, high; /* the quantities at the two ends of the interval of growths */
-    /* v of the tilt min(theta_leave, theta_inf), for all growths in the interval */
-    struct span leave;
+    struct corner low, high;         /* the quantities at the two ends of the interval of growths */
+    struct span leave;               /* as in struct corner, but for all growths in the interval */
     bool detaches_never;             /* true if theta_inf < theta_leave for all growths in the interval */
     struct span rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
 };
@@ -83,18 +83,18 @@ struct contact {
 struct shape shape_make(double s, double d, double q);
 struct growth growth_make(const struct shape *shape, double r_low, double r_high);
 
-/* Takes an interval v, which contains 1 - cos theta. Returns an interval that contains sin theta. */
+/* Returns sin theta, given v = 1 - cos theta. */
 struct span tilt_sine(struct span v);
 
-/* Two functions of a tilt theta, for all theta with 1 - cos theta in the interval v. tilt_height returns g =
- * d sin theta - (1 - cos theta), which is h(theta) - 1. tilt_rise returns the derivative dh/dtheta. */
+/* tilt_height returns g = d sin theta - (1 - cos theta), which is h(theta) - 1. tilt_rise returns the
+ * derivative dh/dtheta. */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 
-/* Given 1 - cos theta of a domino, returns 1 - cos theta of its follower. */
+/* Given v of a domino, returns v of its follower. */
 struct span chain_follow(const struct growth *growth, struct span v);
 
-/* Returns the contact of a domino with its follower. The interval v contains 1 - cos theta of the domino. */
+/* Given v of a domino, returns its contact with its follower. */
 struct contact chain_contact(const struct growth *growth, struct span v);
 
 /* Returns the follower of `leader`, including derivatives. */
@@ -107,7 +107,7 @@ struct domino chain_next(const struct growth *growth, const struct domino *leade
  */
 struct domino chain_last(const struct growth *growth);
 
-/* Returns 1 - cos theta_c. Domino 1 has the tilt theta_c while the head is upright, and sin theta_c = r s. */
+/* Returns v of theta_c, the tilt of domino 1 while the head is upright: sin theta_c = r s. */
 struct span chain_hit(const struct growth *growth);
 
 #endif

@@ -35,13 +35,12 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
     return climb_find(upright, low, high, derivatives);
 }
 
-/* A level for a strip, that is, for an interval of growths. The proof must show that D stays below this
- * level. The level is the kinetic energy K, or a constant. */
+/* A level below which D must stay, for all growths in a strip: the kinetic energy K, or a constant. */
 struct level {
     struct span box;   /* the level in the whole strip */
     struct span point; /* the level at the upper end of the strip */
     struct span by_r;  /* derivative of the level with respect to r */
-    bool refute;       /* if true, the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
+    bool refute;       /* true if the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
 };
 
 /* Returns the loss in bound 3 of cover_tilts: within the strip, K - D is smaller than at the upper end of the
@@ -53,9 +52,9 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Tries to prove that K - D > 0 for all growths in the strip, and for all tilts from `low` to `high`. Tilts
- * are given as sigma = 2 sin(theta/2). There are three lower bounds on K - D. The proof succeeds if one of
- * them is positive.
+ * Tries to prove that K - D > 0 for all growths in the strip, and for all tilts from `low` to `high`. Here K
+ * stands for the level, even if the level is a constant. Tilts are given as sigma = 2 sin(theta/2). There are
+ * three lower bounds on K - D. The proof succeeds if one of them is positive.
  *
  * Bound 1 uses the box of all these tilts and growths as a whole. K and D are computed from the corners of
  * the box.
@@ -118,8 +117,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Computes the train with an upright head twice: once for all growths of the strip, and once for the growth
- * at its upper end. The sums of energies run over so many dominoes that the remainder is at most `rest`. */
+/* Computes the train with an upright head twice: for all growths of the strip, and for the growth at its
+ * upper end. The argument `rest` is that of upright_find. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;
@@ -210,7 +209,7 @@ double proof_guess(struct proof *proof, double r, double *top)
             *top = hit * k / SAMPLES;
         }
     }
-    /* find the maximum between the neighbours of the highest sample, by bisection on dD/dtheta */
+    /* find the maximum between the neighbours of the highest sample, by bisection on the slope of D */
     double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         double at = 0.5 * (low + high);

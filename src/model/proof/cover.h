@@ -20,35 +20,35 @@ struct proof {
     /* the train for the whole interval of growths, and for the upper end of the interval */
     struct upright box, point;
     struct link *links;   /* memory for the links of `box` and `point` */
-    size_t boxes, chains; /* number of boxes tried and number of chains computed so far */
+    size_t boxes, chains; /* how many boxes were tried and how many chains were computed so far */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* proof_begin allocates the memory for a proof. It returns false if there is not enough memory. proof_end
- * frees the memory. */
+/* Returns false if memory is exhausted. */
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
 /* Returns true after an interrupt. Call this often: one pass along a long train takes a few milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Tries to prove that the train keeps falling for all growths from r_low to r_high. It keeps falling if K > D
- * at every tilt of the cycle. */
+/* Tries to prove that the train keeps falling for all growths from r_low to r_high, by showing that K > D at
+ * every tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
  * Tries to prove that the train keeps falling for all growths from *done to r_high. The proof works upwards
  * in strips, which are intervals of growths. After each proved strip, *done is raised to the end of that
- * strip. If the outcome for a strip is OUTCOME_OPEN, and if the strip is wider than `finest`, it is halved
- * and tried again. Any other failure ends the proof, and sets *stop to the upper end of the failed strip.
+ * strip. If the outcome for a strip is OUTCOME_OPEN and the strip is wider than `finest`, the strip is halved
+ * and tried again. Any other failure ends the proof and sets *stop to the upper end of the failed strip.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
 /*
- * Tries to prove that the train stops for all growths from r_low to r_high, by showing that it has no fuel,
- * or that its kinetic energy is too small to reach the tilt theta. The caller chooses theta, and passes `top`
- * = 2 sin(theta/2). If theta exceeds theta_c, theta_c is used instead. Returns false if the proof fails.
+ * Tries to prove that the train stops for all growths from r_low to r_high. The train stops if it has no
+ * fuel, or if its kinetic energy is too small to reach a tilt theta of the cycle. The caller chooses theta
+ * and passes `top` = 2 sin(theta/2). If theta exceeds theta_c, theta_c is used instead. Returns false if the
+ * proof fails.
  */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 

@@ -21,8 +21,11 @@ struct link {
 struct upright {
     struct growth growth;
     struct link *link; /* array of LINKS_MOST + 1 dominoes */
-    int n;             /* sums run over dominoes 0 ... n - 1; bounds on the remainders are added */
-    /* true if domino n and all later ones stay at theta_f during the cycle; then all remainders are 0 */
+    /* Sums run over dominoes 0 ... n - 1; bounds on the remainders are added. If no domino reaches theta_u, n
+     * is 0, and nothing is known except that P <= 0 and K <= 0. */
+    int n;
+    /* true if there is no domino n, or if domino n and all later ones stay at theta_f during the cycle; then
+     * all remainders are 0 */
     bool exact_end;
     double g_last; /* lower bound on h - 1 for domino n and all later ones */
     /* upper bound on the sum over i >= n of (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)) */
@@ -36,20 +39,23 @@ struct upright {
 
 /*
  * Computes the train with an upright head, for all growths from r_low to r_high. Dominoes are added to the
- * sums one by one. This ends when the remainder of the energy is at most `rest`, or when more dominoes no
- * longer reduce it. Returns false if the array has too few elements.
+ * sums one by one. This ends when the remainder of the energy is at most `rest`, when more dominoes no longer
+ * reduce it, or when the array is full. Returns false if the array is full and even its last domino is not
+ * certain to lean beyond theta_u, since no remainder is known then.
  */
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
 
-/* The energy D = H(theta) - H(0) that the train needs to tilt its head from upright to theta. The intervals
- * hold for all growths, and for all theta with `low` <= 2 sin(theta/2) <= `high`. */
+/* The energy D = H(theta) - H(0) that the train needs to tilt its head from upright to theta. */
 struct climb {
-    struct span height;
+    struct span height;  /* D */
     struct span by_tilt; /* derivative of D with respect to 2 sin(theta/2) */
     struct span by_r;    /* dD/dr, or an infinite interval where no bound is known */
 };
 
+/* Returns intervals that hold for all growths of the train, and for all theta <= theta_c for which
+ * 2 sin(theta/2) lies between `low` and `high`. If `derivatives` is false, the intervals of the derivatives
+ * are infinite. */
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
 /* Upper and lower bounds on 2 sin(theta_c/2) for all growths of the train. */

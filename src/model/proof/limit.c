@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Encloses the smallest growth at which a train stops, that is, finds two close numbers and proves that this
- * growth lies between them.
+ * Encloses the smallest growth at which a train stops: finds two close numbers and proves that this growth
+ * lies between them.
  *
  * The search works upwards from r = 1 in strips, which are intervals of growths. For each strip, it tries to
  * prove that the train keeps falling. After a success, the next strip is twice as wide. After a failure, the
@@ -16,7 +16,7 @@
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the growth at which the margin is 0. The train seems to keep falling at `low`, and to stop at
+/* Estimates the growth at which the margin is 0. The train must seem to keep falling at `low` and to stop at
  * `high`. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
@@ -73,8 +73,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Tries to prove that the train keeps falling for all growths up to n / unit. If the outcome is OUTCOME_OPEN,
- * tries (n - 1) / unit, then (n - 2) / unit, then (n - 4) / unit, and so on. */
+/* Tries to prove that the train keeps falling for all growths from *done to n / unit. If the outcome is
+ * OUTCOME_OPEN, tries (n - 1) / unit, then (n - 2) / unit, then (n - 4) / unit, and so on. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {

@@ -7,9 +7,10 @@
 enum limit_kind {
     LIMIT_BRACKET, /* the train keeps falling for all growths in [from, low], and stops at `high` */
     LIMIT_REACH,   /* the train keeps falling for all growths in [from, 1/s] */
-    /* the train stops at r = 1; no larger growth was found at which the train keeps falling */
+    /* the train stops at r = 1; if it is a pair, no larger growth was found at which it keeps falling */
     LIMIT_NONE,
-    /* the train keeps falling for all growths in [from, low]; nothing is proved about larger growths */
+    /* the train keeps falling for all growths in [from, low], unless `low` is NaN; it stops at `high`, unless
+     * `high` is infinite */
     LIMIT_PARTLY
 };
 
@@ -17,13 +18,12 @@ enum limit_kind {
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
-    /* `low` and `high` are the doubles nearest to numbers with this many decimal places */
-    int decimals;
-    enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
+    int decimals;         /* with LIMIT_BRACKET, the number of decimal places of `low` and `high` */
+    enum outcome outcome; /* with LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Finds two close numbers and proves that the smallest growth at which the train stops lies between them. The
- * relative difference of the two numbers is about `tol`. */
+/* Tries to enclose the smallest growth above `from` at which the train stops. The relative difference between
+ * `low` and `high` is then about `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

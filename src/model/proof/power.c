@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes powers, logarithms and exponentials. Only the operations + - * / are used, because the functions
- * of libm have no guaranteed error bounds. */
+/* Computes powers, logarithms and exponentials with the operations + - * / alone. Most functions of libm have
+ * no guaranteed error bounds. Those that are used here (frexp, ldexp and nearbyint) are exact. */
 #include "proof/power.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
@@ -14,16 +14,16 @@ static struct span power_whole(struct span x, int n)
 }
 
 /*
- * Returns 2 atanh t for 0 <= t <= 1/3, from the series
+ * Returns 2 atanh t for 0 <= t <= 1/3, computed from the series
  *
  *     2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))).
  *
- * The series is cut off after n = TERMS terms. What follows the last factor t^2 is the remainder, which is at
- * most
+ * The series is cut off after n = TERMS terms, so the innermost bracket that is computed ends with t^2 R. The
+ * remainder R is at most
  *
  *     1/(2n+1) + t^2 (1/(2n+3) + ...) <= (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1) < 1/n.
  *
- * So the interval [0, 1/n] takes the place of the remainder.
+ * So the interval [0, 1/n] takes the place of R.
  */
 static struct span twice_atanh(struct span t)
 {
@@ -34,10 +34,9 @@ static struct span twice_atanh(struct span t)
     return span_scale(span_add(t, t), sum);
 }
 
-/* Returns ln 2 = 2 atanh(1/3). */
 static struct span log_2(void)
 {
-    return twice_atanh(span_over(span_of(1), span_of(3)));
+    return twice_atanh(span_over(span_of(1), span_of(3))); /* 2 atanh(1/3) = ln 2 */
 }
 
 /*
@@ -62,8 +61,8 @@ struct span span_log(struct span x)
  * Returns e^x for 0 <= x <= 700. The argument is split into x = n ln 2 + y with an integer n and |y| < 1/2,
  * so that e^x = 2^n e^y.
  *
- * The series of e^y is cut off after the term y^N/N!, where N = TERMS. In what is left out, each term is less
- * than 1/4 of the one before it. So the remainder is at most
+ * The series of e^y is cut off after the term y^N/N!, where N = TERMS. Each later term is less than 1/4 of
+ * the term before it. So the remainder is at most
  *
  *     |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)! < 2^-63   for N = 16.
  */

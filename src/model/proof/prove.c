@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The public functions of <domino_proof.h>. They check their arguments, and then run the proof. */
+/* The public functions of <domino_proof.h>. They check their arguments and then run the proof. */
 #include "domino_proof.h"
 #include "proof/limit.h"
 #include "proof/power.h"
@@ -61,15 +61,13 @@ static bool has_effect(const struct dom_train *train)
 #undef OR_ON
 }
 
-/* Returns true if floating-point operations round to nearest. The interval arithmetic in span.h depends on
- * this mode, but a caller may have changed it. */
+/* The interval arithmetic in span.h depends on this mode, but a caller may have changed it. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;
 }
 
-/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE if a proof can be
- * attempted. */
+/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE if there is none. */
 static enum dom_proof_gap gap_before(const struct dom_train *train)
 {
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;

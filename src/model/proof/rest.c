@@ -17,7 +17,7 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
      * c_n/Y_n. So no shift exceeds the larger of the two numbers shift_n and (c_n/Y_n) / (1 - p). */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
-        /* If no domino detaches, shift_(n+k) <= p^k shift_n + k p^(k-1) c_n/Y_n. */
+        /* If no follower detaches, shift_(n+k) <= p^k shift_n + k p^(k-1) c_n/Y_n. */
         double most =
             up(up(domino->shift.hi * rest.series) + up(up(per_step * w) * up(rest.series * rest.series)));
         rest.slides = up(up(shape->steepest * power) * most);

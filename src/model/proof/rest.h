@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Computes upper bounds on remainders. A sum over the infinitely many dominoes of a train is computed only up
- * to domino n - 1. The terms for domino n and all later dominoes are the remainder of the sum.
+ * Computes upper bounds on the remainders of sums. A sum over the infinitely many dominoes of a train is
+ * computed only up to domino n - 1. The terms for domino n and all later dominoes are its remainder.
  *
  * A remainder is bounded by a geometric series. Let p = 1 - r L sin theta_n, for the smallest r and the
  * smallest theta_n. For i >= n, Y_i <= 1 and x_i >= x_n. Therefore,
@@ -25,11 +25,11 @@
 
 struct rest {
     double p; /* upper bound on dF/dtheta for domino n and all later dominoes */
-    /* upper bound on the ratio of successive terms of the energy. The bound is p r^-q if no follower
-     * detaches, and r^-q if followers may detach. */
+    /* Upper bound on the ratio of successive terms of the energy: p r^-q if no follower detaches, and r^-q if
+     * followers may detach. */
     double ratio;
     double series; /* upper bound on 1 + x + x^2 + ... for x = `ratio` */
-    double power;  /* r^(-q n) */
+    double power;  /* upper bound on r^(-q n) */
     double drop;   /* h(theta_(n+k)) - h(theta_last) <= `drop` * p^k, or <= `drop` if followers may detach */
     double drops;  /* upper bound on the sum of i r^(-q i) (h(theta_i) - h(theta_last)) q / r */
     double slides; /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dr */
@@ -37,8 +37,8 @@ struct rest {
     double shift;  /* upper bound on every dtheta_i/dr */
 };
 
-/* Finds the bounds on the remainders. The arguments `domino` and `contact` belong to domino n, `power` is
- * r^(-q n), and `fall` is an upper bound on h(theta_n) - h(theta_last). */
+/* The arguments `domino` and `contact` belong to domino n, `power` is an upper bound on r^(-q n), and `fall`
+ * is an upper bound on h(theta_n) - h(theta_last). */
 struct rest rest_find(const struct growth *growth, const struct domino *domino, const struct contact *contact,
                       double power, double fall, int n);
 

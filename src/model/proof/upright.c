@@ -42,8 +42,7 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
-/* Domino i contributes the term r^(-(q+1) i) slope^2 to T. Adds this term to T, and the derivative of the
- * term to dT/dr. */
+/* Adds the term of domino i, r^(-(q+1) i) slope^2, to T. Adds the derivative of this term to dT/dr. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
@@ -54,8 +53,8 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_scale(w->share, change));
 }
 
-/* Domino i contributes the term r^(-q i) (h(theta_i) - h(theta_(i+1))) to P. Adds this term to P, and the
- * derivative of the term to dP/dr. */
+/* Adds the term of domino i, r^(-q i) (h(theta_i) - h(theta_(i+1))), to P. Adds the derivative of this term
+ * to dP/dr. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -67,8 +66,7 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 }
 
 /*
- * Adds bounds on the remainders of T and dT/dr. These remainders consist of the terms for domino n and all
- * later dominoes.
+ * Adds bounds on the remainders of T and dT/dr.
  *
  * By rest.h, slope_(n+k) <= p^k slope_n. So the terms of T are bounded by a geometric series with the ratio e
  * = r^(-(q+1)) p^2. The terms of dT/dr are
@@ -145,8 +143,8 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_scale(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    /* if theta_c < theta_u, domino 1 touches the head before it can tip over its edge, so the pair has no
-     * fuel (5; b0) */
+    /* If theta_c < theta_u, domino 1 touches the head before it can tip over its edge, so the pair has no
+     * fuel (5; b0). */
     if (!(hit.lo > g->shape->v_top.hi))
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
@@ -166,7 +164,6 @@ static void paper_fuel(const struct upright *u, struct walk *w)
     w->fuel_by_r = span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift));
 }
 
-/* Stores domino i of the chain in u->link[i]. */
 static void link_make(struct upright *u, const struct walk *w, int i)
 {
     struct span rise = tilt_rise(u->growth.shape, w->domino.v);
