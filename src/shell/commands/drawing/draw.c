@@ -193,7 +193,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 {
     struct stage stage;
     /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
-     * tolerance. */
+     * tolerance. Without a walk it is drawn at the launch. */
     const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
@@ -281,14 +281,14 @@ const struct command draw_commands[] = {
      .help =
          "'animate row.gif' shows the whole fall of the row, with a clock. The film runs in real time, or "
          "faster if the fall takes more than 9 s. 'speed 0.5' shows the row half as fast as in real time. "
-         "'rate 20' makes a film of 20 frames per second. If the largest domino is more than 30 times as "
-         "tall as the smallest, the view follows the front and grows with it. 'animate quiz.gif tower' after "
-         "'count 112 m' shows the row of that answer falling towards a tower of 112 m. Without a row, or "
-         "with 'animate train.gif train', the film shows cycles of the endless train. 'animate train.gif "
-         "train 4' shows four cycles. Each cycle is r times as large as the one before and lasts sqrt(r) "
-         "times as long. At r = 1.5 one film can show at most 9 cycles. The name of the file must end in "
-         ".gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv and json have the "
-         "times and tilts of the frames instead.",
+         "'rate 20' makes a film of 20 frames per second. 'animate quiz.gif tower' after 'count 112 m' "
+         "shows the row of that answer falling towards a tower of 112 m. If the largest domino or the tower "
+         "is more than 30 times as tall as the smallest domino, the view follows the front and grows with "
+         "it. Without a row, or with 'animate train.gif train', the film shows cycles of the endless train. "
+         "'animate train.gif train 4' shows four cycles. Each cycle is r times as large as the one before "
+         "and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. The name of the "
+         "file must end in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv "
+         "and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .sweep_refusal = "it draws",

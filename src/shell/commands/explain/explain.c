@@ -248,9 +248,10 @@ const struct command explain_commands[] = {
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
      .summary = "the numbers and figures of the paper, beside the exact ones",
      .help = "A table of numbers from the paper: points of the figures, the largest growth, the best "
-             "separation, the printed equations and the quiz. Each number is computed with the paper's "
-             "closed form of the fuel, and with the fuel from the energy balance. The table says why the two "
-             "results differ. The table is about the paper's own dominoes and does not depend on the scene.",
+             "separation, the printed equations and the quiz. Each number is computed twice: with the "
+             "paper's formulas, such as its closed form of the fuel, and with the fuel from the energy "
+             "balance. The table says why the two results differ. It is about the paper's own dominoes and "
+             "does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
      .sweep_refusal = "it does not depend on the scene",

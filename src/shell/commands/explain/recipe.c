@@ -9,7 +9,7 @@ const struct column recipe_columns[] = {
     {"quantity", "", "what the step finds", 31},
     {"paper", "",
      "the number from the paper's recipe, which raises theta and r in steps and uses the closed form of the "
-     "fuel",
+     "fuel; the recipe does not say how to choose s, so step 5 uses the program's search",
      0},
     {"program", "", "the number from this program", 0},
     {"why", "", "why the two numbers differ, or where the program works differently", 40},
@@ -27,9 +27,9 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds the hardest moment of a cycle. At the tilt theta_m, the potential energy is largest. B is the
- * barrier, the energy needed to get there, and the train arrives with tau^2 omega^2 = (K - B) /
- * J(theta_m). */
+/* Finds the hardest moment of a cycle: the tilt theta_m, at which the potential energy is largest. The
+ * barrier B is the energy that the train needs to get there. If the train has the kinetic energy K after the
+ * collision, it arrives with tau^2 omega^2 = (K - B) / J(theta_m). */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {

@@ -185,11 +185,11 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
 const struct column solve_columns[] = {
     {"value", "", "the value of the parameter", 0},
     {"answer", "", "the answer at this value of the parameter; for a verdict, 1 means true", 0},
-    {"branch", "", "whether the answer rises or falls with the parameter", 15},
+    {"branch", "",
+     "whether the answer rises or falls with the parameter; for a verdict, on which side it is true", 15},
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes why no root was found in the range. */
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
