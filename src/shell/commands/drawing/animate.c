@@ -13,7 +13,8 @@
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-/* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
+/* The view follows the front if the largest domino or the tower is more than this many times as tall as the
+ * smallest domino. */
 #define FOLLOWED 30
 #define HELD     1 /* time for which the last frame is shown, in s */
 /* Unless the user gives the speed, the motion in a film lasts at most this long, in s. */

@@ -37,8 +37,8 @@ struct train_film {
 
 /* The time, place and size of a cycle in the film, relative to the first cycle. */
 struct place {
-    int cycle;     /* counted from 0 */
-    double begun;  /* the time when the cycle begins */
+    int cycle; /* counted from 0 */
+    double begun;
     double slower; /* the duration divided by the duration of the first cycle */
     double scale;  /* the height of the head divided by the height of the first head */
     double shift;  /* x of the head */

@@ -45,7 +45,6 @@ static bool wrong_word(struct reader *r, bool many, const char *usage)
                          usage);
 }
 
-/* Checks that nothing follows. */
 static bool end_parse(struct reader *r, const char *usage)
 {
     reader_place(r, r->at);

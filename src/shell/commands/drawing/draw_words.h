@@ -22,7 +22,7 @@ struct draw_options {
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* true for each value that the user typed */
     domq_real value[DRAW_VALUES];
-    int column; /* where the time or the number of cycles begins in the typed line, for error messages */
+    int column; /* where the moment or the number of cycles begins in the typed line, for error messages */
 };
 
 /* Returns the arguments of 'draw' or 'animate', with defaults for missing arguments. */

@@ -37,7 +37,8 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 /* Draws the dominoes at a moment or, if `moment` is NULL, before the fall. */
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
-/* Extends the stage to the right end of the standing row or, if `lying` is true, of the fallen row. */
+/* Sets the right end of the stage to the right end of the standing row or, if `lying` is true, of the fallen
+ * row. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */

@@ -18,13 +18,13 @@ struct plan {
     struct guide guide;
 };
 
-/* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as the
- * value stays in its window, all dominoes fall. */
+/* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as only
+ * this value changes and stays in its window, all dominoes fall. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
 bool plan_has_leans(const struct plan *plan);
 
-/* These functions add a table to the guide. They return false if memory runs out. */
+/* Each of these functions adds a table to the guide. They return false if memory runs out. */
 bool plan_tape_table(struct plan *plan);
 bool plan_size_table(struct plan *plan, bool has_masses);
 bool plan_board_table(struct plan *plan);

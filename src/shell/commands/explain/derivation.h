@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Derivations show where a number comes from. Each quantity has an equation, which the user sees. It also has
- * an expression that computes the same number with the library. The program shows the number that the library
- * computes. A test checks that the equation gives the same number. */
+/* Derivations show where a number comes from. Most quantities have an equation, which the user sees, and an
+ * expression with which the library computes the same number. The program shows the number of the library. A
+ * test checks that the equation gives the same number. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 

@@ -100,8 +100,8 @@ static bool chain_add(const struct domq_link *link, void *context)
 }
 
 /* Computes the tilts of all dominoes, in the chain `d->at` for the given tilt of the head, and in the chain
- * `d->launch` for the tilt 0. The shorter chain is extended to the length of the longer one by dominoes with
- * the tilt theta_f, whose terms are 0. */
+ * `d->launch` for the tilt 0. Both chains are then extended to the same length, by dominoes with the tilt
+ * theta_f, whose terms are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -120,7 +120,7 @@ static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
     return status == DOM_OK && (d->at.failed || d->launch.failed) ? DOM_NO_MEMORY : status;
 }
 
-/* Computes the terms of a sum. */
+/* Computes the terms of a sum, without the zeros at its end. */
 static bool sum_value(struct derivation *d, struct step *s)
 {
     const enum sum sum = s->derived->sum;

@@ -3,7 +3,7 @@
 #include "commands/explain/derivation.h"
 #include <stddef.h>
 
-/* Q makes a list entry from all its members. GIVEN makes an entry for a number that is given, not derived. */
+/* Q makes the entry of a quantity that is derived, and GIVEN the entry of one that is given. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, reference_, words_)           \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, reference_, words_, false   \

@@ -111,7 +111,6 @@ static void put(const struct writer *w, enum text text)
     fputs(texts[text][w->dialect], w->formula.out);
 }
 
-/* Writes the description of a quantity. */
 static void words_write(const struct writer *w, const struct step *s)
 {
     char piece[ESCAPE_PIECE];
@@ -246,7 +245,6 @@ static void document_write(const struct writer *w, const struct explained *e, bo
         fputs("\\end{document}\n", out);
 }
 
-/* Typesets a lesson. */
 static bool typeset_write(struct writer *w, const struct explained *e, bool deep, const char *verdict,
                           FILE *out, struct problem *problem)
 {

@@ -69,8 +69,9 @@ struct fit {
     int unknowns;
     int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
     size_t free_count;
-    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* the correlation between each pair of unknowns, or NaN
-                                                       if one is at a limit */
+    /* For j < i, correlation[j][i] is the correlation between unknowns j and i, or NaN if one is at a limit.
+     */
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS];
     double reduced_chi_squared; /* the sum of (residual / error)^2, divided by the degrees of freedom */
     size_t freedom;             /* the number of residuals minus the number of fitted values */
     double *computed;       /* the model's result for each measurement, at the best values of the unknowns */
@@ -85,15 +86,13 @@ bool fit_compute(struct fit *fit, const double *value, const double *clock, doub
 /* If the data are angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
-/* Returns true if measurement k is the first one of its run. */
 static inline bool fit_is_first(const struct fit *fit, size_t k)
 {
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the standard error of measurement k. If no errors are known, the measurements of times and angles
- * all get the error 1. Speeds then get their own value as the error, so that all speeds have the same
- * relative error. */
+/* Returns the standard error of measurement k. If no errors are known, all times and angles get the error 1,
+ * and each speed gets its own value as the error, so that all speeds have the same relative error. */
 double fit_error(const struct fit *fit, size_t k);
 
 /* Finds the values of the unknowns for which the sum of squares is smallest. Also finds their standard

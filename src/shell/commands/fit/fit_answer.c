@@ -215,7 +215,8 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 /* ---- The command ---- */
 
-/* Checks that speeds can determine the unknowns. If not, sets *problem and returns false. */
+/* Checks that no gap is longer than a domino is tall, and that the gaps are not all equal. One gap alone
+ * cannot determine an unknown. */
 static bool speeds_check(const struct fit *f, const char *shown, struct problem *problem)
 {
     const domq_real h = f->query->scene->scale.h;
@@ -236,7 +237,6 @@ static bool speeds_check(const struct fit *f, const char *shown, struct problem 
                              shown, f->unknown[0].parameter->name, f->unknown[0].parameter->name);
 }
 
-/* Returns the first unknown that the measurements do not determine, or NULL. */
 static const struct parameter *undetermined(const struct fit *f)
 {
     for (int i = 0; i < f->unknowns; i++)

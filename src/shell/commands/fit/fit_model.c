@@ -136,8 +136,9 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds the time at which the domino of the first measurement first reaches an angle, by interpolation
- * between the measurements. Returns NaN if the domino never reaches the angle. */
+/* Finds the time at which the domino of the first measurement first rises to an angle, by interpolation
+ * between the measurements. Returns NaN if no measurement is below the angle and followed by one that is
+ * not. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;

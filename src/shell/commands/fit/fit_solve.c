@@ -77,7 +77,7 @@ static const double *values_of(const struct fit *f, const gsl_vector *x, double 
     return x->data + f->free_count;
 }
 
-/* Fills in the residuals. Returns false if the model has no answer. */
+/* Fills in the residuals. Returns false if the model has no answer, or after an interrupt. */
 static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
 {
     double value[FIT_UNKNOWNS];
@@ -141,7 +141,8 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 
 /* ---- Where the search begins ---- */
 
-/* Returns starting value k of an unknown, or NaN after the last one. The first one is the current value. */
+/* Returns starting value k of an unknown, or NaN after the last one. The first one is the current value or,
+ * for an effect that is off, a value just above the lowest one. */
 static double start_of(const struct fit *f, int i, int k)
 {
     static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};

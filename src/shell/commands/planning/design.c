@@ -150,7 +150,7 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
 
 /* ---- The answer ---- */
 
-/* Checks that the wish does not contradict itself. */
+/* Checks the values of the wish. */
 static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
 {
     if (!grid_check(grid, w->first, problem))
@@ -172,7 +172,7 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Finds the design. If the scene runs rows in the rigid-body engine, the row must also fall there. */
+/* If the scene runs rows in the rigid-body engine, the design must also fall there. */
 static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
                         struct scene_engine *engine, struct domq_design *d, struct problem *problem)
 {

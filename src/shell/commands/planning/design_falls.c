@@ -23,8 +23,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run. If each row falls with this probability, about 20 of these rows (10 in
- * the engine) can be expected not to fall. With fewer failures, the measured probability would be too
+/* Returns how many random rows to run. If each row falls with this probability, at least 20 of these rows (10
+ * in the engine) can be expected not to fall. With fewer failures, the measured probability would be too
  * uncertain. */
 static size_t rows_for(domq_real probability, bool engine)
 {

@@ -24,7 +24,7 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* How many random rows are run to estimate a probability. A row takes thousands of times as long in the
+/* How many random rows are run to estimate a probability. A row takes hundreds of times as long in the
  * engine. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
@@ -135,7 +135,7 @@ static void changes_list(struct answer *a, const struct improvement *i)
 
 /* ---- The answer ---- */
 
-/* A phrase such as "1795 of 2000 rows fall (88.4 % to 91 %)". */
+/* A phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
 struct phrase {
     char text[320];
 };

@@ -68,13 +68,14 @@ struct wishes {
     bool has_hall;                            /* true if the user has typed 'hall' */
     domq_real probability;                    /* the smallest allowed probability of falling, or 0 */
     bool sizes;                               /* true if 'improve' also changes sizes */
-    domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
+    domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits, where `mass` is called `heaviest` */
     size_t boards;
 };
 extern const struct wishes usual_wishes;
 
-/* All gaps of a design are multiples of the length `grid`. Checks that `grid` is less than `first`, the
- * height of the first domino. Otherwise every gap would be too long for this domino to reach the next one. */
+/* If `grid` is not 0, all gaps of a design are multiples of this length. Checks that `grid` is less than
+ * `first`, the height of the first domino. Otherwise every gap would be too long for this domino to reach the
+ * next one. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
@@ -108,7 +109,6 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
 bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                struct problem *problem);
 
-/* Functions that parse and bind the arguments of the commands in this directory. */
 bool design_parse(struct reader *reader, struct question *question);
 bool improve_parse(struct reader *reader, struct question *question);
 bool wishes_bind(const struct question *question, const struct query *query, struct arguments *given,

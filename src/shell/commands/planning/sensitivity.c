@@ -30,7 +30,7 @@ struct influence {
 
 enum { INFLUENCES_MOST = 32 };
 
-/* Chooses the step of a parameter. Returns false for a parameter that cannot be varied. */
+/* Returns false for a parameter that cannot be varied. */
 static bool step_choose(const struct query *query, const struct parameter *p, struct influence *i)
 {
     domq_real value = parameter_get(query->state, p);
@@ -42,7 +42,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
         return false;
     i->step = dynamic && angle ? QUAD_PI / 180 : dynamic ? (domq_real)1 / 100 : quad(fabs)(i->value) / 100;
     i->step_text = dynamic && angle ? "1 deg" : dynamic ? "0.01" : "1 %";
-    return i->step > 0; /* the step is 0 if the mass is not known */
+    return i->step > 0; /* the step is 0 for a value of 0, such as a mass that is not known */
 }
 
 /* Returns the size of an influence: the larger of |less| and |more|. If one of them is unknown, returns the

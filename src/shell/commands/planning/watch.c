@@ -84,8 +84,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-/* Handles keys. A terminal sends three characters for an arrow key: ESC, then '[' or 'O', then a letter from
- * A to D. */
+/* A terminal sends three characters for an arrow key: ESC, then '[' or 'O', then a letter from A to D. */
 static void keys_take(struct watch *w, const char *key, ssize_t count)
 {
     static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
