@@ -2,12 +2,12 @@
 /*
  * Finds the best separation: the separation s with the largest r_max. Samples of s give a first growth R.
  * Then bounds (strip.h) exclude the intervals of s in which no train can have a growth above R. The intervals
- * that remain are bisected until their width is BEST_FINEST * s. A peak of r_max(s) that is narrower than
- * this width can be missed.
+ * that remain are bisected until their width is BEST_FINEST * s, or more in a long search (search_finest). A
+ * peak of r_max(s) that is narrower than this width can be missed.
  *
  * With friction or rounded edges no bounds are known, so there are only samples.
  *
- * Quad precision starts from the result of double precision, and refines it. If the refinement fails, quad
+ * Quad precision starts from the result of double precision and refines it. If the refinement fails, quad
  * precision searches all s itself.
  */
 #include "growth/limit.h"
@@ -28,7 +28,7 @@ struct search {
     real finer;    /* slope_step is multiplied by this factor */
 };
 
-/* Returns r_max at s, or 0 if even a train with r = 1 stops. */
+/* Returns r_max at s, or 0 if there is no r_max. After an error, returns NaN. */
 static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
@@ -41,10 +41,11 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Returns r_max at s. If it is the largest r_max so far, stores s and r_max in *b. */
+/* If r_max at s is the largest r_max so far, stores s and r_max in *b. Returns r_max. If r_max is not larger
+ * than b->r_max, the result may be only an upper bound on r_max. */
 static real search_at(struct search *b, real s)
 {
-    /* A coarse scan never underestimates r_max, so it can rule out this s. */
+    /* A coarse scan gives an upper bound on r_max, so it can rule out this s. */
     b->c->coarse = (real)1e-3;
     real r_max = rmax_at(s, b->c);
     b->c->coarse = 0;
@@ -80,7 +81,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 paper_fuel is exact, and increases with s where it is positive. */
+    /* At r = 1 paper_fuel is exact and increases with s where it is positive. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -98,7 +99,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 
 /*
  * Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the growth with the
- * most negative margin. If the train stops at none of the growths that are tried, sets *witness to b->r_max.
+ * most negative margin_share. If the train stops at none of the growths that are tried, sets *witness to
+ * b->r_max.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -174,7 +176,6 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
     return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
 }
 
-/* Takes samples of s, from the largest downwards. */
 static enum dom_status search_samples(struct search *b)
 {
     int lower = 0;
@@ -241,7 +242,7 @@ static real top_slope(real s, void *context)
     return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
 }
 
-/* Sets b->finer to the factor at which the nine-point rule has the smallest error. */
+/* Sets b->finer to the factor at which the estimated error of the nine-point rule is smallest. */
 static void search_step(struct search *b)
 {
     real span = b->c->geometry.span, s = b->s, r = b->r_max, h = slope_step(span, s, r),

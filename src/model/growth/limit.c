@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds r_max, the largest growth. r_max is the first root of the margin between r = 1 and the reach r = 1/s.
+ * Finds r_max, the largest growth. r_max is the first root of the margin between r = 1 and the reach. The
+ * reach is r = 1/s with sharp edges, and less with rounded edges. If there is no root, r_max is the reach.
  *
  * The margin need not be monotone. For thin dominoes it first decreases, then increases, and finally drops
- * near 1/s. So it can have more than one root, and an ordinary root finder could miss the first one. The
- * methods of limit.h look for the first root.
+ * near the reach. So it can have more than one root, and an ordinary root finder could miss the first one.
+ * The methods of limit.h look for the first root.
  */
 #include "growth/limit.h"
 
@@ -37,21 +38,21 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     return c->status;
 }
 
-/* Converts a limit to the public structure and adds the error bound if it is requested. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *wide)
+                                    struct dom_limit *result)
 {
     real r_error = 0;
     enum dom_status status = c->train->errors ? limit_error(c, limit, &r_error) : DOM_OK;
     if (status == DOM_OK)
-        *wide = (struct dom_limit){
+        *result = (struct dom_limit){
             .r_max = limit->r_max, .ends = limit->ends, .why = limit->why, .error.r_max = r_error};
     return status;
 }
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
-/* Finds the first r > from->r at which the margin becomes negative. The margin at from->r is >= 0. */
+/* Finds the first r > from->r at which the margin becomes negative, or the reach if there is none. The margin
+ * at from->r is >= 0. */
 static enum dom_status limit_to_negative(struct margin_context *c, const struct margin_sample *from,
                                          struct limit *limit)
 {
@@ -72,7 +73,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     struct geometry geometry = c->geometry;
     bool known = false;
     *limit = (struct limit){.ends = DOM_END_BARRIER};
-    /* A coarser kernel has found c->near, and has shown that it is the first root. */
+    /* A coarser kernel has already found c->near as the first root. */
     if (c->status == DOM_OK && c->near > 0)
         c->status = root_near(c, c->near, &limit->r_max, &known);
     if (known)

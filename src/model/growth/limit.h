@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the first growth at which the margin K - B changes sign. There are two methods:
- * - scan.c is for endless trains with sharp edges and without friction. It walks upwards over strips, which
- *   are intervals of growths. If bounds (strip.h) show that the margin is positive over a strip, or if the
- *   strip is too narrow to divide, the walk goes on to the next strip. Otherwise the strip is divided.
+ * - scan.c is for endless trains with sharp edges and without friction. If the shortcut in root.c fails,
+ *   scan.c walks upwards over strips, which are intervals of growths. If bounds (strip.h) show that the
+ *   margin is positive over a strip, the walk goes on to the next strip. If they show that the strip contains
+ *   a single root, the walk ends there. Otherwise the strip is divided. If it is too narrow for that, the
+ *   walk goes on.
  * - probe.c is for all other trains, and for pairs. It takes samples of the margin. If the margin is so
  *   curved that it could change sign twice between two samples, probe.c takes more samples between them.
  */
@@ -13,7 +15,6 @@
 #include "growth/margin.h"
 #include "growth/strip.h"
 
-/* The margin at the growth r. */
 struct margin_sample {
     real r;
     struct margin margin;
@@ -21,23 +22,23 @@ struct margin_sample {
 
 /*
  * What is known about the margin over an interval of growths, if the margin is >= 0 at the lower end.
- * KNOWN_POSITIVE: the margin is positive over the interval. KNOWN_DECREASING: the margin has at most one root
- * in the interval, and decreases at this root.
+ * KNOWN_POSITIVE: the margin is positive over the interval. KNOWN_DECREASING: the margin is negative at the
+ * upper end and has a single root in the interval.
  */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_DECREASING };
 
 /* Finds the bounds of struct strip for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
-/* Finds out what is known about the margin between the samples lo and hi, and updates hi->margin. If the
+/* Finds out what is known about the margin between the samples lo and hi and updates hi->margin. If the
  * margin at hi is not yet known, the caller sets hi->margin.kinetic to NaN. */
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct margin_sample *lo,
                                   struct margin_sample *hi, enum known *known);
 
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
-/* Finds a root of the margin between lo and hi, where the margin must have opposite signs. The search follows
- * one maximum of H from growth to growth. It does not notice if another maximum becomes higher. */
+/* Finds a root of the margin between lo and hi. The margin must be >= 0 at lo and negative at hi. The search
+ * follows one maximum of H from growth to growth. It does not notice if another maximum becomes higher. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
                                     const struct margin_sample *hi, real *r);
 
@@ -54,23 +55,25 @@ KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sa
                                 real *falls);
 
 /*
- * Finds a root for an endless train without friction, and tries to prove that it is the first root after
- * *from. If there is no root, *root is the reach. If there is no proof, *found is false. Even then the work
- * may have been useful: if the margin is shown to be positive up to a larger growth, *from is raised to that
- * growth.
+ * Finds a root for an endless train with sharp edges and without friction. Also tries to prove that it is the
+ * first root after *from. If there is no root, *root is the reach. If there is no proof, *found is false.
+ * Even then the work may have been useful: if the margin is shown to be positive up to a larger growth, *from
+ * is raised to that growth.
  */
 KERNEL enum dom_status root_first(struct margin_context *c, struct margin_sample *from, real *root,
                                   bool *found);
 
-/* Finds the root of the margin between lo and hi, where the margin must have opposite signs. */
+/* Finds a root of the margin between lo and hi, by the highest maximum of H. Without friction, the margin
+ * must be >= 0 at lo and negative at hi. With friction, it must have opposite signs. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
                                  const struct margin_sample *hi, real *r);
 
 /*
  * Finds the first growth r > from->r at which the margin becomes negative. The train must be endless, with
  * sharp edges and without friction. The margin at from->r is >= 0. If the margin never becomes negative, *r
- * is the reach and *ends is DOM_END_REACH. If the margin changes sign twice within a distance of SCAN_FINEST
- * in ln r, both changes can be missed.
+ * is the reach and *ends is DOM_END_REACH. Two sign changes can be missed if they are closer than SCAN_FINEST
+ * in ln r, or if they are less than SCAN_CLOSE below a later root. In a search with very many strips, the
+ * first of these distances grows (scan_finest).
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct margin_sample *from, real *r,
                                         enum dom_end *ends);
@@ -93,7 +96,7 @@ struct limit {
 /* Finds r_max at the separation c->s. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
-/* Finds the error bound on r_max. */
+/* Finds the error bound on r_max, or NaN if none is known. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
 /* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */

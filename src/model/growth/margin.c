@@ -17,7 +17,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         m->barrier_is_bound = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is negative, whatever the barrier is */
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is not positive, whatever the barrier is */
         m->barrier = 0;
         return DOM_OK;
     }
@@ -35,7 +35,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     }
     if (status != DOM_OK)
         /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
-         * second order instead of third order, so the tilt needs a finer tolerance. */
+         * second order instead of third order, so the tilt needs a finer tolerance. A tight error bound needs
+         * it, too. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -49,7 +50,6 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
-/* Finds the margin of the endless train, by equation (26; c8), corrected. */
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {
@@ -76,7 +76,6 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
-/* Finds the margin of the pair after the collision, by equation (17; b13). */
 static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
                                    struct margin *m)
 {
@@ -163,17 +162,17 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
     return m;
 }
 
-#define ROUGH ((real)1e-3)
+#define MARGIN_ROUGH ((real)1e-3)
 
-/* Finds the sign of the margin. `how` is MARGIN_SIGN or MARGIN_TOPS, and is ignored with friction. */
+/* Finds the sign of the margin. `how` is MARGIN_SIGN or MARGIN_TOPS. With friction, `how` is ignored. */
 static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
 {
     struct margin m = {.kinetic = REAL_NAN};
     const real tol_wanted = c->geometry.tol;
-    real tol = fmax(ROUGH, tol_wanted);
+    real tol = fmax(MARGIN_ROUGH, tol_wanted);
     bool conservative = c->geometry.dynamics->conservative;
     c->how = conservative ? how : MARGIN_SURE;
-    for (;; tol = fmax(tol * ROUGH, tol_wanted)) {
+    for (;; tol = fmax(tol * MARGIN_ROUGH, tol_wanted)) {
         if (margin_to(c, r, tol, &m) == DOM_OK &&
             fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.barrier_error)
             return m;
@@ -220,7 +219,7 @@ KERNEL real margin_follow(real r, void *context)
 {
     struct margin_context *c = context;
     struct margin m = {0};
-    real tol = c->geometry.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
+    real tol = c->geometry.tol, next = fmax(tol, MARGIN_ROUGH * c->share * c->share), rough, share;
     struct followed *last = c->last;
     /* start from the tilt extrapolated from the last two maxima */
     if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r)
@@ -231,7 +230,7 @@ KERNEL real margin_follow(real r, void *context)
         if (margin_to(c, r, rough, &m) != DOM_OK)
             return REAL_NAN;
         share = margin_share(&m);
-        next = fmax(tol, ROUGH * share * share);
+        next = fmax(tol, MARGIN_ROUGH * share * share);
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;

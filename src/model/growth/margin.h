@@ -5,7 +5,8 @@
 
 #include "energy/barrier.h"
 
-/* The kinetic energy after a collision or a push, and the barrier. */
+/* The kinetic energy after the collision, and the barrier. If `barrier` is only an upper bound, `kinetic` may
+ * be only a lower bound. */
 struct margin {
     real kinetic, barrier;
     bool barrier_is_bound; /* true if `barrier` is only an upper bound */
@@ -26,7 +27,7 @@ KERNEL real margin_share(const struct margin *m)
 
 struct margin_context {
     const struct request *train;
-    struct geometry geometry; /* geometry of the train, whose s and r are set for each margin */
+    struct geometry geometry; /* geometry of the train; each margin sets s and r in a copy */
     size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or 2 for a pair */
     real s;
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
@@ -42,9 +43,11 @@ struct margin_context {
     struct followed {
         real r, half;
     } last[2];              /* r and tan(tilt / 2) of the last two maxima that were followed */
-    struct barrier nearest; /* the barrier at the growth where the margin was closest to 0 */
-    real share;             /* absolute value of margin_share at the growth of `nearest` */
-    real error;             /* error bound on the last margin if `errors` is set */
+    struct barrier nearest; /* the barrier at the growth with the smallest |margin_share| so far */
+    /* The smallest |margin_share| so far, or the value with which a search begins. margin_follow derives its
+     * tolerance from it. */
+    real share;
+    real error; /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
     /* If `coarse` is positive, a scan divides no strip that is narrower than `coarse` in ln r. The scan then
@@ -61,22 +64,24 @@ struct margin_context {
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
-/* Returns the margin at growth r, to the tolerance of the train. After an error, returns NaN. `context` must
- * point to a struct margin_context, which receives the status. */
+/* Returns the margin at the growth r. K and B are computed to the tolerance geometry.tol. After an error,
+ * returns NaN. `context` must point to a struct margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
-/* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */
+/* Returns the kinetic energy and the barrier at r, both to the tolerance tol. The kinetic energy is NaN after
+ * an error. */
 KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 
-/* Returns the margin, computed precisely enough to be sure of its sign. */
+/* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
-/* Like margin_sign, but if the margin is positive, the barrier is correct to the tolerance, too. */
+/* Like margin_sign, but if the margin is positive, `barrier` is not an upper bound. Its relative error is
+ * then at most about a thousandth. */
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
  * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many
- * digits as this step needs. Each call starts at the maximum of H that the previous call found. Call
+ * digits as this step needs. Each call starts near the maximum of H that the previous call found. Call
  * margin_follow_begin before the first call.
  */
 KERNEL void margin_follow_begin(struct margin_context *c);

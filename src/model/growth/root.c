@@ -2,16 +2,13 @@
 /*
  * Finds a root of the margin, and then proves that it is the first root. Both steps are fast: the secant
  * method needs only a few passes to find the root from a guess, and the proof needs only a few strips of
- * growths below the root. The proof shows two things. Over the strip that ends at the root, the margin
- * decreases. Over all lower strips, the margin is positive.
+ * growths below the root. The proof shows that the margin has no other root in the strip that ends at the
+ * root, and that the margin is positive over all lower strips.
  */
 #include "growth/limit.h"
 
-/*
- * Returns -d ln K / d ln r, approximately: how fast the kinetic energy K falls with the growth. K is
- * proportional to r^(-(2q+1)), by equation (24; c6). K is also proportional to the fuel, which decreases with
- * r.
- */
+/* Returns -d ln K / d ln r, approximately: how fast the kinetic energy K falls with the growth. By equation
+ * (24; c6), K is roughly proportional to r^(-(2q+1)) times the fuel. The fuel usually falls with r, too. */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -30,7 +27,7 @@ struct root_point {
 struct root_search {
     real lo, hi;             /* the bracket: the margin is positive at lo and negative at hi */
     struct root_point at[3]; /* the newest points, with the newest of all in at[2] */
-    int known;               /* the number of valid points at the end of at[] */
+    int known;               /* the number of points so far; at[] holds the last three */
     real slope;              /* roughly -d margin / d ln r, or 0 if unknown */
 };
 
@@ -193,8 +190,8 @@ static real flat_thickness(const struct geometry *geometry)
     return geometry->rounded.wide / geometry->rounded.tall;
 }
 
-/* Returns max(s / d - 2 d^2 / (1 - d^2), 0). A train of equal dominoes (r = 1) has fuel only if this number
- * is positive. */
+/* Returns max(s / d - 2 d^2 / (1 - d^2), 0). With sharp edges on a level floor, a train of equal dominoes
+ * (r = 1) has fuel only if this number is positive. */
 static real root_room(const struct margin_context *c)
 {
     const real d = flat_thickness(&c->geometry), s = c->s / (1 - c->geometry.rounded.rho);
@@ -294,7 +291,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
     const real most = barrier_most(&c->geometry);
     /* at *down: an upper bound on the barrier, and a lower bound on the margin */
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
-    /* K falls like a square root near the reach, so the first strip must be narrow there. */
+    /* Near the reach the margin changes like sqrt(1 - r s), so the first strip must be narrow. */
     const bool reaches = root == 1 / c->s;
     width = reaches ? c->share * c->share : fmin(width, fmax(down_near(c, root), log(1 / (c->s * root))));
     *down = root;

@@ -8,8 +8,8 @@
 /* If the bracket of a root is narrower than this in ln r, the root is assumed to be the first one. */
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
-/* First follows one maximum of H to the root. If another maximum is higher at that root, starts again with a
- * search for all maxima at each growth. */
+/* Without friction, first follows one maximum of H to the root. If this fails, or if another maximum is
+ * higher at that root, starts again with a search for all maxima at each growth. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
                                  const struct margin_sample *hi, real *r)
 {

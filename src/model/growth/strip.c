@@ -30,7 +30,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
 {
     real at_lo = strip_fall(geometry, lo), at_hi = strip_fall(geometry, hi);
     bool before = strip_sink(geometry, hi) <= 0, after = strip_sink(geometry, lo) >= 0;
-    /* h has its maximum at theta_u, where it is sqrt(1 + d^2). */
+    /* h has its maximum at theta_u. There, it exceeds h(0) by barrier_most. */
     real least = after ? at_lo : before ? at_hi : -barrier_most(geometry);
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
@@ -39,7 +39,8 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
 struct upright {
     struct link link;
     bool ended; /* true if this domino and all after it are at theta_f */
-    real weight, inertia, slope, contact_slope, inertia_ratio, next;
+    real weight, inertia, slope, contact_slope, inertia_ratio;
+    real inertia_tail; /* upper bound on what the dominoes behind this one add to inertia_ratio */
 };
 
 static void upright_next(struct upright *u, const struct geometry *geometry)
@@ -59,7 +60,7 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->contact_slope = u->ended || !u->link.leads ? 0 : u->link.contact_slope;
     real ratio = geometry->inertia * u->contact_slope * u->contact_slope;
-    u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
+    u->inertia_tail = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
 /* Bounds on sums over the followers. The comments on the members describe a strip of growths. For a strip of
@@ -205,7 +206,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
                          const struct upright *a, const struct upright *b, const struct between *first,
                          const struct strip_sums *sums, struct strip *s)
 {
-    real inertia_ratio_least = b->inertia_ratio, inertia_ratio_most = a->inertia_ratio + a->next,
+    real inertia_ratio_least = b->inertia_ratio, inertia_ratio_most = a->inertia_ratio + a->inertia_tail,
          fallen = -expm1(-hi->q * log1p(hi->r - 1));
     real D_most = hi->rq / inertia_ratio_least + hi->rq_1, D_least = lo->rq / inertia_ratio_most + lo->rq_1;
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
@@ -320,8 +321,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds on the energy that the dominoes behind this one can still lose: `rest` in the train at
-         * lo, and `rest_hi` in the train at hi. NaN if no bound is known. */
+        /* The dominoes behind this one can still increase sums.least by at most `rest`, and sums.most by at
+         * most `rest_hi`. NaN if no bound is known. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -336,7 +337,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         /* Rounding errors can keep the tilts from reaching theta_inf, so `small` exceeds these errors. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
-                    (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
+                    (never || a.inertia_tail <= tol * a.inertia_ratio) &&
+                    b.inertia_tail <= tol * b.inertia_ratio;
         if (ends || done) {
             if (fuel == DOM_FUEL_PAPER) {
                 sums.least = paper;

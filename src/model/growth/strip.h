@@ -25,7 +25,7 @@ struct strip {
     /* Bounds on K over the strip. kinetic_least is a bound only if it is positive. */
     real kinetic_least, kinetic_most;
     /* The largest factor, over all followers i, by which g(theta_i(0)) increases from lo to hi, where
-     * g(theta) = sin theta - d cos theta. Infinite if a follower has not yet reached theta_u at lo. */
+     * g = -dh/dtheta. Infinite if a follower has not yet reached theta_u at lo. */
     real grows;
     /* Upper bound on the energy that the followers behind the last visited one can still lose. `grows` does
      * not cover these followers. */
@@ -44,8 +44,8 @@ struct strip {
 /*
  * Computes the bounds for the trains between lo and hi, without friction. The trains lo and hi differ either
  * in r or in s, and hi has the larger value. If the bounds show early that K > `enough` for all trains, the
- * computation ends, and strip->clear is true. The omitted tails of the sums cause a relative error of K of at
- * most tol.
+ * computation ends, and strip->clear is true. The sums end when their tails can widen the bounds on K by no
+ * more than about tol (K + barrier_most).
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
