@@ -186,7 +186,7 @@ END
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
     # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
-    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has neither a 'lean'"
+    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or set all dominoes upright: 'change all lean = 0 mm'"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes [(]the engine runs this row because method is engine[)]; turn the engine off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
     grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is off by 1 mm backwards now.' <<<"$said"

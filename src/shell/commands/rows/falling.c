@@ -127,12 +127,13 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         return problem_no_answer(
             problem,
             "a domino of this row leans, but the rigid-body engine needs upright dominoes (the engine runs "
-            "this row because %s); turn the engine off, or enter a row whose file has no 'lean' column",
+            "this row because %s); turn the engine off, or set all dominoes upright: 'change all lean = 0 "
+            "mm'",
             scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
-        return problem_no_answer(
-            problem, "a domino of this row leans, but rounded edges need upright dominoes; enter "
-                     "'effect edges off', or a row whose file has neither a 'lean' nor a 'radius' column");
+        return problem_no_answer(problem,
+                                 "a domino of this row leans, but rounded edges need upright dominoes; enter "
+                                 "'effect edges off', or set all dominoes upright: 'change all lean = 0 mm'");
     /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return query_status(query, problem, status);

@@ -18,8 +18,9 @@ static const struct column row_columns[] = {
     {"gap", "m", "clear distance to the domino before it", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {"relative", "", "mass relative to domino 1, if only ratios of masses are known", 0},
-    {"radius", "m", "radius of the edges, if the file has radii; used only with 'effect edges'", 0},
-    {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
+    {"radius", "m", "radius of the edges, if any domino has its own radius; used only with 'effect edges'",
+     0},
+    {"lean", "m", "how far the top is off plumb, if any domino leans (negative: backwards)", 0},
     {"width", "m", "width of the domino (left out if every domino is half as wide as it is tall)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -262,7 +263,8 @@ static bool change_bind(const struct question *q, const struct query *query, str
 
 enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
 
-/* Prints the old and the new measurement of domino k, counted from 1. */
+/* Prints the old and the new measurement of domino k, counted from 1. If masses are not known, prints the
+ * factor by which the mass changes. */
 static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
                        domq_real from, domq_real to)
 {
@@ -389,7 +391,7 @@ const struct command row_commands[] = {
              "angle of its lean. A domino that is not set up plumb leans about its front edge. The window "
              "for its lean says how far its top may be off plumb, backwards or forwards. With rounded "
              "edges, and in the engine, the program does not compute how far a domino may lean. The "
-             "dominoes with the tightest limits are marked. If the row does not fall, the windows show "
+             "answer names the dominoes with the tightest limits. If the row does not fall, the windows show "
              "which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",
