@@ -138,8 +138,8 @@ static const char *plot_names(const void *context, int k)
 /* The parsed text after the name of a plot. */
 struct plot_parsed {
     struct look_parsed look;
-    bool has_argument; /* the user typed an argument for the plot */
-    void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
+    bool has_argument;
+    void *argument; /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
 /* A struct plot_parsed after binding. The question of a fit is not bound yet; plot_fit binds it. */

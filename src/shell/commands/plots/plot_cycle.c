@@ -71,7 +71,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the lines that 'plot chain' draws: see LINES_APART. */
+/* Counts the lines to draw: see LINES_APART. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;

@@ -21,8 +21,8 @@ static const struct limit growth_limits[LIMITS] = {
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth at the separation s and stores it in *r. *r is NaN if no growth is possible. It
- * is also NaN if the paper's formula for the fuel is used but does not apply. */
+/* Finds the largest growth at the separation s and stores it in *r. Stores NaN if no growth is possible, or
+ * if the paper's formula for the fuel does not apply. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {

@@ -176,16 +176,16 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* If a gap has any size in its window, and no other gap changes, the row falls. Returns the distance from the
- * present size to the nearer end of the window, or infinity if the gap has no window. */
+/* Returns the distance from the present size of a gap to the nearer end of its window: the sizes at which the
+ * row falls if no other gap changes. Returns infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Writes the note below the chart. If the row falls, the note says which gap has the tightest limits. If the
- * row does not fall, the note says which gap needs the smallest change to save the row. */
+/* Writes the note below the chart: which gap has the tightest limits or, if the row does not fall, which gap
+ * needs the smallest change to save the row. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

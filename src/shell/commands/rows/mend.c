@@ -15,7 +15,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns true if the first domino does not tip over. A stronger push may then save the row. */
+/* Returns true if the first domino does not tip over, so that a stronger push may save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);

@@ -8,7 +8,7 @@
 /* The question that is evaluated at each point. In a list of questions, each answer is one number. */
 struct point_question {
     struct question question;
-    struct point_question *next; /* the next question in the list, or NULL */
+    struct point_question *next;
 };
 
 enum { SWEEP_REASON = 256 };
