@@ -29,9 +29,9 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has converged: its last terms are below the tolerance. Stores the largest of
- * these terms in *last_terms. Terms never get smaller than the noise of the values and a few rounding errors.
- * So a tolerance below this level is raised to it.
+ * Returns true if the series has converged: its last three terms are below the tolerance. Stores the largest
+ * of these terms in *last_terms. Terms never get smaller than the noise of the values and a few rounding
+ * errors. So a tolerance below this level is raised to it.
  */
 static bool series_converged(const real *series, real tol, real noise, real *last_terms)
 {
@@ -42,7 +42,6 @@ static bool series_converged(const real *series, real tol, real noise, real *las
     return *last_terms <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
-/* p and c at the nodes, and the largest noise of each */
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
@@ -76,7 +75,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         return false;
     }
     series_of(node, at.p, N, series);
-    /* The solution contains exp(ln G), so the tolerance of ln G is absolute. */
+    /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
     if (!series_converged(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))

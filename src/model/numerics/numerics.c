@@ -14,7 +14,7 @@ KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x)
 {
-    /* a is the newest point, b the other end of the bracket, and c the previous point. */
+    /* a is the newest point and b the other end of the bracket. c is the end that the last step discarded. */
     real a = lo, b = hi, fa = f_lo, fb = f_hi;
     if (!isfinite(fa) || !isfinite(fb))
         return NUM_NOT_FINITE;
@@ -91,16 +91,15 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends when its terms are smaller than this fraction of the sum. The terms that are left out are
-     * negligible, because they decrease faster than a geometric series. */
-    real cut;
     bool failed;
-    /* The fraction of f that the nodes of the last level do not resolve. */
-    real tail;
-    real step, sum; /* only for the double exponential rule */
+    /* Only for the double exponential rule. A sum ends when its terms are smaller than the fraction `cut` of
+     * the sum. The terms that are left out are negligible, because they decrease faster than a geometric
+     * series. */
+    real cut, step, sum;
     /* Only for the Clenshaw-Curtis rule. The rule integrates over a variable u, with x = peak + width sinh u.
-     * If the width is NaN, u equals x. */
-    real peak, width, from, to, *value;
+     * If the width is NaN, u equals x. `tail` is the fraction of f that the nodes of the last level do not
+     * resolve. */
+    real peak, width, from, to, tail, *value;
 };
 
 /* Computes the integral with the nodes of one level of the rule. */
@@ -126,14 +125,14 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            /* `left` is only an estimate: compare with one more level */
+            /* `left` is only an estimate. For an error bound, compare with one more level. */
             if (error && level < levels)
                 off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * ROUNDOFF;
             if (error)
                 *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
         }
-        /* the nodes do not resolve f at all, so another rule is better */
+        /* The nodes do not resolve f at all, so another rule is better. */
         if (level >= 2 && s->tail > (real)0.01)
             break;
         before = value;
@@ -144,15 +143,15 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the weighted sum of f at the nodes +t and -t and stores their weight. Near an end of the interval,
- * x itself would lose digits. So each node is computed from its distance to the nearer end. */
+/* Returns the weighted sum of f at the nodes +t and -t, and stores their weight. Near an end of the interval,
+ * tanh would lose digits. So each node is computed from its distance to the nearer end. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
-    /* Rounding can put a node exactly at an end of the interval. It still counts, because f may have a peak
-     * there. */
+    /* Rounding can put a node exactly at an end of the interval. The node still counts, because f may have a
+     * peak there. */
     real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
     s->failed = s->failed || !isfinite(sum);
     return *weight * sum;
@@ -260,8 +259,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns [lo, hi] after the substitution x = peak + width sinh u. If the interval is shorter than the width
- * of the peak, or than its distance from the peak, it is not transformed. */
+/* Returns [lo, hi] after the substitution x = peak + width sinh u. The interval is not transformed if the
+ * width is unknown, or if the interval is shorter than the width or than its distance from the peak. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {

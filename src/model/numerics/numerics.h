@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roots, maxima and integrals in the arithmetic of the kernels. Nothing here depends on dominoes. A function
- * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE.
+ * Roots, maxima, integrals and linear differential equations in the arithmetic of the kernels. Nothing here
+ * depends on dominoes. A num_function that cannot be evaluated returns NaN, which ends a search with
+ * NUM_NOT_FINITE.
  *
- * GSL's functions compute only in double. They also take more evaluations of the function:
- * - roots in a benchmark: 73 with Brent's method, 65 here,
- * - integrals of trains that nearly stop: 7,497 with qag, 4,883 here.
+ * GSL's functions compute only in double. In benchmarks they also took more evaluations: Brent's method for
+ * roots, qag for integrals of trains that nearly stop, and rk8pd for the equation of motion.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
@@ -23,7 +23,7 @@ typedef real num_function(real x, void *context);
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* Does the same as num_root, but for callers that already know f(lo) and f(hi), or at least the signs. */
+/* For callers of num_root that already know f(lo) and f(hi), or at least their signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
@@ -47,7 +47,7 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
  *
  * The substitution x = peak + width sinh u flattens the peak, so the Clenshaw-Curtis rule (1960) converges
  * fast. If it does not converge, num_integral is called for the piece before the peak and for the piece after
- * the peak.
+ * the peak, or for the whole interval if the peak is outside.
  */
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
@@ -73,7 +73,7 @@ KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, 
 KERNEL real num_series_at(const struct num_series *series, real x);
 KERNEL enum num_status num_series_find(const struct num_series *series, real integral, real *x);
 
-/* ---- Linear equations ---- */
+/* ---- Linear differential equations ---- */
 
 /*
  * Solves the linear equation dw/dx = p(x) w + c(x). One solution is valid for all initial values w(0):
@@ -81,10 +81,8 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
  * Both integrals are stored as Chebyshev series on panels. If the series of p or of c / G does not converge
- * on a panel, the panel is halved. The solution is equally precise at the nodes and between them.
- *
- * GSL's odeiv2 computes only in double, and for one initial value at a time. In a benchmark, its method rk8pd
- * takes 13,917 evaluations of p and c, and this code takes 6,880.
+ * on a panel, the panel is halved. The solution is equally precise at the nodes and between them. GSL's
+ * odeiv2 finds the solution for one initial value at a time.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
@@ -113,11 +111,11 @@ struct num_linear {
     int panels;
     /* LINEAR_PANELS panels, too large for the stack. NULL before the first solution. */
     struct num_panel *panel;
-    real ln_G_error, v_error; /* error bounds, estimated from the last terms */
+    real ln_G_error, v_error; /* errors, estimated from the last terms of the series */
 };
 
-/* Extends the solution over [lo, hi], where p and c must be smooth. lo must be the end of the solution so
- * far. The relative error of G is about tol, and the error of v is about tol times the range of v. */
+/* Extends the solution over [lo, hi], where p and c must be smooth. If there is a solution already, it must
+ * end at lo. The relative error of G is about tol, and the error of v is about tol times the range of v. */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
@@ -130,6 +128,7 @@ struct num_rough {
     real ln_G_error, v_error;
 };
 KERNEL void num_rough_begin(struct num_rough *solution);
+/* Returns false if p or c cannot be computed, or if the result is not finite. */
 KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *solution);
 
 /* These two functions return v and G at u, where u = -1 at x = 0 and u = 1 at x = hi. */

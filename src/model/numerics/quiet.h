@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * These two functions switch GSL's error handler off and restore it. The handler would abort the program. All
- * threads of a process share one handler, so calls are counted: the first dom_quiet_begin switches the
- * handler off, and the last dom_quiet_end restores it.
+ * These two functions switch off and restore GSL's error handler, which would abort the program. All threads
+ * of a process share one handler, so calls are counted: the first dom_quiet_begin switches the handler off,
+ * and the last dom_quiet_end restores it.
  */
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels. `real` is the floating-point type. sqrt() and the other functions of
- * <math.h> take and return `real`, as with <tgmath.h>. The same source is compiled for each precision
+ * The arithmetic of the kernels. `real` is the floating-point type. The functions of <math.h> that are listed
+ * below take and return `real`, as with <tgmath.h>. The same source is compiled for each precision
  * (precision/): REAL_FLOAT is defined for float, REAL_QUAD for quad, and neither for double.
  */
 #ifndef DOM_REAL_H
@@ -106,7 +106,8 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Returns the larger number. C's fmax must handle NaN, which costs a function call. */
+/* C's fmax must handle NaN, which costs a function call. Unlike fmax, these two functions return b if a or b
+ * is NaN. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;
