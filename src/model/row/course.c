@@ -24,7 +24,8 @@
  * omegasq FAST times as large.
  *
  * From these runs follow the limits `below` and `above` of each head. As long as omegasq deviates by less
- * than these limits, the verdict does not change. The limits are found from the last head to the first, as
+ * than these limits, the verdict does not change. If the row falls, the limits are found from the last head
+ * to the first, as
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
@@ -45,8 +46,7 @@ struct mark {
     real below, above; /* allowed deviations of omegasq downwards and upwards, as fractions of omegasq */
     /* the smallest contact force of this and all later heads, divided by the weight of the pushed domino */
     real pushes;
-    /* true if this domino and all later ones fall; false if the fall ends as it ends in the unchanged row */
-    bool falls;
+    bool falls; /* true if this domino and all later ones fall */
 };
 
 struct course {
@@ -94,7 +94,7 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* Makes the mark of head k. `before` and `after` are the states when head k and the next head were hit. */
+/* `before` and `after` are the states when head k and the next head were hit. */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -132,8 +132,12 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Goes back from mark[to - 1] to mark[from]. At each head, narrows the limits `below` and `above`, so that no
- * deviation within these limits exceeds the limits of a later head. */
+/*
+ * Goes back from mark[to - 1] to mark[from]. At each head, sets the limits `below` and `above` so that no
+ * deviation within these limits exceeds the limits of a later head. If `falls` is false, the fall ends at
+ * head to - 1, and only the limits of this head count: if a changed row ends earlier, it does not fall,
+ * either.
+ */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {

@@ -37,7 +37,7 @@ struct watch {
     bool ended;             /* true if the callback has ended the run */
     dom_real *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;    /* index of the head, and number of moving dominoes */
-    struct passage last;    /* the latest passage */
+    struct passage last;
 };
 
 /* Allocates the memory for a row of `count` dominoes. Call watch_free even after an error. */

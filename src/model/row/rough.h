@@ -16,7 +16,7 @@ struct rough_motion {
     real off; /* estimate of the error in the omegasq of the current head */
 };
 
-/* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
+/* Returns an estimate of the relative error in omegasq that the tolerance of the sums causes. */
 KERNEL real rough_error(const struct geometry *head);
 
 /* Returns true if it is certain that the head reaches the tilt theta with tan(theta / 2) = `hi`. All dominoes

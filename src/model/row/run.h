@@ -28,11 +28,17 @@ struct run {
 
 /* The motion of one head, which is computed segment by segment, in the units of this head. */
 struct descent {
-    struct segment st; /* the current segment */
-    size_t moving;     /* number of dominoes that move after this segment */
-    real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    /* `stops` is true if the head comes to rest, `locks` if friction locks it while it moves */
+    struct segment st;          /* the current segment */
+    size_t moving;              /* number of dominoes that move after this segment */
+    real J0;                    /* J at the hit */
+    real time;                  /* time since the hit, in tau */
+    real climbed;               /* rise of the potential energy since the hit */
+    real least_margin, theta_m; /* smallest margin so far, and the tilt of its barrier */
+    real least_force; /* smallest contact force so far, divided by the weight of the pushed domino */
+    /* `stops` is true if the head comes to rest, `locks` if friction locks it while it moves. Both happen at
+     * the tilt `stop`. */
     bool stops, locks;
+    real stop;
     bool forces; /* true if the smallest contact force is wanted, not only its sign */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;

@@ -190,7 +190,6 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
     return rough_descend(&s->motion, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Returns true if head_goes or head_rolls shows that head k certainly keeps falling. */
 static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     return run->omegasq > 0 &&
@@ -230,7 +229,6 @@ static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
     return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
 }
 
-/* Runs the row until the fall ends, or until the verdict is in doubt. */
 static enum dom_status sample_falls(struct random_row *s, struct run *run)
 {
     enum dom_status status = DOM_OK;

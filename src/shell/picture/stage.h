@@ -93,7 +93,7 @@ enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 
 /* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a domino.
- * The forces must be known. */
+ * Valid only after stage_forces. */
 bool drawn_locked(const struct drawn *domino);
 
 /* Returns true for the weakest domino, and for the domino at which the fall ends. */
@@ -155,9 +155,9 @@ void sheet_follow(struct sheet *sheet, double at, double tall);
 /* Writes the gnuplot terminal setting for a file with this extension. */
 void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
 
-/* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so all colours must
- * be there. The last dot is white and covers the others. `shift` changes this white slightly. It must
- * alternate between 0 and 1, because gnuplot omits a frame that equals the previous one. */
+/* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so this frame
+ * must contain all colours. The last dot is white and covers the others. `shift` changes this white slightly.
+ * It must alternate between 0 and 1, because gnuplot omits a frame that equals the previous one. */
 void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
 
 /* Writes the commands with which gnuplot draws a stage on a sheet. */
