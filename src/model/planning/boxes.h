@@ -5,7 +5,6 @@
 
 #include "numerics/api.h"
 
-/* Returns the width of a domino in m. */
 static inline dom_real width_of(const struct dom_domino *domino)
 {
     return domino->width > 0 ? domino->width : domino->height / 2;

@@ -25,8 +25,9 @@ struct budget {
     int answers;
 };
 
-/* Runs the random rows with errors of size `sigma` and stores in *share the fraction that falls. The random
- * numbers are the same for every sigma, so that the fractions for two sigmas can be compared. */
+/* Runs the random rows and stores in *share the fraction that falls. The errors of b->kind have the size
+ * `sigma`. If b->kind is DOM_ERROR_COUNT, all errors are multiplied by `sigma`. The random numbers are the
+ * same for every sigma, so that the fractions for two sigmas can be compared. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)

@@ -25,13 +25,15 @@
 /*
  * The energy margin of a domino lies between MARGIN_LEAST and MARGIN_MOST. Three cases have a fixed value:
  * - MARGIN_MOST: the domino needs no energy
- * - MARGIN_LEAST: friction locks the domino
- * - MARGIN_NONE: the fall ends at this domino in a way that the model does not describe
+ * - MARGIN_LEAST: friction brings the domino to rest, whatever its energy
+ * - MARGIN_NONE: the fall ends at this domino, but neither for lack of energy nor at a gap that is too wide;
+ *   or the row cannot be computed, and this is the first domino
  */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
-#define UNSEEN       20.0 /* margin of a domino that is not hit because the fall ends earlier */
+/* margin of a domino that is not hit because the fall ends earlier, or of a first domino that is tipped */
+#define UNSEEN 20.0
 
 /* If a random row almost certainly falls, or almost certainly does not fall, its derivatives are nearly 0. So
  * no derivatives are computed if its probability of falling is below SURE or above 1 - SURE. */
@@ -45,8 +47,7 @@
 /* Relative step of the difference quotients. The margins have errors of about 1e-7. */
 #define CHANGE ((dom_real)1e-4)
 
-/* The number of rows in a batch. */
-enum { BATCH = 16 };
+enum { BATCH = 16 }; /* random rows in a batch */
 
 /* ---- The margins of one row ---- */
 
@@ -75,7 +76,7 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
 }
 
 /*
- * Runs a row, and finds the energy margin of each domino.
+ * Runs a row and finds the energy margin of each domino.
  *
  * If `base` is not NULL, the row has been changed. The array `base` holds the margins before the change. The
  * change affects no domino before number `from`. As soon as a later margin almost equals its value in `base`,
@@ -100,7 +101,6 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     return DOM_OK;
 }
 
-/* Finds the margin of reach of each domino: 1 - gap / (height of the previous domino). */
 static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;
@@ -110,7 +110,6 @@ static void reaches_find(const struct dom_row *row, double *margin)
 
 /* ---- Sums over rows ---- */
 
-/* Sums over the random rows of a batch. */
 struct totals {
     double fails, *by_gap, *by_size;
 };
@@ -242,8 +241,8 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
 }
 
 /* Runs all random rows. If `margin` is not NULL, only writes the margins of each random row to this array. If
- * `margin` is NULL, finds for each random row the probability that the row does not fall, and adds it to
- * total->fails. If total->by_gap is not NULL, also adds the derivatives of these probabilities. */
+ * `margin` is NULL, adds to total->fails the probability that a row does not fall, for each random row. If
+ * total->by_gap is not NULL, also adds the derivatives of these probabilities. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

@@ -19,8 +19,8 @@ struct chance {
 };
 
 /*
- * Finds the smoothed fraction of the random rows that do not fall, and stores it in *fails. If by_gap is not
- * NULL, also finds the derivatives of this fraction:
+ * Stores in *fails the smoothed fraction of the random rows that do not fall. If by_gap is not NULL, also
+ * finds the derivatives of this fraction:
  * - by_gap[k] is the derivative with respect to the gap before domino k, in 1/m.
  * - by_size[k] is the derivative with respect to the logarithm of the size of domino k.
  */

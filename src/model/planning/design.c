@@ -10,8 +10,9 @@
 
 /*
  * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
- * search for the shortest row can end earlier. It gives up after LONGER successive attempts that do not find
- * a shorter row. With an engine, which is slow, it gives up after LONGER_IN_ENGINE such attempts.
+ * search for the shortest row can end earlier: once it has found a row, it gives up after LONGER successive
+ * attempts that do not find a shorter one. With an engine, which is slow, it gives up after LONGER_IN_ENGINE
+ * such attempts.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
@@ -27,7 +28,7 @@ static bool enough(struct planner *p, struct choice c)
 }
 
 /* Returns true if the row is safe enough in the model and also falls in the engine. If the engine cannot
- * decide whether the row falls, it counts as not falling. */
+ * decide whether the row falls, returns false. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -60,9 +61,9 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Compares trains with different separations. Returns the largest growth at which any of them is safe, and
- * sets *best to the separation of this train. If no train is safe, returns 0. The search first takes coarse
- * steps, and then halves the step repeatedly. */
+/* Compares trains with different separations. Returns the largest growth at which any of them is safe. Sets
+ * *best to the separation of this train. If no train is safe, returns 0. The search first takes coarse steps
+ * and then halves the step repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -121,7 +122,7 @@ static int closest(struct planner *p, size_t steps, int good)
 }
 
 /* Step sizes of the search for a separation, in units of 1/GRID. The steps are longer with an engine, because
- * an engine is hundreds of times slower than the model. */
+ * an engine is about a thousand times slower than the model. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
@@ -194,7 +195,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that any train can have. It occurs at r = 1. */
+/* Returns an estimate of the largest ratio of kinetic energy to barrier that any train can have. This ratio
+ * occurs at r = 1. The estimate is slightly too low, because only some separations are tried. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

@@ -69,13 +69,11 @@ static dom_real error_next(const struct draw *draw, const struct dom_random_erro
     return error->size * (dom_real)(normal * M_SQRT1_2);
 }
 
-/* Returns a random factor by which a size is multiplied. */
 static dom_real factor_next(const struct draw *draw, const struct dom_random_error *error)
 {
     return fmax(1 + error_next(draw, error), LEAST_SHARE);
 }
 
-/* Returns the radius of the edges of a domino in m, or 0 for sharp edges. */
 static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
 {
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
@@ -154,7 +152,7 @@ dom_real row_steepest(const struct dom_row *row)
     return steepest;
 }
 
-/* Applies a random error to a value that all dominoes share, such as the slope. */
+/* Applies a random error to a value of the whole row, such as the slope. */
 static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
 {
     struct dom_row *row = &draw->row;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds changes that make all dominoes of a row fall: another gap, a stronger push or another growth. */
+/* Finds changes that make all dominoes of a row fall: another gap or a stronger push. Also finds the growths
+ * at which all dominoes fall. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
@@ -50,7 +51,7 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
 
 /* Searches for single gaps whose change makes the row fall. Tries the gap after the domino at which the fall
  * ends, and up to BACK earlier gaps. If the gap after this domino is too wide to reach across, no earlier gap
- * is tried. Returns the number of gaps found. */
+ * is tried. Returns the number of changes found. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -100,8 +101,9 @@ static bool falls_pushed(dom_real push, void *context)
 }
 
 /*
- * Returns the angular velocity omega that is just enough to tip the first domino over its edge. The kinetic
- * energy must lift the center of mass to its highest point above the edge:
+ * Returns the angular velocity omega that is just enough to tip the first domino over its edge, if the domino
+ * is a solid block with sharp edges that stands upright on a level floor. The kinetic energy must lift the
+ * centre of mass to its highest point above the edge:
  *
  *     I omega^2 / 2 = m g (sqrt(h^2 + d^2) - h) / 2.
  *

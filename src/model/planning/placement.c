@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
- * smaller tolerance would change one verdict in a billion. */
+ * smaller tolerance would change about one verdict in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
 /* number of rows in a batch, large enough to make the time for memory allocation negligible */
@@ -26,21 +26,19 @@ struct shared {
     atomic_size_t *stops;
 };
 
-/* The data of one batch. */
 struct batch {
     struct draw draw;
     const struct kernel *kernel;
     struct random_row *sample; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
 };
 
-/* Returns the number of elements of `stops`. */
 static size_t stops_length(const struct shared *s)
 {
     const size_t lists = s->causes ? 1 + DOM_ERROR_COUNT : 1;
     return lists * s->row->count;
 }
 
-/* Generates random row number i without the kinds of error in `off`, and runs it. */
+/* Draws random row number i without the kinds of error in `off` and runs this row. */
 static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i, unsigned off,
                                struct dom_verdict *verdict)
 {
@@ -80,7 +78,7 @@ static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
     return DOM_OK;
 }
 
-/* Checks the row and prepares the kernel to run many rows of this kind. */
+/* Unless an engine runs the rows, checks the row and prepares the kernel to run many rows of this kind. */
 static enum dom_status batch_begin(struct batch *b, const struct shared *s)
 {
     struct dom_row row = *s->row;
@@ -182,7 +180,7 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)
         return status;
-    shared.compute.work = NULL; /* rows may run in parallel, and must not share the counters */
+    shared.compute.work = NULL; /* rows may run in parallel and must not share the counters */
     if (shared.compute.tol < VERDICT_TOL)
         shared.compute.tol = VERDICT_TOL;
     if (stops) {

@@ -3,7 +3,7 @@
 #include "planning/boxes.h"
 #include "planning/shape.h"
 
-/* After a failure, the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
+/* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 
@@ -21,7 +21,8 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
  * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
- * larger tolerance in *compute and returns true. If the tolerance is already large, returns false. */
+ * larger tolerance in *compute and returns true. After any other failure, or if the tolerance is already
+ * large, returns false. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))

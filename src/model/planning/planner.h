@@ -31,12 +31,12 @@ struct planner {
     dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
     bool whole;
-    /* number of the weakest domino in the last run, counted from 1: the one with the smallest ratio of
-     * kinetic energy to barrier */
+    /* number, counted from 1, of the weakest domino after the first in the last run: the domino with the
+     * smallest ratio of kinetic energy to barrier */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
-    bool engine_refused; /* true if a row was safe enough in the model, but did not fall in the engine */
+    bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
 };
 
 /* A candidate row. Its separation is k / GRID. It has steps + 1 dominoes, so there are `steps` steps from the
@@ -84,8 +84,8 @@ dom_real length_of(const struct planner *p, struct choice c);
 /* Returns the length of the standing row that row_write wrote last. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
-/* Returns the largest k for which a row with the separation k / GRID fits into the hall. If there is none,
- * returns 0. */
+/* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
+ * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
 int widest(const struct planner *p, size_t steps, dom_real hall);
 
 /* Computes the chosen row with the requested precision and writes the result to *design. */

@@ -45,7 +45,7 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
 
 /* Returns true if the row is part of a train. In a train, all dominoes have the same proportions. Sizes and
  * masses grow by a constant factor from domino to domino. If the dominoes have walls, returns false, since
- * walls of equal thickness would change the proportions. */
+ * walls of equal thickness would change the proportions. Also returns false if an engine runs the row. */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -66,7 +66,7 @@ static bool is_train(const struct dom_row *row)
 
 /*
  * Runs only the first START dominoes of a train, to save time. Returns true if their fall already shows
- * whether the whole row falls.
+ * whether the whole row falls. If the fall ends before the last of these dominoes, the row does not fall.
  *
  * The margin of a domino is the energy that it has to spare, here as a fraction of its kinetic energy. In a
  * train, this fraction changes less and less from domino to domino. To be on the safe side, this test assumes

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trial changes one value of a row, and runs the row to see whether all dominoes fall. A series of trials
- * finds an edge: on one side of it, all dominoes fall, and on the other side, some do not. */
+/* A trial changes one value of a row and runs the row to see whether all dominoes fall. A series of trials
+ * finds an edge: on one side of the edge, all dominoes fall, and on the other side, some do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -70,7 +70,8 @@ void trial_change(struct trial *t, dom_real value);
  * dominoes fall. */
 bool falls_with(dom_real value, void *context);
 
-/* A search tries trial_steps values between `value` and `end`. value_step returns value number i. */
+/* A search from `value` towards `end` tries trial_steps values, the last of which is `end`. value_step
+ * returns value number i, counted from 1. */
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
@@ -80,7 +81,7 @@ dom_real value_digit(const struct trial *t, dom_real value);
 
 /* Searches for the edge between two values. All dominoes must fall at the value `good`, but not at the value
  * `bad`. Returns the value nearest to `bad` at which all dominoes still fall. The result is rounded to a few
- * digits, towards `good`. */
+ * digits, towards `good`, unless some domino does not fall at the rounded value. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
 /* Continues a search that moves in steps from the value `now` to the value `end`. The next step is step i.

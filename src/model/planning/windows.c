@@ -6,8 +6,9 @@
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction is tried up to
- * FRICTION_MOST or four times the current friction, whichever is larger. */
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height, and likewise thicknesses.
+ * Friction is tried up to FRICTION_MOST or four times the current friction, whichever is larger, but not
+ * beyond DOM_MU_HIGHEST. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
@@ -198,7 +199,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* For a row that does not fall, finds the window nearest to the current value. */
+/* For a row that does not fall, finds the window nearest to the current value, if there is one. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
