@@ -17,9 +17,10 @@ struct clock {
 };
 
 /*
- * Just before a stop, the slowness has a peak. Returns the width of this peak, in the variable u of
- * slowness_before. Let delta be the distance of the tilt from the stop. The remaining energy is then H' delta
- * - H'' delta^2 / 2. The width corresponds to the delta at which the two terms are equally large.
+ * If the train stops close to the top of the barrier, dt/du has a peak at the stop (slowness_before). Returns
+ * the width of this peak, in the variable u. Let delta be the distance of the tilt from the stop. The
+ * remaining energy is then H' delta - H'' delta^2 / 2, where H'' < 0. The width corresponds to the delta at
+ * which the two terms are equally large.
  */
 static real stop_width(const struct motion *m)
 {
@@ -121,7 +122,6 @@ static enum dom_status tilt_search(struct motion *m, real time, real *at)
     return DOM_NOT_CONVERGED;
 }
 
-/* Finds the tilt at a given time. Uses the clock if it has pieces, and integrals otherwise. */
 static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
 {
     *at = 0;

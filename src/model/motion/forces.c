@@ -12,7 +12,6 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* Finds the contact forces from the tail up to the head. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
@@ -87,7 +86,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
-    /* at r s = 1, no finite impulse turns a domino, so the required friction is infinite */
+    /* at r s = 1, no finite impulse turns the struck domino, so the required friction is infinite */
     if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;
 }
@@ -205,8 +204,8 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /* ---- The smallest contact force ---- */
 
-/* The state of a search for the smallest contact force. To compare forces on dominoes of different sizes,
- * each force is divided by the weight of the domino that it pushes. */
+/* To compare forces on dominoes of different sizes, each force here is divided by the weight of the domino
+ * that it pushes. */
 struct least_context {
     const struct segment *segment;
     real theta, force;       /* the current tilt, and the smallest force there */
@@ -249,7 +248,6 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples in a search for the smallest force. */
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000

@@ -48,7 +48,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
                                    const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
                                    void *context);
 
-/* Finds the motion of a chain at a tilt of its head. */
+/* Finds the motion of a chain at a tilt of its head. Leaves kinematics->floor unchanged. */
 KERNEL enum dom_status segment_kinematics(const struct segment *segment, real theta, struct tilt *head,
                                           struct kinematics *kinematics);
 
@@ -56,8 +56,8 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
  * jump at the edges, so *lo and *hi are set just inside. Returns false if the cycle ends before this part. */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
-/* Finds the contact forces at a few tilts up to `to`. Each force is divided by the weight of the domino that
- * it pushes. Lowers *least to the smallest of these ratios if the ratio is smaller. If segment->end.pushes is
+/* Finds the contact forces at a few tilts from lo to `to` and divides each force by the weight of the domino
+ * that it pushes. If the smallest of these ratios is below *least, stores it there. If segment->end.pushes is
  * true, no contact opens, so the function does nothing. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 

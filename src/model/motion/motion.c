@@ -118,9 +118,10 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds an error bound on state->time. It is the sum of two bounds: the tolerance of the integral, and the
- * integral of the error bound on the slowness. If the train stops, the tilt of the stop has an error too. An
- * error e in this tilt shifts times by at most e / omega.
+ * Finds an error bound on state->time. It is the sum of two bounds. The first is the tolerance of the
+ * integral. If the train does not stop, the second is the integral of the error bound on the slowness. If the
+ * train stops, the second comes from the tilt of the stop: an error e in this tilt shifts times by at most
+ * e / omega.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -142,8 +143,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Corrects *left, the energy that detached dominoes have released, if theta is the tilt at which a follower
- * detaches. There, the follower counts as detached, even if rounding has made theta slightly smaller. */
+/* Corrects *left, the energy change of a detached follower, if theta is the tilt at which it detaches. There,
+ * the follower counts as detached, even if rounding has made theta slightly smaller. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;

@@ -32,7 +32,7 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
 
 /*
  * Finds an error bound on the tilt theta, at which a cycle has used up its energy. Unless `energy` is NULL,
- * also finds an error bound on the energy at theta. If no bound is known, sets *error to NaN, and leaves
+ * also finds an error bound on the energy at theta. If no bound is known, sets *error to NaN and leaves
  * *energy unchanged.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
@@ -42,8 +42,10 @@ struct motion {
     real end; /* the last tilt: theta_c, or the tilt of rest if the train stops */
     real tol; /* tolerance of times; larger than requested if the margin is small */
     bool stops;
-    real smooth, root, span; /* motion_time sets `smooth`, `root` and `span` for slowness_before */
-    struct room room;        /* memory for the computation of forces */
+    /* Parameters of slowness_before, set by its callers: the integral begins at the tilt `smooth`, and u is
+     * root + span x. */
+    real smooth, root, span;
+    struct room room; /* memory for the computation of forces */
 };
 
 /*

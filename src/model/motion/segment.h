@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A segment is a part of the motion of one head, from the tilt lo to the tilt hi. In a row, a segment ends
- * where a domino detaches. The cycle of a train is a single segment.
+ * where a domino detaches, where friction locks the motion, or with the next hit. The cycle of a train is a
+ * single segment.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
@@ -31,8 +32,8 @@ struct segment {
     enum dom_status status; /* status of an integrand, or of a function whose root is sought */
 };
 
-/* Lowers hi to the tilt at which a domino detaches, if one does. *moving is the number of dominoes that still
- * move. */
+/* Lowers hi to the tilt at which a domino detaches, if one does. *moving receives the number of dominoes that
+ * still move beyond hi. */
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *moving);
 
 /* Finds the barrier of a segment, and J. The members geometry, lo, hi, gain and start must be set. If
