@@ -290,6 +290,8 @@ END
 @test "a line that is an expression is evaluated" {
     all_print <<'END'
 2+2|4
+(1 -2)*3|-3
+max(5 -2, 1)|3
 2 + 2|4
 sin(30 deg)|0.5
 ln(112/0.048)/ln(1.5)|19.1263

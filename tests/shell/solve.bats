@@ -32,6 +32,7 @@ END
     same row 0 "$(json 'effect row 5; sensitivity design.length 2 m; verdict' | values short_by)"
     wrong 'sensitivity fall' "'fall' gives several numbers; use one of fall.domino"
     wrong 'sensitivity barrier.verdict' 'barrier.verdict is a word'
+    wrong 'solve s : thetac.detaches = 1' "thetac.detaches is 'yes' or 'no', not a number"
     wrong 'sensitivity rmx' "did you mean 'rmax'"
     wrong 'sensitivity' 'COMMAND is missing'
     wrong 'set r 3; sensitivity duration' 'r s = 1\.2 > 1'

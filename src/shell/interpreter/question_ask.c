@@ -93,7 +93,8 @@ bool question_value(const struct question *q, const struct query *query, struct 
     struct cell cell = kept[q->key];
     const char *key = c->columns[q->key].key;
     if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
-        return problem_error(problem, "%s.%s is a word, not a number", c->name, key);
+        return problem_error(problem, "%s.%s is %s, not a number", c->name, key,
+                             cell.kind == CELL_FLAG ? "'yes' or 'no'" : "a word");
     if (cell.kind == CELL_NONE)
         return problem_no_answer(problem, "%s.%s has no value here; enter '%s' to see why", c->name, key,
                                  c->name);

@@ -9,6 +9,7 @@
  *
  * A blank ends an expression unless an operator follows, so a line can hold several expressions. After a
  * blank, a sign directly before a value belongs to that value: "1 - 2" is one expression, but "1 -2" is two.
+ * In parentheses, there is only one expression, so "(1 -2)" is a difference.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H

@@ -237,7 +237,7 @@ static const struct op {
 
 /* Returns the operator that continues an expression, or NULL if there is none. `at` is the first position
  * after a value and the blanks that follow it. Outside parentheses, '>' is not an operator, because it
- * redirects the answer. A sign as in "1 -2" is not an operator either, because it begins a second value. */
+ * redirects the answer, and neither is the sign in "1 -2", because it begins a second value. */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
     const struct op *op = NULL;
@@ -249,8 +249,8 @@ static const struct op *op_at(const struct parse *p, const char *at)
     if (!op)
         return NULL;
     bool is_sign = op->level == LEVEL_SUM && at != p->end && skip_blanks(at + 1) == at + 1;
-    bool redirects = op->op == OPERATOR_MORE && p->nested == 0;
-    return is_sign || redirects ? NULL : op;
+    bool redirects = op->op == OPERATOR_MORE;
+    return (is_sign || redirects) && p->nested == 0 ? NULL : op;
 }
 
 /* Parses a value. It may have an exponent after it, and signs or a 'not' before it. An exponent binds more
