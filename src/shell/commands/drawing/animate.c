@@ -74,7 +74,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Returns the speed of the film. A long fall is shown faster, which keeps the file small. */
+/* A long fall is shown faster, which keeps the file small. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_options *options = f->film.options;
@@ -114,7 +114,7 @@ static bool row_watch(struct film *film)
     return status == DOM_OK || row_status(film->query, film->problem, status);
 }
 
-/* Makes a film of the row. If `tower` > 0, the row falls towards a tower of this height. */
+/* If `tower` > 0, the row falls towards a tower of this height. */
 static bool animate_row(const struct film *film, double tower)
 {
     struct row_film f = {.film = *film, .towers = tower > 0};

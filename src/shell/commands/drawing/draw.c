@@ -35,7 +35,7 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Returns a cell with a coordinate of a domino. Rounding errors become 0. */
+/* Rounding errors become 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
@@ -65,7 +65,7 @@ static bool stage_rows(const struct stage *stage, enum dom_status forces, struct
 
 /* ---- The row ---- */
 
-/* Finds the time when the domino with this number is hit. Fails if it is never hit. */
+/* Fails if there is no such domino, or if it is never hit. */
 static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
                         domq_real *time)
 {
@@ -83,7 +83,7 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
                              number, end);
 }
 
-/* Finds the time of the requested moment. Fails if the row has no such moment. */
+/* Fails if the row has no such moment. */
 static bool moment_time(struct problem *problem, const struct draw_options *options,
                         const struct falling_row *row, domq_real *time)
 {
@@ -126,7 +126,7 @@ static bool moment_show(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Draws the row. If `tower` > 0, adds a tower of this height. */
+/* If `tower` > 0, adds a tower of this height. */
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
                      const struct draw_options *options, double tower)
 {
@@ -161,7 +161,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 /* The maximum number of forces in a caption. Dominoes farther back can hardly be seen. */
 enum { FORCES_MOST = 6 };
 
-/* Writes the caption of a train. It lists the forces if no arrows show them. */
+/* Lists the forces if no arrows show them. */
 static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
 {
     const struct domq_train *t = &query->scene->train;

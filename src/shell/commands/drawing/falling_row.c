@@ -128,7 +128,7 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 
 /* ---- Sentences ---- */
 
-/* Returns the name of the event at which the clock starts. */
+/* Returns the event at which the clock starts. */
 static const char *start_of(const struct falling_row *row)
 {
     return row_run_tipped(&row->run, 0) ? "first hit" : "push";

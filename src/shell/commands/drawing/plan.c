@@ -62,7 +62,7 @@ static void plan_free(struct plan *p)
     falling_row_free(&p->row);
 }
 
-/* Computes everything that the guide shows. After a failure nothing needs to be freed. */
+/* After a failure nothing needs to be freed. */
 static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
                       struct plan *p)
 {
@@ -99,7 +99,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
 
 #define PERSON 1.75 /* m */
 
-/* Adds a person to the stage, beyond the last domino. Returns false if memory runs out. */
+/* Adds a person beyond the last domino. */
 static bool person_add(struct stage *stage)
 {
     struct drawn *more = realloc(stage->domino, (stage->count + 1) * sizeof *more);
@@ -116,7 +116,7 @@ static bool person_add(struct stage *stage)
     return true;
 }
 
-/* Writes the instruction for starting the row. A push is given as a speed, which a builder can judge. */
+/* A push is given as a speed, which a builder can judge. */
 static void push_words(const struct scene_row *scene, char *text, size_t size)
 {
     const struct domq_row *row = &scene->row;

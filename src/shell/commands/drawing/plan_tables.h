@@ -24,7 +24,7 @@ const struct domq_window *plan_window(const struct plan *plan, enum dom_window_o
 
 bool plan_has_leans(const struct plan *plan);
 
-/* Each of these functions adds a table to the guide. They return false if memory runs out. */
+/* These functions return false if memory runs out. */
 bool plan_tape_table(struct plan *plan);
 bool plan_size_table(struct plan *plan, bool has_masses);
 bool plan_board_table(struct plan *plan);

@@ -14,8 +14,8 @@ enum {
     HAS_FRICTION = 2,
     HAS_EDGES = 4,
     HAS_WALLS = 8,
-    HAS_PAPER = 16,             /* the fuel is computed by the paper's closed form */
-    HAS_DETACHED = 32,          /* followers detach */
+    HAS_PAPER = 16, /* the fuel is computed by the paper's closed form */
+    HAS_DETACHED = 32,
     HAS_REACH = 64,             /* the reach 1/s limits the largest growth */
     HAS_DETACHED_AT_TILT = 128, /* at the tilt that the user asked about, the head's follower has detached */
 };

@@ -262,7 +262,6 @@ static bool train_set(struct derivation *d, const struct explained *e, domq_real
     return true;
 }
 
-/* Finds out which equations hold for the train. */
 static bool conditions_find(struct derivation *d, bool reach)
 {
     struct domq_angles angles;

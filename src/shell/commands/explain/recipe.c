@@ -84,7 +84,7 @@ static bool differs(domq_real paper, domq_real program)
     return !(quad(fabs)(paper - program) <= RECIPE_SAME * quad(fabs)(program));
 }
 
-/* Writes a row. If the values differ, or if `always` is true, also says `why`. */
+/* Says `why` if the values differ, or if `always` is true. */
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why, bool always)
 {

@@ -126,7 +126,7 @@ static void words_write(const struct writer *w, const struct step *s)
  * times this largest number is written as 0. */
 #define ROUNDINGS 64
 
-/* Returns true if a value would be 0 in exact arithmetic, such as the margin at the largest growth. */
+/* Returns true if a value differs from 0 only by rounding errors, like the margin at the largest growth. */
 static bool is_rounding(const struct writer *w, const struct step *s)
 {
     domq_real largest = 0;
@@ -270,7 +270,7 @@ static void lines_write(FILE *out, char *text, int width)
     }
 }
 
-/* Writes a derivation as plain text, broken into lines that fit the terminal. */
+/* Writes a derivation as plain text that fits the terminal. */
 static bool text_write(struct writer *w, const struct explained *e, bool deep, struct answer *a,
                        struct problem *problem)
 {

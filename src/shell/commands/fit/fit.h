@@ -79,11 +79,12 @@ struct fit {
 };
 
 /* Computes what the model predicts for each measurement if the unknowns have the values `value`. If the data
- * are angles, the model also needs a start: clock[k] is the time when the motion of run k begins. Returns
- * false and sets fit->problem if there is no answer. */
+ * are angles, the model also needs the time at which its own clock starts: clock[k] is the time of the push
+ * in run k or, without a push, of the first hit. Returns false and sets fit->problem if there is no
+ * answer. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
-/* If the data are angles, estimates when the motion of each run begins. On failure, sets fit->problem. */
+/* If the data are angles, estimates the start times that fit_compute needs. On failure, sets fit->problem. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
 static inline bool fit_is_first(const struct fit *fit, size_t k)

@@ -86,7 +86,8 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
  * decrease. */
 struct watch {
     const struct fit_point *point;
-    double clock; /* the time at which the motion begins, on the clock of the measurements */
+    double clock; /* the time of the push or, without a push, of the first hit, on the clock of the
+                     measurements */
     size_t count, done;
     double *tilt;
 };
@@ -153,9 +154,9 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when the motion of a run began. The function compares the first measured domino with the same
- * domino in the model. It chooses the start so that both dominoes reach half of the largest measured angle at
- * the same time. */
+/* Estimates the time of the push in a run or, without a push, of the first hit. The function compares the
+ * first measured domino with the same domino in the model. It chooses the time so that both dominoes reach
+ * half of the largest measured angle at the same time. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };

@@ -129,8 +129,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of the current row of the file. If the row has no time, computes it from the frame number.
- * If the row has no frame number either, the time is NaN. */
+/* Finds the time of the current row of the file, if necessary from its frame number. The time of a row with
+ * neither is NaN. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;
@@ -185,7 +185,7 @@ static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
     return point_add(d, csv, point, ERROR);
 }
 
-/* Compares two measurements for qsort: by time, and then by domino. */
+/* For qsort: by time, and then by domino. */
 static int earlier(const void *one, const void *other)
 {
     const struct fit_point *a = one, *b = other;

@@ -61,7 +61,7 @@ static struct measured push_speed(const struct domq_wish *wish, domq_real push)
     return measured(push * wish->first, "m/s", 2);
 }
 
-/* Reports that the search failed, and that turning off an effect may help. Returns false. */
+/* Reports that the search failed, and what may help. Returns false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
     const struct domq_train *t = &scene->train;
@@ -150,7 +150,6 @@ static bool limits_forbid(const struct query *query, const struct domq_wish *wis
 
 /* ---- The answer ---- */
 
-/* Checks the values of the wish. */
 static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
 {
     if (!grid_check(grid, w->first, problem))

@@ -128,7 +128,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
         if (design->limit != DOM_DESIGN_FITS && d.limit != DOM_DESIGN_FITS)
             *design = d;
         if (d.limit == DOM_DESIGN_HALL || (d.limit != DOM_DESIGN_FITS && count > 0))
-            break; /* rows with more dominoes would not fit */
+            break; /* rows with more dominoes would not fit, or would not fall */
         if (d.limit != DOM_DESIGN_FITS)
             continue;
         if (!design_count(query, wish, limits, &d, probability, &tried[count], problem))

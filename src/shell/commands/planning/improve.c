@@ -37,7 +37,7 @@ struct improvement {
     struct domq_placement placement;
     struct task_pool pool;
     struct domq_study study[2];
-    /* the length of the row in m after its last domino has fallen */
+    /* the length of the row in m, including its fallen last domino, before and after the changes */
     domq_real before, after;
     size_t changed;
 };

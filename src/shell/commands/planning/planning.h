@@ -93,8 +93,8 @@ struct improved {
 };
 
 /* Improves the row of the scene and prints the changes. If there is a next state, stores the row in it.
- * Returns false after an interrupt. The best row so far may still have been stored: found->interrupted is
- * true in this case. */
+ * Returns false after an error or an interrupt. If found->interrupted is true, the best row so far has been
+ * stored in spite of the interrupt. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
                  struct improved *found, struct problem *problem);
 

@@ -54,7 +54,7 @@ static domq_real size_of(const struct influence *i)
     return quad_larger(less, more);
 }
 
-/* Compares two influences for qsort: the larger change comes first, and equal changes are sorted by name. */
+/* For qsort: the larger change comes first, and equal changes are sorted by name. */
 static int compare(const void *one, const void *other)
 {
     const struct influence *a = one, *b = other;
