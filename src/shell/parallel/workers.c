@@ -20,7 +20,7 @@ enum {
     THREADS_MOST = 256
 };
 
-/* A block: the rows of consecutive points. */
+/* The rows of consecutive points. */
 struct block {
     char *text;
     size_t size;

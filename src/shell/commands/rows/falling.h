@@ -20,8 +20,8 @@ struct row_run {
 bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
 void row_run_free(struct row_run *run);
 
-/* Makes the row of the scene for a picture, runs it, and stores every hit. The hits have times only if
- * `timed` is true. After a failure nothing needs to be freed. */
+/* Makes the row of the scene, runs it, and stores every hit. The hits have times only if `timed` is true. The
+ * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
 /* Returns true if domino k, counted from 0, is not hit or pushed but tilted until it tips over. Only the

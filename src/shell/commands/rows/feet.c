@@ -102,8 +102,10 @@ const struct column slip_columns[] = {
      "the friction that the floor needs so that no foot slips in a collision: the largest ratio of impulses",
      0},
     {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
-    {"slips", "", "yes if a foot slips while dominoes fall, at the floor friction of 'effect floor'", 0},
-    {"slips_hit", "", "yes if a foot slips in a collision, at the floor friction of 'effect floor'", 0},
+    {"slips", "",
+     "yes if a foot slips on the floor of 'effect floor' while dominoes fall; empty without this effect", 0},
+    {"slips_hit", "",
+     "yes if a foot slips on the floor of 'effect floor' in a collision; empty without this effect", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -205,8 +205,8 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit of the new value. Decides what happens to the old value: it is replaced by the new value,
- * or the new value is added to it, or it is multiplied. */
+/* Checks the unit of the typed value X. Decides whether X replaces the old value, is added to it or
+ * multiplies it. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {

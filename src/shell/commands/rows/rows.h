@@ -91,7 +91,8 @@ struct windows {
     bool falls;
 };
 
-/* Finds all windows of the row, in parallel. The caller frees w->kind[0], which holds them all. */
+/* Finds all windows of the row, in parallel. Even after a failure, the caller frees w->kind[0],
+ * which holds all windows. */
 enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w);
 
 #endif

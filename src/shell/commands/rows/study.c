@@ -164,8 +164,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "limits of uniform errors" : "one standard deviation");
 }
 
-/* Prints the largest error that the row may have. Rounds it to two digits, runs rows with the rounded error,
- * and prints how many fall. */
+/* Prints the largest error that the row may have, rounded down to two digits, and the share of the rows that
+ * was asked for. Runs rows with the rounded error and prints the 95 % interval of the share that falls. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {

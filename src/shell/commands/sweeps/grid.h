@@ -17,7 +17,7 @@ struct axis {
 struct grid {
     struct axis axis[ASSIGNED_MAX]; /* the value of the first axis changes slowest */
     int axes;
-    size_t points; /* number of points: the product of the counts of all axes */
+    size_t points; /* the product of the counts of all axes */
 };
 
 struct grid_parsed {
