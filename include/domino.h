@@ -46,7 +46,8 @@
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
  * Equations: "(24; c6)" in a comment is an equation of the paper. 24 is its printed number, and c6 is its
- * label in the source text. "corrected" marks an equation that is misprinted in the paper.
+ * label in the source text. "corrected" marks an equation that is misprinted in the paper. The equations hold
+ * for trains without effects. The member `help` of struct dom_effect says what an effect changes.
  */
 #ifndef DOMINO_H
 #define DOMINO_H
@@ -116,8 +117,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2.
  *
- * If mu, alpha or rho is not 0, only DOM_FUEL_EXACT and DOM_METHOD_OURS can be used. Any other fuel or method
- * gives the status DOM_NO_METHOD.
+ * If mu, alpha or rho is not 0, only DOM_METHOD_OURS can be used, and only DOM_FUEL_EXACT where the answer
+ * depends on the fuel. Any other method or fuel gives the status DOM_NO_METHOD.
  */
 struct dom_train {
     dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
@@ -149,7 +150,8 @@ struct dom_scale dom_scale_default(void);
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the results */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
-    /* Default DOM_METHOD_OURS. The other methods answer few questions and give no error bounds. */
+    /* Default DOM_METHOD_OURS. The other methods answer few questions, and none if `errors` is set. Otherwise
+     * the status is DOM_NO_METHOD. */
     enum dom_method method;
     bool errors;           /* true to compute error bounds, which takes more time */
     struct dom_work *work; /* counters to which the work is added; may be NULL */
@@ -179,8 +181,9 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
  * - tol is at least the tol_floor of the precision,
  * - the head reaches the next domino: r <= dom_train_reach.
  *
- * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. Every
- * function below that takes a train makes this check and may return these statuses.
+ * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. For an
+ * effect with a value that is impossible for this train, returns DOM_NO_STAND, DOM_NO_ROOM or DOM_NO_ROUND.
+ * Every function below that takes a train makes this check and may return these statuses.
  *
  * If r is 1/s rounded to the precision, the product r s counts as 1, even if rounding has made it slightly
  * larger.
@@ -301,8 +304,10 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel; /* the fuel P that train->fuel selects, minus the work of friction */
-    dom_real J0;   /* J(0) */
+    /* The fuel P that train->fuel selects. With friction, it is instead the kinetic energy that a cycle would
+     * end with if it began with none. */
+    dom_real fuel;
+    dom_real J0; /* J(0) */
     /* omega(0) just after the collision, divided by omega_1(theta_c) just before the collision. By equation
      * (22; c4) the ratio is (J(0) - 1) / J(0). */
     dom_real velocity_ratio;
@@ -419,8 +424,7 @@ struct dom_state {
     dom_real climbed;      /* H(theta) - H(0), negative while the train is lower than at the launch */
     dom_real fallen;       /* the part of `climbed` due to dominoes that detached in this cycle */
     dom_real before;       /* kinetic energy just before the collision */
-    /* The energy that is lost in the collision. Without friction it is `before` / J(0), by equation
-     * (22; c4). */
+    /* The energy that is lost in the collision. By equation (22; c4) it is `before` / J(0). */
     dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;
@@ -663,7 +667,7 @@ struct dom_count {
     /* The number n of dominoes: the smallest integer with first * r^n >= height. It is infinite if r = 1 and
      * height > first. */
     dom_real dominoes;
-    dom_real exact; /* ln(height / first) / ln r */
+    dom_real exact; /* ln(height / first) / ln r; equal to `dominoes` if r = 1 */
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
     struct dom_count_error error;
 };
@@ -674,10 +678,10 @@ struct dom_count {
  * unit.
  *
  * Because of rounding, first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in
- * the last place.
+ * the last place, and by less than a millionth of ln r, relative to `height`.
  *
- * The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only
- * compute->precision and compute->errors are used.
+ * The status is DOM_BAD_HEIGHT unless both heights are > 0, or if n is too large for the precision. It is
+ * DOM_BAD_R unless r >= 1. Only compute->precision and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

@@ -89,8 +89,9 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /* The algorithm. DOM_METHOD_OURS is the default. The other two methods are for comparison, and compute in
- * double precision only. DOM_METHOD_GSL applies GSL's solvers to the textbook formulas. DOM_METHOD_PAPER
- * follows the recipe of the paper, which raises theta and r in steps. */
+ * double precision only. DOM_METHOD_GSL computes energies as DOM_METHOD_OURS does, but with GSL's solvers for
+ * maxima, roots and integrals. DOM_METHOD_PAPER follows the recipe of the paper, which raises theta and r in
+ * steps. */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*

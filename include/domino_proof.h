@@ -110,11 +110,12 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
 
 /*
  * Proves bounds on the number n of dominoes: the smallest n with first * r^n >= height, as in dom_count_find.
- * The bounds satisfy *least <= n <= *most. Infinity means that no n is large enough. If nothing is proved,
- * the bounds are 0 and infinity.
+ * The bounds satisfy *least <= n <= *most. If *least is infinite, no n is large enough. If only *most is
+ * infinite, no upper bound is proved. If nothing is proved, the bounds are 0 and infinity.
  *
- * If the powers of r are exact in double, as for r = 2, the arguments count as exact. Otherwise the bounds
- * hold for all numbers that round to the arguments. If n depends on that rounding, *least is less than *most.
+ * If the products first * r^k, k <= n, are exact in double, as for r = 2, the arguments count as exact.
+ * Otherwise the bounds hold for all numbers that round to the arguments. If n depends on that rounding,
+ * *least is less than *most.
  * The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);

@@ -114,8 +114,8 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 /* ---- A finite row of any dominoes ---- */
 
 /*
- * A solid block. The gap is the clear distance to the previous domino, measured at the foot as if the block
- * were upright. The first domino has a gap of 0.
+ * A domino of a row: a solid block, or a box if the row has walls. The gap is the clear distance to the
+ * previous domino, measured at the foot as if the domino were upright. The first domino has a gap of 0.
  *
  * If the floor or the foot is not flat, the domino leans before it is hit. `lean` is its tilt at that time.
  * The domino then rests on its front edge and turns about this edge when it falls. The lean must be within
@@ -222,8 +222,9 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
  * An engine that runs rows instead of this library, for instance a rigid-body simulation. `run` takes the
  * parameters of dom_row_run and returns the same results. It finds its private data in row->engine->context.
  *
- * If a row has an engine, all functions that run the row call `run`. The only exception is dom_row_watch,
- * which returns DOM_NO_METHOD. Studies may call `run` from many threads at once.
+ * If a row has an engine, all functions that run the row call `run`. There are two exceptions: dom_row_watch
+ * returns DOM_NO_METHOD, and the search of dom_row_improve runs the model. Studies may call `run` from many
+ * threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -294,7 +295,8 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes; at least 2 */
     dom_real gap;  /* the current gap, in m */
-    /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits. */
+    /* The gap nearest to `gap` at which the row falls, in m, rounded to seven digits, or to three digits if
+     * the row has an engine. */
     dom_real to;
     /* The other end of the interval of gaps, in m. All dominoes fall with any gap between `to` and
      * `until`. */
@@ -349,7 +351,8 @@ struct dom_window {
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
- * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope,
+ * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope, rounded edges
+ *   fit, and row->boxes_above does not turn a solid domino into a box or a box into a solid domino,
  * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
  *   and rounded edges fit,
  * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
@@ -479,11 +482,11 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
 
 /*
  * Finds a row that falls and fits into the hall, with `steps` (>= 1) steps from the first domino to the last.
- * Its separation is as close to the separation of dom_design_find as the hall and the start of the row allow.
- * wish->least and wish->engine are not used. `limits` may be NULL.
+ * Its separation is as close to the best separation (see dom_design_find) as the hall and the start of the
+ * row allow. wish->least and wish->engine are not used. `limits` may be NULL.
  *
  * If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even without gaps, it is
- * DOM_DESIGN_HALL.
+ * DOM_DESIGN_HALL. In both cases design->needs is NaN.
  */
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
                                  const struct dom_limits *limits, const struct dom_compute *compute,
@@ -514,6 +517,8 @@ struct dom_random_error {
  * Errors that are too large are cut off:
  * - Dominoes that would overlap are moved until they touch.
  * - No size falls below 1/100 of its intended value.
+ * - A thickness never becomes too small for the walls or the rounded edges, and a radius never too large.
+ * - A slope on which a domino would fall over by itself becomes the steepest slope on which all stand.
  * - A domino that would fall over by itself gets the largest lean at which it stands.
  * - A friction or a push that would be negative becomes 0.
  */
@@ -592,7 +597,8 @@ struct dom_budget {
  *
  * If the search is interrupted, the status is DOM_INTERRUPTED. The budget is then written only if the search
  * has found a sigma > 0 at which enough rows fall. In that case, `sigma` and `low` are the largest such
- * sigma, and `high` is the smallest sigma at which too few rows are known to fall, or infinity.
+ * sigma, and `high` is the smallest sigma at which too few rows are known to fall, or infinity. If only the
+ * interval is still missing, all three are the final `sigma`.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
