@@ -10,7 +10,7 @@
 static struct chipmunk functions;
 static bool loaded;
 
-/* Looks up a function. ISO C cannot convert void * to a function pointer, so the bytes are copied. */
+/* ISO C cannot convert void * to a function pointer, so the bytes are copied. */
 static bool find(void *library, const char *name, void *member)
 {
     void *address = dlsym(library, name);
@@ -19,9 +19,10 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Creates the first space of the process. While it does so, Chipmunk prints its own name to `stdout`. To
- * suppress this line, `stdout` is /dev/null during the call. The file descriptor of standard output is not
- * redirected, since a signal handler or another thread may write to it.
+ * Creates the first space of the process. A Chipmunk that was built with assertions, as in Debian, then
+ * prints its name and version to `stdout`. To suppress this line, `stdout` is /dev/null during the call. The
+ * file descriptor of standard output is not redirected, since a signal handler or another thread may write to
+ * it.
  */
 static void make_first(void)
 {

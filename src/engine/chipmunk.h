@@ -10,7 +10,7 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* Calls X(name) for each function of the library that is used. There are no getters, since the members of
+/* Calls X(name) for each function of the library that is used. Few of them are getters, since most members of
  * Chipmunk's structures are read directly. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \

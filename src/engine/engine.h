@@ -65,7 +65,7 @@ struct engine_hit {
      * fallen to the floor. NaN if the box does not get that far. If the first box was released and hits the
      * next box, its `until` is NaN too. */
     double until;
-    double omega;   /* angular velocity after the hit; 0 if the box has hardly moved */
+    double omega;   /* angular velocity after the hit; 0 if the box hardly moves or was released */
     double kinetic; /* kinetic energy of all boxes after the hit */
     /* distance that the foot has slid by the end of the run; negative if it slid backwards */
     double slid;
@@ -79,9 +79,10 @@ struct engine_fall {
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
     double zero;    /* time from the start of the run to the moment from which all other times are measured */
-    /* the deepest penetration of one box into another, relative to the height of the rear box */
-    double depth;
-    double drift; /* the largest distance of a corner from its hinge, relative to the height */
+    /* `depth` and `drift` are recorded near the foremost box. `depth` is the deepest penetration of one box
+     * into another, relative to the height of the rear box. `drift` is the largest distance of a corner from
+     * its hinge, relative to the height. */
+    double depth, drift;
     /* the largest increase of energy between two hits, relative to the kinetic energy at the second hit */
     double gain;
     /*
@@ -118,7 +119,7 @@ const char *engine_version(void);
 /* The state of a row during a run. For k < count, tilt[k] is the tilt of box k, and foot[k] is how far its
  * foot has slid. */
 struct engine_moment {
-    double time;
+    double time;  /* time since the start of the run */
     size_t head;  /* index of the foremost box that was hit */
     size_t count; /* number of boxes in the engine so far; all later boxes still stand upright */
     const double *tilt, *foot;
@@ -126,8 +127,8 @@ struct engine_moment {
 typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
- * Runs a row once. `hit` has row->count elements, or is NULL. `visit`, which may be NULL, is called after
- * each step and returns false to end the run.
+ * Runs a row once. `hit` has row->count elements, or is NULL. Without it, all times are measured from the
+ * start of the run. `visit`, which may be NULL, is called after each step and returns false to end the run.
  *
  * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
  * that all boxes fall, and fall->seconds is roughly the time at which the run ended.

@@ -18,7 +18,8 @@
 /* In these constants, the unit of time is sqrt(height / g), where `height` is the height of the head. */
 static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
-static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
+/* a step takes at most this fraction of the time until the next hit, unless it would be too short */
+static const double brakes = 0.9;
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0 */
@@ -41,8 +42,8 @@ struct run {
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
-/* Returns the time until the front face of the head reaches the next box's upper back edge. Returns INFINITY
- * if it never does. */
+/* Returns the time until the front face of the head reaches the next box's upper back edge at the current
+ * speed. Returns INFINITY if it never does. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -86,8 +87,8 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Records the state just after the head was hit: its angular velocity, the kinetic energy, and the increase
- * in energy since the previous hit. */
+/* Records the angular velocity of the head just after its hit, the kinetic energy, and the increase in energy
+ * since the previous hit. */
 static void note_state(struct run *r)
 {
     struct world *w = &r->world;
@@ -102,7 +103,6 @@ static void note_state(struct run *r)
     }
 }
 
-/* Makes one step. */
 static void step(struct run *r)
 {
     struct world *w = &r->world;
@@ -135,7 +135,7 @@ static double to_balance(const struct world *w, size_t k)
 /*
  * Returns true if the run is over: the head lies on the floor, or it has rested so long that it has stopped
  * for good. If `verdict_only` is true, the run is also over when the last box is past its balance point and
- * accelerates.
+ * turns faster than ever.
  */
 static bool ends(struct run *r, bool verdict_only)
 {
@@ -182,7 +182,7 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
 }
 
 /* Fills in the time at which each box hits the next one, and how far each foot has slid. Without a push,
- * times are measured from the first hit. */
+ * measures times from the first hit if the hits were recorded. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

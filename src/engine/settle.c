@@ -10,7 +10,7 @@ static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3
 const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
 /* Compares the times of two runs of a row: the time of each hit, and the duration of the run. Returns the
- * largest difference, divided by the duration of the second run. */
+ * largest difference, divided by the duration of the second run, or 0 if only the first box was hit. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {

@@ -34,7 +34,6 @@ cpVect world_tip(const struct world *w, size_t k)
     return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, box->height / 2));
 }
 
-/* Returns the radius of the edges of box k. */
 static double radius_of(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
@@ -83,8 +82,9 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Returns a filter for the shapes with which a box can collide. On hinges, a box can collide only with its
- * neighbours. On a floor, where feet may slide, it can collide with the floor and with all other boxes. */
+/* Returns a filter for the shapes with which a box can collide. On a floor, where feet may slide, a box can
+ * collide with the floor and with all other boxes. On hinges, it can collide with boxes one place away, and
+ * also three places away, but not two. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;

@@ -6,7 +6,7 @@
 #include "chipmunk.h"
 #include "engine.h"
 
-/* penetration and drift are recorded for this many boxes at the front, including the head */
+/* penetration and drift are recorded for this many boxes up to the head */
 enum { FOREMOST = 4 };
 
 /* the velocity of the centre of a box, and the speed of its ends relative to the centre */
@@ -62,7 +62,6 @@ void converge_end(struct world *world);
 /* Returns the components of the gravitational acceleration along the floor and perpendicular to it. */
 cpVect world_gravity(const struct engine_row *row);
 
-/* Returns the current motion of box k. */
 struct motion world_motion(const struct world *world, size_t k);
 
 /* These functions return the tilt and the angular velocity of box k, and its upper and lower front
