@@ -34,8 +34,8 @@ FINDS(limit_pair, dom_limit)
 FINDS(limit_best, dom_best)
 
 static const struct {
-    find_train *train; /* for questions about a train, otherwise NULL */
-    find_tilt *tilt;   /* for questions about a train at a tilt, otherwise NULL */
+    find_train *train; /* for questions without a tilt, otherwise NULL */
+    find_tilt *tilt;   /* for questions with a tilt, otherwise NULL */
     size_t size;       /* size of the structure with the result */
 } questions[] = {
     [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},

@@ -19,7 +19,6 @@ const char *dom_status_text(enum dom_status status)
     return "unknown status";
 }
 
-/* Returns text[k], or "unknown" if the array has no such element. */
 static const char *text_at(const char *const *text, size_t count, size_t k)
 {
     return k < count ? text[k] : "unknown";

@@ -32,7 +32,7 @@ static double gsl_depth(double theta, void *context)
     return -at.dH;
 }
 
-/* Finds the maximum of H between `left` and `right`. `middle` is the highest sample. */
+/* Finds the maximum of H between `left` and `right`. At `middle`, H must be higher than at both ends. */
 static enum dom_status gsl_polish(struct gsl_context *c, double left, double middle, double right,
                                   struct barrier *b)
 {

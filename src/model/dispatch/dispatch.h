@@ -26,13 +26,13 @@ extern const struct kernel *const kernels[];
 /* Returns DOM_OK, DOM_BAD_PRECISION, or DOM_NO_PRECISION if the machine lacks the precision. */
 enum dom_status precision_check(enum dom_precision precision);
 
-/* Returns *compute, or the defaults if compute is NULL. */
 static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
 {
     return compute ? *compute : dom_compute_default();
 }
 
-/* Makes a question about a train. Its status is DOM_OK if the train and `compute` are valid. */
+/* Makes a question about a train. Checks the range of each value; the kernel checks the rest, such as the
+ * reach. */
 struct question question_make(const struct dom_train *train, const struct dom_compute *compute);
 
 /* Makes a question about a row. Checks only the precision; the kernel checks the dominoes. */

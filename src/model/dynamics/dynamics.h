@@ -15,8 +15,9 @@
  *     (1 + T) omega(0) = T omega_1(theta_c).
  *
  * Here omega_1(theta_c) is the angular velocity of the hitting domino before the collision, and omega(0) is
- * the angular velocity of the struck domino afterwards. The inertia ratio T is r^-(q+1) J(theta_c), where J
- * is the inertia of the hitting chain. With friction, the product S_1 A takes the place of J.
+ * the angular velocity of the struck domino afterwards. With sharp edges, the inertia ratio T is
+ * r^-(q+1) J(theta_c), where J is the inertia of the hitting chain. With friction, the product S_1 A takes
+ * the place of J.
  */
 /* Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a
  * collision. */

@@ -5,9 +5,10 @@
  *
  *     J(theta) w(theta) = J(0) w(0) - [H(theta) - H(0)].
  *
- * The collision at the start of the cycle does dissipate energy. It multiplies the angular velocity by T / (1
- * + T), where T = J(0) - 1 is the inertia ratio (22; c4). During the cycle, the train releases the fuel P
- * (25; c7). If each cycle repeats the one before (23; c5), a cycle begins with the kinetic energy (24; c6)
+ * The collision at the start of the cycle does dissipate energy. It multiplies the angular velocity by
+ * T / (1 + T), where T = J(0) - 1 is the inertia ratio (22; c4). During the cycle, the train releases the
+ * fuel P (25; c7). If each cycle repeats the one before (23; c5), a cycle begins with the kinetic energy
+ * (24; c6)
  *
  *     K = P T / (r^q + T (r^q - 1)).
  *
@@ -30,7 +31,6 @@ KERNEL bool energy_paper_holds(const struct geometry *geometry)
     return geometry->g.along == 0 && geometry->law->closed_form;
 }
 
-/* Computes the fuel from the sums at theta_c. */
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
 
 /* Finds the fuel, and its error bounds unless error is NULL. */

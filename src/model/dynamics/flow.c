@@ -182,14 +182,13 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     return status == DOM_LOCKS ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
-/* Finds ln G and u at a tilt of the head. */
 static void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
 {
     num_linear_at(&geometry->flow->solution, theta, ln_G, u);
     *u = -*u;
 }
 
-/* Finds du/dtheta at a tilt. */
+/* Finds du/dtheta. */
 static enum dom_status flow_slope(const struct geometry *geometry, struct tilt head, real theta, real *slope)
 {
     struct equation_of_motion equation;
@@ -301,7 +300,6 @@ KERNEL real flow_required_error(const struct geometry *geometry)
            (solution->v_error + (solution->ln_G_error + TAIL_SHARE * geometry->tol / FLOW_FINER) * fabs(u));
 }
 
-/* Finds w = G (w(0) - u). */
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
                                   real *omegasq, real *error)
 {

@@ -100,7 +100,6 @@ static const struct dynamics friction = {
     .gain = flow_gain,
 };
 
-/* Switches the effect on, with mu = value. */
 KERNEL enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;

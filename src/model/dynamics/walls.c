@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Walls: a domino is a hollow box with six walls and the mass of a solid block. Its moment of inertia is
- * larger than that of the block (walls.h), and its centre of mass is the same.
+ * Walls: a domino is a hollow box with six walls. Its moment of inertia is larger than that of a solid block
+ * with the same mass (walls.h), and its centre of mass is the same.
  *
  * In a train, walls multiply all moments of inertia by the same factor. The time scale tau contains this
  * factor: tau^2 is proportional to it. So in units of tau, a train moves just as it would without walls, and

@@ -74,9 +74,10 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .help = "Without this effect the moment of inertia is that of a solid block, even if 'q' is "
                     "hollow. In a train, the thickness of the walls is the same fraction of the height for "
                     "every domino. The walls then change only tau, the unit of time, and the friction that "
-                    "the floor needs: with thin walls, times are 2.8 % longer. In a row, all dominoes are "
-                    "boxes made of the same boards, whose thickness is THICKNESS times the height of the "
-                    "first domino, or a length as in 'effect walls 12 mm'. With ABOVE, as in 'effect walls "
+                    "the floor needs: with thin walls, the times of the standard domino are 2.8 % longer. In "
+                    "a row, all dominoes are boxes made of the same boards, whose thickness is THICKNESS "
+                    "times the height of the first domino, or a length as in 'effect walls 12 mm'. With "
+                    "ABOVE, as in 'effect walls "
                     "12 mm 30 cm', only the dominoes of a row that are taller than ABOVE are boxes, and all "
                     "others are solid. The endless train then consists of solid dominoes. If ABOVE is given "
                     "and the row does not come from a file, masses follow from the volumes of the blocks and "
@@ -234,7 +235,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "its centre of percussion. If a domino would be lifted off the floor, no amount of "
                     "friction is enough.",
             .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
-            .plan = "forces at sampled tilts, with denser samples around the largest force",
+            .plan = "forces at sampled tilts, with denser samples where the required friction is largest",
             .argument = {{.name = "MU",
                           .unit = "",
                           .meaning = "friction coefficient of the floor",

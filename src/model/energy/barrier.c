@@ -9,7 +9,7 @@
 
 /*
  * The number of samples in each smooth piece. In 1,000,000 random trains, 8 samples found every maximum that
- * 150 samples found. See tests/hard/test_sweep.c.
+ * 150 samples found. tests/hard/test_sweep.c compares barriers with those of a reference.
  */
 #define BARRIER_SAMPLES 8
 
@@ -125,7 +125,6 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
     return DOM_NOT_CONVERGED;
 }
 
-/* A sample of the slope of H. */
 struct sample {
     real p, slope;
 };
@@ -194,10 +193,10 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 }
 
 /*
- * Finds all maxima of H inside one smooth piece. The samples have the Chebyshev spacing, which is dense near
- * the ends of the piece, where dominoes detach. If the head begins to move in this piece, `begins` is true,
- * and H can change on small scales. So there are further samples at tilts that are small compared with d and
- * sqrt(1 - r s).
+ * Finds the highest maximum of H in one smooth piece. The samples have the Chebyshev spacing, which is dense
+ * near the ends of the piece, where dominoes detach. If the head begins to move in this piece, `begins` is
+ * true, and H can change on small scales. So there are further samples at tilts that are small compared with
+ * d and sqrt(1 - r s).
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A kernel is a table of functions for one precision, or for a comparison method (gsl or paper). The
+ * A kernel is a table of functions for one precision, or for a comparison method (gsl or paper). Most of the
  * functions correspond to those in domino.h, without the prefix "dom_". If a comparison method cannot answer
  * a question, its function for this question is NULL. Error bounds are computed only if the request has
  * `errors` set.
