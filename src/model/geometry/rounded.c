@@ -23,7 +23,8 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The maximum number of steps of an iteration. One to four are enough if there is a solution. */
+/* The maximum number of steps of an iteration. If there is a solution, one to four are enough. Only
+ * rounded_leave, which may have to bisect, takes about a dozen and is allowed twice as many. */
 enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
