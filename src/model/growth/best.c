@@ -121,8 +121,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the width, relative to s, below which an interval of s is no longer bisected. This width grows with
- * the work that the search has done, so that the search ends in time. */
+/* Returns the width, relative to s, below which an interval of s is no longer bisected. Once a growth above 1
+ * is known, this width grows with the work that the search has done, so that the search ends in time. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -391,7 +391,6 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         s_error += 2 * ROUNDOFF * s +
                    (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
-    /* the error of s adds to the error of r_max */
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
     *error = (struct dom_best_error){.s = s_error, .r_max = r_error};

@@ -93,7 +93,7 @@ struct limit {
     enum dom_status why; /* the reason, if r_max does not exist */
 };
 
-/* Finds r_max at the separation c->s. */
+/* Finds r_max at the separation c->s. If c->near is set, looks close to it first. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
 /* Finds the error bound on r_max, or NaN if none is known. */

@@ -184,7 +184,7 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
     return g >= 0 && falls > 0 ? most : (real)INFINITY;
 }
 
-/* Adds bounds on the terms of all followers that the sums do not include yet. */
+/* Adds bounds on the terms of the followers behind the last one visited. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                        real weight, real slope, real contact_slope, struct strip_sums *s)
 {

@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Sets *motion to the friction that the motion needs at theta and updates the maxima in *required_friction.
- * */
+/* Sets *motion to the friction that the motion needs at theta. Also updates the maxima in
+ * *required_friction. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
