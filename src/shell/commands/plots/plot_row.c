@@ -193,7 +193,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
     if (window_room(t) == HUGE_VAL)
         snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, and no change of a single gap would save it.");
+                 "The row does not fall, and no change of a single gap was found that would save it.");
     else if (falls)
         snprintf(chart->note, sizeof chart->note,
                  "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "

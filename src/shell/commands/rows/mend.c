@@ -63,8 +63,8 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {
-    static const char no_single_gap[] =
-        "no change of a single gap saves this row; change several gaps, the push, or the dominoes";
+    static const char no_single_gap[] = "no change of a single gap was found that saves this row; change "
+                                        "several gaps, the push, or the dominoes";
     const bool falls = v->end == DOM_ROW_FALLS;
     for (size_t i = 0; i < found; i++) {
         domq_real change = list[i].to - list[i].gap;

@@ -181,7 +181,7 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a, "No value of the friction between the dominoes (now %s) saves this row.", now.text);
+        answer_say(a, "No friction between the dominoes (now %s) was found that saves this row.", now.text);
     else if (!w->falls)
         answer_say(a, "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
                    range, now.text);
@@ -359,7 +359,8 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
     *cell++ = cell_narrow(friction->high, DIGITS);
     *cell++ = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
     answer_row(a, cells,
-               saves || answer_for_people(a) ? NULL : "no change of this domino alone saves the row");
+               saves || answer_for_people(a) ? NULL
+                                             : "no change of this domino alone was found that saves the row");
 }
 
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem)
