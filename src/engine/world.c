@@ -159,7 +159,7 @@ static void start(struct world *w)
 
 /* ---- Contacts ---- */
 
-/* Records that box k has been hit, which makes it the head. */
+/* Box k becomes the head. */
 static void note_hit(struct world *w, size_t k)
 {
     w->head = k;

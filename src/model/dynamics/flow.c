@@ -289,8 +289,8 @@ KERNEL real flow_solved_slope(const struct geometry *geometry, real theta)
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
-/* Returns the error of required energies. It consists of the error of the solution, and of the error from
- * leaving out the tail of the chain. */
+/* The error consists of the error of the solution, and of the error from leaving out the tail of the
+ * chain. */
 KERNEL real flow_required_error(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;

@@ -33,7 +33,7 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Returns a number with the sign of the slope. Takes less time than slope_of_H. */
+/* Returns a number with the sign of slope_of_H, in less time. */
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
@@ -152,8 +152,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H certainly decreases above theta_u (6; b2): the head loses height, and its followers lean
- * more. */
+/* Returns true if the head passes theta_u in the cycle, and H certainly decreases from there on (6; b2): the
+ * head then loses height, and so do its followers, which lean more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -223,8 +223,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of H, which must be its only local maximum. `hi` is tan(theta / 2) of a tilt above
- * the top. */
+/* Finds the only top of H. `hi` is tan(theta / 2) of a tilt above this top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
