@@ -53,7 +53,7 @@ KERNEL real geometry_error_head(struct tilt head)
     return tilt_error(head, 4);
 }
 
-/* On a level floor, h.x and h.y are exact, and so is theta_u = atan(h.x / h.y). */
+/* On a level floor, h.x and h.y are exact. The caller adds the rounding error of atan(h.x / h.y) itself. */
 KERNEL real geometry_error_u(const struct geometry *geometry)
 {
     real steepest = geometry->steepest;

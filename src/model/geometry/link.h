@@ -89,8 +89,7 @@ KERNEL real contact_arm_b(const struct link *k)
     return k->contact.Y + k->geometry->mu * k->contact.X;
 }
 
-/* Returns a / b: the part of a torque that the follower passes on to its leader. Without friction, a / b is
- * the slope of the contact (14; b10). */
+/* Returns a / b. Without friction, this is the slope of the contact (14; b10). */
 KERNEL real torque_ratio(const struct link *k)
 {
     return contact_arm_a(k) / contact_arm_b(k);

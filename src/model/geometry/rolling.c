@@ -144,7 +144,7 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
     return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
 }
 
-/* Returns the difference between the tilt of the follower of a and the tilt of a. */
+/* Returns the same as apart_next if the follower of b has the tilt of a: this difference is the turn of a. */
 static struct apart apart_turn(const struct walk *a)
 {
     return (struct apart){.by = a->turn.angle, .t = half_of_tilt(a->turn.tilt)};

@@ -11,8 +11,6 @@
  * If the floor slopes by alpha, theta + alpha replaces theta in this formula. The foot also rolls down the
  * slope. For this reason, 2 rho theta sin alpha is subtracted.
  *
- * The moment of inertia is taken about the line of contact with the floor.
- *
  * In the contact equation, rho_1 and l_1 are rho and l of the follower, divided by the height of the leader.
  * With delta = theta_1 - theta, the equation is
  *
