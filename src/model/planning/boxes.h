@@ -16,7 +16,7 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A domino of the height `before` is to be resized. Returns the allowed height that is closest to `height`. A
+/* Returns the allowed height that is closest to `height`, for a domino that has had the height `before`. A
  * solid domino must stay solid, and a box must stay a box. (A domino taller than row->boxes_above is a
  * box.) */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
@@ -30,8 +30,8 @@ static inline dom_real height_of_kind(const struct dom_row *row, dom_real before
 /* Returns the volume of the wood in a domino, or 0 if its walls do not fit. */
 dom_real wood_volume(const struct dom_row *row, const struct dom_domino *domino);
 
-/* The domino `before` is resized to `after`, and its wood keeps its density. Returns the factor by which its
- * mass changes. If the row has no boxes, or if the walls do not fit, returns `solid`. */
+/* Returns the factor by which the mass of a domino changes if the domino is resized from `before` to `after`
+ * and its wood keeps its density. If the row has no boxes, or if the walls do not fit, returns `solid`. */
 dom_real wood_factor(const struct dom_row *row, const struct dom_domino *before,
                      const struct dom_domino *after, dom_real solid);
 

@@ -78,7 +78,7 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
 }
 
 /* Finds the largest sigma at which the requested share of the rows falls. If this share falls even at
- * b->widest, the largest sigma that is tried, sets *sigma to infinity. */
+ * b->widest, sets *sigma to infinity. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

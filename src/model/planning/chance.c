@@ -124,7 +124,8 @@ struct shared {
     enum dom_status *status;
 };
 
-/* arrays for one row: margins, margins after a change, and dP(the row falls)/d(margin) */
+/* Arrays for one row: margins, margins after a change, and derivatives of P(the row falls) with respect to
+ * the margins. */
 struct weighed {
     double *margin, *changed, *weight;
 };

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Draws the random errors of a row. A random number depends only on the seed, the kind of error and the
- * number of the row. So if one kind of error is left out, the errors of all other kinds stay the same.
+ * Draws the random errors of a row. The random numbers for each kind of error depend only on the seed, the
+ * kind and the number of the row. So if one kind of error is left out, the errors of all other kinds stay the
+ * same.
  */
 #include "planning/draw.h"
 #include "planning/boxes.h"
@@ -35,7 +36,7 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers. So the
+/* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers, so the
  * bits are mixed, as in splitmix64 (Steele et al., 2014). */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {

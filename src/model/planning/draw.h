@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws random rows. A random row is a copy of a row, with random errors. Studies and budgets run many random
- * rows. */
+/* Draws random rows: copies of a row with random errors. */
 #ifndef DOM_DRAW_H
 #define DOM_DRAW_H
 
@@ -9,9 +8,8 @@
 
 struct draw {
     gsl_rng *random[2];
-    struct dom_domino *domino; /* the dominoes with their random errors */
-    /* the random row; its dominoes, friction, slope, floor and push may have errors */
-    struct dom_row row;
+    struct dom_domino *domino; /* the dominoes of the random row */
+    struct dom_row row;        /* the random row; its friction, slope, floor and push may have errors too */
 };
 
 /* Allocates memory for random copies of a row. Call draw_end afterwards, even if this function fails. */

@@ -48,7 +48,6 @@ enum { CHECK = 8 };
 /* Lower bound on the standard deviation of a margin. */
 #define SCATTER_LEAST 0.03
 
-/* The relative tolerance for computing margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
 /* FIRST_STEP is the length of the minimizer's first step. The variables are logarithms, so a step is a

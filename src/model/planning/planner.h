@@ -70,7 +70,8 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 
 /* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
  * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
- * first ratio that is too small. */
+ * first ratio below the required safety, and this ratio is returned. Later dominoes are then not run, so the
+ * row may stop even if the ratio is above 1. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
 /* Returns the length of a standing row, from the back of the first domino to the front of the last. The row

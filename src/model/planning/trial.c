@@ -33,7 +33,6 @@ static bool recent_add(const struct dom_fall *fall, void *context)
     return true;
 }
 
-/* Runs the first `count` dominoes of the row. */
 static void trial_run(struct trial *t, size_t count, struct recent *recent)
 {
     struct dom_row row = t->row;

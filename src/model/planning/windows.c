@@ -218,8 +218,7 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* The fall ends at domino number `ends`. Returns true if a change of domino k can affect this. Both numbers
- * count from 0. */
+/* Returns true if a change of domino k can affect a fall that ends at domino `ends`. Both count from 0. */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;
