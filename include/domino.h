@@ -594,7 +594,7 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest; /* the range of the argument; both ends are allowed */
-    /* The default of an optional argument. Also used to measure the cost of the effect. */
+    /* A typical value. It is the default of an optional argument. */
     dom_real usual;
     bool optional;       /* this argument and all later ones may be left out */
     bool whole;          /* the argument is a whole number */

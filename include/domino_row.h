@@ -486,14 +486,14 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
  * row allow. wish->least and wish->engine are not used. `limits` may be NULL.
  *
  * If no such row falls, design->limit is DOM_DESIGN_SAFETY. If the hall is too short even without gaps, it is
- * DOM_DESIGN_HALL. In both cases design->needs is NaN.
+ * DOM_DESIGN_HALL. In both cases design->needs is NaN. The status is DOM_BAD_COUNT if `steps` is 0.
  */
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
                                  const struct dom_limits *limits, const struct dom_compute *compute,
                                  size_t steps, struct dom_design *design);
 
-/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first mass is 1
- * kg. `limits` may be NULL. */
+/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first mass is
+ * 1 kg. `limits` may be NULL. The status is DOM_BAD_COUNT unless design->limit is DOM_DESIGN_FITS. */
 enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
                                     const struct dom_limits *limits, const struct dom_design *design,
                                     struct dom_domino *domino);
