@@ -114,7 +114,7 @@ static void sharp_touch(struct walk *walk)
 
 static struct arms sharp_arms(const struct link *link)
 {
-    const bool has_friction = link->geometry->mu != 0;
+    const bool has_friction = link->geometry->mu != 0; /* without friction the ratio is the slope (14; b10) */
     return (struct arms){.a = contact_arm_a(link),
                          .b = contact_arm_b(link),
                          .ratio = has_friction ? torque_ratio(link) : link->contact_slope};
