@@ -279,6 +279,11 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)
         return;
+    if (tip->hi <=
+        tip->lo) { /* the domino touches the next one before it tips over, and leans on it at rest */
+        w->tilt[0] = tip->hi;
+        return;
+    }
     const bool closed = tip->geometry.law->closed_form;
     const real u = tip->geometry.steepest, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;

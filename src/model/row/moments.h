@@ -47,7 +47,7 @@ KERNEL void watch_free(struct watch *watch);
 /* In watch_tip, watch_passage and watch_detach, a NULL `watch` stands for a run without requested times. */
 
 /* Reports the states at those requested times that lie before the first hit. Until then, the first domino
- * tips over its edge. */
+ * tips over its edge. If it touches the next domino before it tips over, it leans on that domino at rest. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
 /* Reports the states at those requested times that lie in one passage. The passage ends when the head has the
