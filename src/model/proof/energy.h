@@ -32,7 +32,9 @@ struct upright {
     double drop_rest;
     /* upper bound on the sum over i >= n of -r^(-q i) dh(theta_i0)/dr */
     double slide_rest;
-    struct span fuel, inertia;         /* P, T */
+    /* P and T; for a pair, `fuel` is the energy that domino 1 releases, in m g h / 2 of domino 1, and
+     * `inertia` is not set */
+    struct span fuel, inertia;
     struct span kinetic, kinetic_by_r; /* the kinetic energy K, and dK/dr, which may be infinite */
     bool by_r;                         /* true if the derivatives with respect to r are finite */
 };

@@ -61,7 +61,8 @@ static bool has_effect(const struct dom_train *train)
 #undef OR_ON
 }
 
-/* The interval arithmetic in span.h depends on this mode, but a caller may have changed it. */
+/* The interval arithmetic in span.h depends on rounding to nearest, but a caller may have changed the
+ * mode. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;

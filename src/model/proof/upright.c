@@ -128,8 +128,8 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
 
 /*
  * Finds the kinetic energy K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1
- * tips over its edge from rest, and releases the energy h(theta_u) - h(theta_c) before it hits the head. The
- * unit of this energy is m g h / 2 of domino 1. Multiplied by f, it is the kinetic energy of the pair after
+ * tips over its edge from rest and releases the energy h(theta_u) - h(theta_c) before it hits the head. The
+ * unit of this energy is m g h / 2 of domino 1. This energy times f is the kinetic energy of the pair after
  * the hit, in the unit m g h / 2 of the head:
  *
  *     f = r k^2/(1 + k),   k = r^(-(q+1)),
