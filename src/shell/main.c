@@ -22,9 +22,9 @@ static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe]
 static const char help[] =
     "\n"
     "Calculates how much larger each domino of a row can be than the one before it.  Without\n"
-    "-e, -f or FILE, domino reads commands from standard input, at a prompt if it is a\n"
-    "terminal.  An error in -e, -f or FILE ends the run; after an error on standard input, the\n"
-    "next line is read.\n"
+    "-e, -f or FILE, domino reads commands from standard input, at a prompt if input and output\n"
+    "are terminals.  An error in -e, -f or FILE ends the run; after an error on standard input,\n"
+    "the next line is read.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
@@ -58,7 +58,6 @@ static const struct option options[] = {
  * which they were typed. */
 static const char short_options[] = "-e:f:nhV";
 
-/* What the options request. */
 struct plan {
     bool init, prompt, sources;
     bool keep_going; /* continue after an error in -e, -f and FILE */
@@ -81,11 +80,10 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Installs the signal handler. A signal lets the script write what it has found before it ends. If the same
- * signal arrives again, the program ends at once. With --interruptible, however, SIGINT ends only the running
- * command, each time that it arrives.
- * A signal that was ignored when the program started stays ignored, except for SIGINT with
- * --interruptible. */
+/* Installs the signal handler. The first signal lets the script write what it has found before it ends. If
+ * the same signal arrives again, the program ends at once. With --interruptible, however, SIGINT ends only
+ * the running command, each time that it arrives. A signal that was ignored when the program started stays
+ * ignored, except for SIGINT with --interruptible. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
@@ -102,7 +100,7 @@ static void signals_begin(struct session *session)
 
 /* ---- Options ---- */
 
-/* Reads the argument of --shard, such as "2/7". If it is wrong, prints a message and returns false. */
+/* Reads the argument of --shard, such as "2/7". */
 static bool shard_read(const char *text, struct shard *shard)
 {
     enum { PARTS_MAX = 1000000000 };
@@ -118,8 +116,7 @@ static bool shard_read(const char *text, struct shard *shard)
     return false;
 }
 
-/* Reads all options before the first command runs. Prints a message and returns false if an option is
- * wrong. */
+/* Reads all options before the first command of -e, -f or FILE runs. Returns false if an option is wrong. */
 static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
@@ -239,8 +236,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* If the program writes to a pipe without a reader, or if a file gets too large, a signal arrives. By
-     * default, this signal would end the program. It is ignored, so that write(2) fails instead. */
+    /* By default, SIGPIPE and SIGXFSZ would end the program when a pipe has no reader or a file gets too
+     * large. They are ignored, so that write(2) fails instead. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);

@@ -78,7 +78,6 @@ bool answer_bounded(const struct answer *a, int i)
 
 /* ---- The layout, before the first row ---- */
 
-/* Finds out what the terminal can show. */
 static void terminal_look(struct answer *a)
 {
     a->layout.on_terminal = terminal_shows(a->out);
@@ -92,7 +91,7 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    /* a sweep has already planned one layout for the rows of all its points */
+    /* with a sink, the sweep plans one layout for the rows of all its points */
     if (a->layout.is_planned || !a->out || a->sink)
         return;
     a->layout.is_planned = true;

@@ -18,7 +18,7 @@
 enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEADER = OUTPUT_HEADER };
 
 struct column {
-    const char *key;     /* the name of the column */
+    const char *key;
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* a one-line explanation */
     /* The width of the column in a table of rows, if it holds words or short numbers. 0 if it holds other
@@ -52,9 +52,11 @@ struct layout {
 };
 
 struct csv_layout {
-    bool units;        /* column names include the units, so that the file can be read back */
-    bool has_reasons;  /* the rows have a column for reasons */
-    char *last_header; /* the last header line that was written to this file, or NULL */
+    bool units;       /* column names include the units, so that the file can be read back */
+    bool has_reasons; /* the rows have a column for reasons */
+    /* a buffer for the column names of the previous rows in this output, or "" if there are none; may be
+     * NULL */
+    char *last_header;
     /* Additional columns, as text that is appended to the lines. Each piece of text is terminated by a NUL
      * byte. The first piece belongs to the header line, and each later piece to one row. May be NULL. */
     const char *extra;
@@ -82,7 +84,7 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                   /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
-    /* a sentence was written, but no row */
+    /* a command without columns has written something, so the next answer needs a blank line above it */
     bool wrote_text;
     int error; /* errno of the first write that failed, or 0 */
     /* Why a cell is empty, if the format could not say so in or below the row. This reason is reported at the
@@ -152,9 +154,10 @@ void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/* Writes a row and returns true. If a cell has no value, `reason` says why. If this row has no reason, but
- * another row of the answer may have one, pass "". If no row of the answer can have a reason, pass NULL. In
- * csv and json, the reasons have a column of their own, "reason". */
+/* Writes a row and returns true. If a cell has no value, `reason` says why. A format for people writes the
+ * reason below the row, and `reason` is NULL for a row without one. In csv and json, the reasons have a
+ * column of their own, "reason". For these formats, pass "" if only other rows of the answer may have a
+ * reason, and NULL if no row can have one. */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */
@@ -176,7 +179,6 @@ struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 /* Returns true if no more rows can be written: the disk is full, or a pipe has no reader. */
 bool answer_lost(const struct answer *answer);
 
-/* Returns true if column i has error bounds. */
 bool answer_bounded(const struct answer *answer, int i);
 
 /* ---- Sentences, and the end ---- */
@@ -196,8 +198,7 @@ void answer_set_verdict(struct answer *answer, bool yes);
 /* Returns the number of digits, at least 1, that the tolerance guarantees. */
 int style_tol_digits(const struct answer_style *style);
 
-/* style_angle converts an angle to the unit that the user has chosen. style_angle_unit returns the name of
- * this unit. */
+/* Converts an angle to the unit that the user has chosen, and returns the name of this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
 

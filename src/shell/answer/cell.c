@@ -161,7 +161,7 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
         return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];
-    /* If trailing zeros have been removed, the text is already as short as possible. */
+    /* If trailing zeros have been removed, the text is already short. */
     for (int n = all < 15 ? all - 2 : 15; n < all - 1 && strlen(text) + 1 >= (size_t)all;
          n = n < all - 2 ? all - 2 : all)
         if (read_back(style, quad_write(cell.number, n, fewer)) == cell.number)

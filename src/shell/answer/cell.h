@@ -30,16 +30,15 @@ struct cell {
     domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
     int digits; /* the number of digits in a table, or 0 for answer_style.digits */
-    /* The number was computed to a certain tolerance. A table shows only the digits that this tolerance
-     * guarantees. */
+    /* The number was computed to the tolerance of the style. If its error bound is not shown, a table shows
+     * only the digits that this tolerance guarantees. */
     bool computed;
 };
 
-/* The functions below return cells. NaN and infinity give an empty cell, which is null in json. */
+/* These functions make cells. NaN and infinity give an empty cell, which is null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 
-/* Makes a cell for a number whose error bound is not known. */
 struct cell cell_without_bound(domq_real value);
 
 /* Makes a cell for a number that is known to only three digits. */
@@ -57,12 +56,13 @@ bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table. A number gets at most `digits` digits. If `bounds` is true, the text
- * also includes the error bound. */
+/* Returns the text of a cell in a table. A real number gets at most `digits` digits, unless the cell has its
+ * own number of digits, and a count gets all its digits. If `bounds` is true, the text also includes the
+ * error bound, if one is known. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell in csv and json, without its error bound. Numbers are written with as few digits
- * as possible, but with enough digits that reading the text gives the same number again. */
+/* Returns the text of a cell in csv and json, without its error bound. Numbers are written with few digits,
+ * but with enough that reading the text gives the same number again. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of the cell's error bound in csv and json. If no bound is known, returns `none`. */

@@ -23,13 +23,14 @@ static const char *extra_next(struct answer *a)
     return extra;
 }
 
-/* Writes the column names, unless the previous rows in the output have the same columns. */
+/* Writes the column names, unless the previous rows in the output have the same columns, or 'header' is
+ * off. */
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;
     char header[ANSWER_HEADER];
     size_t n = 0;
-    /* The column for reasons exists only if the `reason` of the first row is not NULL. */
+    /* Unless a sweep has already set has_reasons, the first row decides whether there is this column. */
     a->csv.has_reasons = a->csv.has_reasons || reason;
     for (int i = 0; a->columns[i].key && n < sizeof header; i++) {
         const struct column *c = &a->columns[i];

@@ -27,8 +27,9 @@ struct measure measure_of(const char *unit, domq_real largest);
 /* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Formats a value with its unit, as in "4.8 cm" or "11 %". The result has `digits` significant digits. If the
- * value has more digits than this before the decimal point, as in 1234 %, all of them are shown. */
+/* Formats a value with its unit, as in "4.8 cm" or "11 %". The result has at most `digits` significant
+ * digits. If the value has more digits than this before the decimal point, as in 1234 %, all of them are
+ * shown. */
 struct measured {
     char text[CELL_TEXT];
 };
@@ -44,8 +45,8 @@ struct axis_unit {
 };
 
 /* Returns the unit for an axis or a ruler that shows lengths up to `longest` m. The unit is mm if `longest`
- * is below 0.2, cm if it is below 2, and otherwise m. With these limits, three digits before the decimal
- * point are enough, and a ruler has no room for more. */
+ * is below 0.2, cm if it is below 2, and otherwise m. So lengths in mm and cm need at most three digits
+ * before the decimal point, and a ruler has no room for more. */
 struct axis_unit measure_axis(double longest);
 
 #endif

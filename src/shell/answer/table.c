@@ -33,7 +33,7 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
     return text;
 }
 
-/* Returns how many columns of the terminal a number of `digits` digits occupies. */
+/* Returns how many columns of the terminal a number of `digits` digits occupies at most. */
 static int number_width(const struct answer *a, int digits)
 {
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
@@ -97,7 +97,6 @@ static void field(FILE *out, const char *text, int width)
         putc_unlocked(' ', out);
 }
 
-/* Writes the key of a column, in colour if the terminal has colours. */
 static void key_field(const struct answer *a, const char *key, int width)
 {
     fputs(a->layout.bold ? "\033[36m" : "", a->out);
@@ -199,7 +198,6 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
 
 /* ---- A single row: a line for each column ---- */
 
-/* Writes the key, the value, the unit and the meaning of each column. */
 static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[CELL_TEXT], line[TEXT_LINE];

@@ -16,8 +16,7 @@ static bool word_joins(const char *word, size_t n)
            (number && last == ':' && isdigit((unsigned char)*next));
 }
 
-/* Returns the length of the first piece of a text. A piece is a word, or several words that must stay on the
- * same line. */
+/* Returns the length of the first piece of a text (see wrap.h). */
 static size_t piece_length(const char *text)
 {
     size_t n = strcspn(text, " \n"), word = 0;

@@ -10,11 +10,10 @@
 
 #include <readline/readline.h>
 
-/* The last word of a line, which is being completed. */
 struct completion {
     struct session *session;
     const char *line;
-    const char *word; /* the last word of the line, which may be empty */
+    const char *word; /* the last word of the line, which is being completed; may be empty */
     /* The name at the end of `word`. In an expression, `word` may have operators before the name. */
     const char *name;
     struct offer offer; /* what the parser would accept at `name` */
@@ -76,7 +75,7 @@ static void emit_values(const struct completion *c)
             continue;
         const struct column *column = &command->columns[command_principal(command)];
         /* The parser checks a candidate by computing its value. For a command about the row, this can take a
-         * long time. Therefore only commands about the train are checked. */
+         * long time. Therefore such a command is offered only where candidates need no check. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
@@ -90,8 +89,9 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* is_unasked passes this callback to emit_values. *context is NULL at first. Afterwards it is the name of the
- * only candidate if this candidate is a command, and "" if there are other candidates. */
+/* is_unasked passes this callback to emit_values. *context is NULL at first. After the first candidate, it is
+ * the name of this candidate if the candidate is a command. Otherwise, and after a second candidate, it is
+ * "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -246,7 +246,7 @@ static void candidate_add(const char *candidate, void *context)
     candidates.count += candidates.word[candidates.count] != NULL;
 }
 
-/* Returns a candidate, which Readline frees, or NULL after the last one. In the first call, `state` is 0. */
+/* Readline frees the candidates, and calls this function with `state` = 0 first. */
 static char *candidate_next(const char *text, int state)
 {
     (void)text;

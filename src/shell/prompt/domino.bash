@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# Completion of domino's command line in bash; what may stand in -e comes from domino itself.
+# Completion of domino's command line in bash. domino itself completes the commands that follow -e.
 _domino() {
     local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} text last head word
     COMPREPLY=()
     case $prev in
     -e | --execute)
-        # Only the last word of the commands is completed; what stands before it is kept.
+        # Only the last word of the commands is completed. The words before it stay as they are.
         text=${cur#[\"\']}
         last=${text##*[ ;]}
         head=${text%"$last"}

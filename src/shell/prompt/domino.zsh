@@ -1,6 +1,6 @@
 #compdef domino
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion of domino's command line in zsh; what may stand in -e comes from domino itself.
+# Completion of domino's command line in zsh. domino itself completes the commands that follow -e.
 
 # Completes the last word of the commands that follow -e.
 _domino_commands() {
@@ -15,12 +15,12 @@ _domino_commands() {
 _arguments -s \
     '*'{-e,--execute}'[run commands]:commands:_domino_commands' \
     '*'{-f,--file}'[run a file of commands]:file:_files' \
-    '(-n --no-init)'{-n,--no-init}'[read no start-up file]' \
-    '(--keep-going)--bail[end after the first error]' \
-    '(--bail)--keep-going[go on after an error]' \
-    '--safe[touch no files]' \
-    '--interruptible[an interrupt ends the command, not the program]' \
-    '--shard[compute a part of sweeps and studies]:part, such as 2/7' \
-    '(-)--help[show how the program is called]' \
-    '(-)--version[show the version]' \
+    '(-n --no-init)'{-n,--no-init}'[do not run the start-up file]' \
+    '(--keep-going)--bail[stop at the first error]' \
+    '(--bail)--keep-going[go on after errors]' \
+    '--safe[commands may not read or write files]' \
+    '--interruptible[SIGINT ends the running command, not the program]' \
+    '--shard[compute only a part of a curve, sweep or placement]:part, such as 2/7' \
+    '(-)--help[print a summary of the options]' \
+    '(-)--version[print the version]' \
     '*:file of commands:_files'

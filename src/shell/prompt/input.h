@@ -9,7 +9,7 @@
 void line_prompt(struct session *session);
 
 /* Finds the candidates for the last word of a line and calls `emit` with each of them. A candidate is a
- * whole word. If `files` is true, the paths of files are candidates, too. */
+ * whole word. If `files` is true, the paths of files are candidates, too, where a command takes a file. */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
@@ -21,12 +21,13 @@ char **complete_word(const char *text, int start, int end);
  * Writes the path of one of the user's files:
  * - If the environment variable `variable` is an absolute path, the file is $variable/domino/name.
  * - Otherwise the file is $HOME/fallback/domino/name.
- * Returns false if neither variable is set, or if the path does not fit into `size` bytes.
+ * Returns false if there is no $HOME for the second case, or if the path does not fit into `size` bytes.
  */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
 
-/* Loads the history. The variable DOMINO_HISTORY names the file. If it is not set, the file is
- * $XDG_STATE_HOME/domino/history. If DOMINO_HISTORY is empty or a device, no history is kept. */
+/* Loads the history. The environment variable DOMINO_HISTORY names the file. If it is not set, the file is
+ * $XDG_STATE_HOME/domino/history, or else ~/.local/state/domino/history. If DOMINO_HISTORY is empty or a
+ * device, the history ends with the session. */
 void history_load(struct session *session);
 
 /* Adds a line to the history and to the history file. Blank lines, and lines that repeat the previous line,

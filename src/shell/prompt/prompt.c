@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt. Readline runs through its callback interface, and pselect waits for a key. Signals are blocked,
- * except in pselect and while a command runs, so that no signal is missed between two checks. */
+ * except in pselect and while Readline handles a key, which may run a command. So no signal is missed between
+ * the checks of the flags and pselect. */
 #define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
@@ -146,7 +147,7 @@ static void on_line(char *text)
         rl_callback_handler_remove();
 }
 
-/* Writes the prompt. Readline expects \001 and \002 around bytes that take no space on the screen. */
+/* Readline expects \001 and \002 around bytes that take no space on the screen. */
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
@@ -185,7 +186,8 @@ static void readline_begin(void)
 
 struct signals {
     struct sigaction before[WATCHED], ttou; /* the actions of the signals before the prompt began */
-    sigset_t blocked, awake; /* the signal masks while keys are handled and while a command runs */
+    sigset_t blocked;                       /* the watched signals */
+    sigset_t awake; /* the signal mask while the prompt waits for a key, or handles a key */
 };
 
 static void signals_begin(struct signals *s)

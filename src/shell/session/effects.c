@@ -64,7 +64,6 @@ static void row_drop(struct scene *scene)
     effects_apply(scene);
 }
 
-/* Reads a row from a file. On failure, sets *problem and returns false. */
 static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
                      struct listed_row *row, struct problem *problem)
 {

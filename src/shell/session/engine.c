@@ -26,7 +26,7 @@ const char *scene_engine_why(const struct scene *scene)
 /* ---- Conversion between the library's and the engine's rows and units ---- */
 
 /* The units in which the engine computes: the height h and the mass of the first domino, and the time
- * sqrt(h/g). With these units, rounding errors do not depend on the size of the row. */
+ * sqrt(h/g). With these units, rounding errors do not depend on the size of the dominoes. */
 struct unit {
     double length, mass, time;
 };
@@ -152,7 +152,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
                                      .spare = DOMQ_NAN};
 }
 
-/* Runs a row in the engine. The library calls this function through struct dom_engine. */
+/* Runs a row in the engine. The library calls this function through struct domq_engine. */
 static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)

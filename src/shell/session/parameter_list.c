@@ -48,6 +48,9 @@ static const char hints_help[] =
     "what you have typed, you see the rest of this line. If there is no such line, you see the arguments "
     "that the command can still take. At the end of the line, the right arrow, ^E and End accept the rest of "
     "an earlier line, and M-f accepts its next word. On a terminal without colours there are no hints.";
+static const char density_help[] =
+    "If 'mass' is 0, the mass of the first domino is the density times the volume of a block that is half as "
+    "wide as it is tall. With 'effect walls', only the volume of the walls counts.";
 static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
@@ -126,9 +129,9 @@ const struct parameter session_parameters[] = {
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
     {ENTRY("mass", scene.mass, "kg", "mass of the first domino, 0 if not known; if no masses are known, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ENTRY("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as it is tall; 0 if not known",
+    {ENTRY("density", scene.density, "kg/m^3", "density of the material of the first domino, half as wide as it is tall; 0 if not known",
          .highest = 1e9),
-     .synonyms = "wood weight material"},
+     .synonyms = "wood weight material", .help = density_help},
     {ENTRY("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,

@@ -102,7 +102,6 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lower bound on value number i of a parameter. */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
@@ -257,7 +256,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
             quad_text(value, 10), arithmetic->name, p->name, range,
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
-        snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
+        /* what follows a ';' in a meaning would not fit into this sentence */
+        snprintf(meaning, sizeof meaning, ", the %.*s,", (int)strcspn(of->meaning, ";"), of->meaning);
     return problem_no_answer(problem, "%s = %s is out of range; %s%s must be in the range %s%s%s%s%s",
                              of->name, quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "",
                              of->unit, p->words && !p->effect ? ", or a word such as " : "",

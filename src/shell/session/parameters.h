@@ -81,7 +81,7 @@ enum { ASSIGNED_MAX = 8 };
 
 /* Sets parameters in a state that is a copy of another state. The copy shares the memory of the original, so
  * it must not be closed. Sets *problem and returns false if a value is out of range, or cannot be combined
- * with the other values. */
+ * with the other values. The ranges of assigned.others are not checked. */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
 /* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. The

@@ -20,7 +20,7 @@ struct run_context {
     struct shard shard;
     bool safe;          /* commands must not read or write files */
     bool sourced;       /* the command comes from a file that 'source' runs */
-    const char *script; /* the path of the running script; NULL at the prompt */
+    const char *script; /* the path of the running script, or "-e" or "stdin"; NULL at the prompt */
     /* Shows a note to the user immediately. May be NULL. */
     void (*note)(void *context, const char *text);
     void *note_context;
@@ -49,14 +49,15 @@ struct last_answer {
 struct walk {
     /* a copy of the scene's train; when the scene's train changes, a new walk begins */
     struct domq_train train;
-    struct domq_compute compute; /* the session's options, but with a smaller tolerance */
-    domq_real tol;               /* the session's tolerance when the walk began */
+    /* the session's options, but with a tolerance that is small enough for the six digits of the sentences */
+    struct domq_compute compute;
+    domq_real tol; /* the session's tolerance when the walk began */
     struct domq_event events[DOM_EVENTS_MAX];
     int count;               /* the number of events; 0 if no walk has begun */
     int event;               /* the index of the last event that has been reached or passed */
     domq_real theta;         /* the tilt that has been reached */
     int cycle;               /* the number of the current cycle, counted from 1 */
-    enum dom_status verdict; /* DOM_OK or DOM_STOPS */
+    enum dom_status verdict; /* DOM_OK, DOM_STOPS or DOM_NO_FUEL */
 };
 
 struct query {

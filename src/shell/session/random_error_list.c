@@ -35,9 +35,9 @@ const struct domq_effect error_effect_place = {
     .synonyms = "position tape",
     .adds = "random errors in the positions of dominoes",
     .help =
-        "Each domino is out of position by a separate random error. An error moves only one domino, as if "
-        "all positions had been measured with one tape. In 'effect placement', by contrast, an error in a "
-        "gap moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
+        "Each domino after the first is out of position by a separate random error. An error moves only one "
+        "domino, as if all positions had been measured with one tape. In 'effect placement', by contrast, an "
+        "error in a gap moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
     SIZED("m", "error in each position", 1e9, 0.001),
 };
 

@@ -22,7 +22,6 @@ bool scene_errors(const struct scene *scene, struct domq_random_error error[DOM_
 /* Returns true if the random errors can be combined with the other effects. Otherwise reports the problem. */
 bool errors_check(const struct scene *scene, struct problem *problem);
 
-/* Turns all random errors off in a scene. The scene must not own the memory of its row; see effect_put. */
 void errors_off(struct scene *scene);
 
 /* Describes the DOM_ERROR_COUNT elements of `error`, as in "gap 0.003 m, friction 0.05 uniform". */

@@ -46,7 +46,6 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, count);
 }
 
-/* Returns true if the walls fit into every domino. Otherwise reports the problem. */
 static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
                       struct problem *problem)
 {
@@ -92,7 +91,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     return true;
 }
 
-/* Returns true if no domino of a row would fall over by itself. Otherwise reports the problem. */
+/* Checks that no domino of a row would fall over by itself. */
 static bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem)
 {
     for (size_t k = 0; k < row->count; k++) {
@@ -204,7 +203,7 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Returns true if all dominoes in the ranges have this measurement. Otherwise reports the problem. */
+/* Checks that all dominoes in the ranges exist and have this measurement: the first domino has no gap. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {

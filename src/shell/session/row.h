@@ -20,7 +20,8 @@ struct scene_row {
  * if the row cannot be run, sets *problem and returns false. */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Like scene_row_make, but does not check whether the row can be run. */
+/* Like scene_row_make, but does not prepare a run. It checks only that there is a row and that the walls fit
+ * into its dominoes. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the changes that the user has

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The changes that 'change' and 'place' have made to the measurements of single dominoes. */
+/* The changes to the measurements of single dominoes, which commands such as 'change' and 'improve' make. */
 #ifndef SHELL_ROW_CHANGE_H
 #define SHELL_ROW_CHANGE_H
 

@@ -95,7 +95,7 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino. Returns false if memory runs out. */
+/* Makes room for one more domino. */
 static bool row_grow(struct listed_row *rows)
 {
     /* the array grows when the count is 0 or a power of 2 */

@@ -26,7 +26,8 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  *     5.2 cm, 52/6, 22, 12.5
  *
  * - If there is no column "width", the width of a domino is half its height.
- * - If there is no column "mass", the mass of a domino is density * height * thickness * width.
+ * - If there is no column "mass", the mass of a domino is density * height * thickness * width. In a box,
+ *   only the walls count.
  * - If there is no column "density" either, the column "relative" may give the ratios of the masses. If it is
  *   missing, too, all dominoes have the density 1.
  * - A lean is the distance of the top from plumb. If a domino leans backwards, its lean is negative.

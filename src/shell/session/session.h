@@ -38,7 +38,9 @@ struct session {
     const char *command; /* the name of the command that is running, for notes */
     /* with --interruptible: the flag that SIGINT sets, to end only the running command; otherwise NULL */
     volatile sig_atomic_t *interrupt_flag;
-    bool bail; /* the first error ends the session (option --bail) */
+    /* The first error ends the session, except at the prompt. This is set by --bail, and also for -e, -f and
+     * FILE without --keep-going. */
+    bool bail;
     bool quit;
     bool wrote; /* the last command wrote an answer that has rows */
     long errors;
@@ -67,8 +69,9 @@ void session_problem(struct session *session, const struct problem *problem);
 void session_say(struct session *session, bool is_error, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns true if no more lines may run. The reason may be 'quit', an interrupt or a failed write. With
- * --bail, it may also be an error. `errors` is the value that session->errors had before the last line. */
+/* Returns true if no more lines may run. The reason may be 'quit', an interrupt or a failed write. If
+ * session->bail is true, it may also be an error in the last line. `errors` is the value that session->errors
+ * had before this line. */
 bool session_stops(const struct session *session, long errors);
 
 #endif
