@@ -72,8 +72,7 @@ static struct turn corner_turn(const struct corner *c, double v)
     t.X.hi = most_1(up(c->rs.hi - less));
     if (!(t.X.hi >= 0))
         t.X.hi = 0;
-    /* Y is computed from Y^2 = (1 - X) (1 + X). To avoid cancellation, 1 - X is computed as the sum of 1 - r
-     * s and r L v. */
+    /* Y follows from Y^2 = (1 - X) (1 + X). To avoid cancellation, 1 - X is computed as (1 - r s) + r L v. */
     t.Y.lo = least_0(down(sqrt(least_0(down(down(c->short_of.lo + less) * down(1 + t.X.lo))))));
     t.Y.hi = most_1(up(sqrt(up(up(c->short_of.hi + more) * up(1 + t.X.hi)))));
     return t;

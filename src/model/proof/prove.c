@@ -61,8 +61,7 @@ static bool has_effect(const struct dom_train *train)
 #undef OR_ON
 }
 
-/* The interval arithmetic in span.h depends on rounding to nearest, but a caller may have changed the
- * mode. */
+/* The interval arithmetic in span.h needs this rounding mode, but a caller may have changed the mode. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;
