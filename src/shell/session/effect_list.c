@@ -104,7 +104,7 @@ const char *effect_example(int effect, char example[EFFECT_EXAMPLE])
             text_add(example, EFFECT_EXAMPLE, "effect %s on; ", effect_at(k)->name);
     text_add(example, EFFECT_EXAMPLE, "effect %s on; %s", e->name,
              !is_error ? "scene"
-             /* the engine takes a thousand times as long as the model, so only 5 rows are run */
+             /* the engine takes a thousand times as long as the model, so only 5 rows are drawn */
              : e->needs >> EFFECT_feet & 1 ? "placement 5"
                                            : "placement 500");
     return example;

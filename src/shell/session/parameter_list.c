@@ -39,10 +39,11 @@ static const char precision_help[] =
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
     "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
-    "Each number is followed by +/- and a bound on its error. The bound includes all rounding errors of the "
-    "computation, the terms that are left out because of tol, and the digits that are not printed. While "
-    "errors are on, the parameter 'digits' has no effect. In csv and json the bound has a column or key of "
-    "its own, named KEY_error. The values of 'print' have no bounds.";
+    "A number with a known bound on its error is followed by +/- and this bound. The bound includes all "
+    "rounding errors of the computation, the terms that are left out because of tol, and the digits that are "
+    "not printed. While errors are on, the parameter 'digits' affects only numbers without a known bound, "
+    "such as the values of 'print'. In csv and json the bound has a column or key of its own, named "
+    "KEY_error.";
 static const char hints_help[] =
     "While you type, faint text after the cursor suggests how to continue. If an earlier line begins with "
     "what you have typed, you see the rest of this line. If there is no such line, you see the arguments "
@@ -55,9 +56,9 @@ static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
-    "changes. An answer takes about a thousand times as long, and a row can have at most 200 dominoes. With "
-    "'model', the engine runs only rows with effects that the model lacks, 'effect feet' and 'effect "
-    "bounce'. Endless trains always use the model.";
+    "changes. 'fall' takes about a hundred times as long, and a study such as 'placement' a thousand times. "
+    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with effects that the "
+    "model lacks, 'effect feet' and 'effect bounce'. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {

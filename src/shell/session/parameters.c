@@ -215,7 +215,9 @@ const char *parameter_range_write(const struct state *state, const struct parame
 {
     int digits = p->value[i].whole ? 15 : 6; /* whole numbers are written with all their digits */
     text[0] = '\0';
-    if (!p->words_only)
+    for (const char *const *word = p->value[i].words; word && *word; word++)
+        text_add(text, PARAMETER_RANGE, "%s%s", *text ? "|" : "", *word);
+    if (!p->words_only && !p->value[i].words)
         text_add(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
                  (double)p->value[i].highest);
     for (const struct word *w = p->words; p->words_only && w->name; w++)
