@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of output formats. To add a format, write a file like csv.c, and add its name to FORMATS. Nothing
- * else has to be changed, because 'set output', its help and its completion also use this list. */
+/* The list of output formats. To add a format, write a file like csv.c and add its name to FORMATS. 'set
+ * output', its help, its completion and the extensions of output files also use this list. Only some messages
+ * name the formats themselves. */
 #ifndef SHELL_FORMAT_H
 #define SHELL_FORMAT_H
 

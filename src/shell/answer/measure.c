@@ -46,8 +46,7 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* All digits before the decimal point are shown, even if there are more than `digits`. With only two
-     * digits, for example, printf would write 100 as 1e+02. */
+    /* With only two digits, for example, printf would write 100 as 1e+02. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",

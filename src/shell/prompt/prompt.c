@@ -211,7 +211,7 @@ static void signals_end(const struct signals *s)
     sigprocmask(SIG_SETMASK, &s->awake, NULL);
 }
 
-/* Waits for a key and lets Readline handle it. Returns false if the terminal cannot be read. */
+/* Returns false if the terminal cannot be read. */
 static bool key_read(struct session *session, const struct signals *s)
 {
     fd_set input;

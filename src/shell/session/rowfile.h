@@ -43,9 +43,9 @@ enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
-/* Reads all dominoes of a table. It is an error if a domino would fall over by itself on a slope of `slope`
- * radians. On failure, stores the problem in the table, leaves *rows empty and returns false. Free *rows with
- * listed_free. */
+/* Reads all dominoes of a table. It is an error if a leaning domino would fall over by itself on a slope of
+ * `slope` radians. On failure, stores the problem in the table, leaves *rows empty and returns false. Free
+ * *rows with listed_free. */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 
 #endif

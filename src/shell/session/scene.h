@@ -33,7 +33,7 @@ struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
     bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
-    bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
+    bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
     /* The unknown columns of the file, as lines of csv. The first line has the names of the columns, and each
      * other line belongs to a domino. Each cell begins with a comma, and each line ends with a NUL byte. */
