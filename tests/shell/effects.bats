@@ -115,7 +115,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in equations (41; A17) and (42; A18))|0.0625102'; do
         IFS='|' read -r effect label keeps <<<"$with"
         run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step"
-        [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps a potential energy of $keeps."* ]]
+        [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps a potential energy of $keeps mgh/2."* ]]
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: there is no proof for trains with friction, a slope or rounded edges' "$(json 'effect edges 0.01; prove rmax' | values reason)"

@@ -47,10 +47,10 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
 
 static const struct column theta1_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"theta_1", "rad", "tilt of this domino's follower (12; b8)", 0},
+    {"theta_1", "rad", "tilt of the first follower (12; b8)", 0},
     {"slope", "", "d theta_1 / d theta = a / b (14; b10)", 0},
     {"arm_a", "h", "lever arm of the contact force on the head", 0},
-    {"arm_b", "h", "lever arm of the contact force on the follower", 0},
+    {"arm_b", "h", "lever arm of the contact force on the first follower", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -359,8 +359,11 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "the energy that the train needs, and whether it has enough",
      .equation = "(26; c8)",
-     .help = "The barrier is the largest potential energy of the train in the whole cycle. Near r s = 1 the "
-             "potential energy decreases at first. It increases once the head's follower has detached.",
+     .help =
+         "Without friction, the barrier is the largest rise of the train's potential energy in the whole "
+         "cycle, H(theta) - H(0). Near r s = 1 the potential energy may decrease at first, and rise later, "
+         "when the head's follower has detached. With friction, the barrier is the kinetic energy that "
+         "the train needs just after the collision.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
@@ -371,8 +374,9 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "how long a cycle takes, and how fast the front advances",
      .equation = "(1; a1) (21; c3)",
-     .help = "Times in seconds are for solid blocks. A hollow box has a larger moment of inertia and "
-             "falls more slowly: see 'help walls'.",
+     .help =
+         "Times in seconds are for solid blocks, unless the effect 'walls' is on. A hollow box has a larger "
+         "moment of inertia and falls more slowly: see 'help walls'.",
      .example = "duration",
      .see = "omega",
      .principal = "duration",

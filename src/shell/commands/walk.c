@@ -26,7 +26,8 @@ struct walk_units walk_units(const struct query *query, int cycle)
     };
 }
 
-/* Returns true if nothing that affects the results has changed since the walk began. */
+/* Returns true if the train, the tolerance, the precision and the method have not changed since the walk
+ * began. */
 static bool same_train(const struct walk *walk, const struct scene *scene)
 {
     const struct domq_train *a = &walk->train, *b = &scene->train;
@@ -184,10 +185,10 @@ static void say_top(const struct place *p)
     if (p->has_friction)
         answer_say(p->answer,
                    "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
-                   "friction has taken %.6g, and a kinetic energy of %s is left. From here on, the train "
+                   "friction has taken %s, and a kinetic energy of %s is left. From here on, the train "
                    "gains more energy than friction takes (26; c8).",
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-                   (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
+                   energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
     else
         answer_say(p->answer,
                    "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
@@ -196,7 +197,8 @@ static void say_top(const struct place *p)
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
-/* Returns the potential energy h(theta) of a domino above the floor, in units of m g h / 2. */
+/* Returns the potential energy of a domino with tilt theta, relative to the floor, in units of the domino's
+ * m g h/2. */
 static domq_real height_of(const struct domq_train *train, domq_real theta)
 {
     const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
@@ -217,11 +219,11 @@ static void say_fall(const struct place *p)
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
         "contact force is 0. Like all dominoes behind it, the detached domino comes to rest at theta_f = %s "
         "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
-        "keeps a potential energy of %.6g.",
+        "keeps a potential energy of %s.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
         p->is_rounded ? "(as in equations (41; A17) and (42; A18))" : "(41; A17), (42; A18)",
         energy_at(p, 0 - p->state->fallen).text,
-        (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
+        energy_at(p, weight * height_of(&w->train, angles.theta_f)).text);
 }
 
 static void say_stop(const struct place *p)

@@ -5,9 +5,9 @@
 
 #include "session/query.h"
 
-/* The units in which the model measures one cycle. The head of each cycle is larger than the head before it,
- * and the units grow with the head. If the mass of the dominoes is not known, `energy` and `weight` are
- * relative to the energy and the weight of the first head. */
+/* The units in which the model measures one cycle. The head of each cycle is r times as large as the head
+ * before it, and the units grow with the head. If the mass of the dominoes is not known, `energy` and
+ * `weight` are relative to the energy and the weight of the first head. */
 struct walk_units {
     domq_real height; /* height of the head, in m */
     domq_real tau;    /* unit of time, in s */
@@ -22,8 +22,8 @@ struct walk_units {
 /* Returns the units of measurement in a cycle. Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
-/* Returns the session's walk. Returns NULL if there is no walk, or if the train has changed since the walk
- * began. */
+/* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed
+ * since the walk began. */
 const struct walk *walk_now(const struct query *query);
 
 /* Replaces the unit mgh/2 by J in the columns of an answer. */
