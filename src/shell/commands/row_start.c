@@ -4,20 +4,21 @@
 #include <stdlib.h>
 
 /* A very long row need not be run to its end. If the endless train keeps falling, and a row of this many
- * dominoes falls, then any longer row also falls, because a row forgets its start. The reason: the energy of
- * a cycle is a linear function of the energy of the cycle before it, and the slope of this function is below
- * 1. */
+ * dominoes falls, then any longer row also falls, because a row forgets its start: in the model, the energy
+ * of a cycle is a linear function of the energy of the cycle before it, with a slope below 1. */
 enum { START_DOMINOES = 64 };
 
 /* The search for the largest growth runs rows of this many dominoes. */
 enum { START_SEARCHED = 24 };
 
-/* The search for a growth has this relative tolerance. Its result is rounded down to START_DIGITS digits. */
+/* The smallest relative tolerance of the search for a growth. The result of the search is rounded down to
+ * START_DIGITS digits. */
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* Two growths count as equal if their relative difference is below this number. At exactly the largest growth
- * the margin is 0, and rounding errors would otherwise decide whether the row falls. */
+/* Two growths count as equal if their relative difference is below this number, or below 4 times the
+ * tolerance of the search if that is larger. At exactly the largest growth the margin is 0, and rounding
+ * errors would otherwise decide whether the row falls. */
 #define START_SAME ((domq_real)1e-8)
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
@@ -111,8 +112,7 @@ const char *start_problem(const struct query *query, const struct start *start, 
     if (isfinite(start->push))
         snprintf(push, sizeof push, "; a push of %.4g rad/s is enough", (double)start->push);
     else if (!start->engine && start->end != DOM_ROW_MISSES)
-        snprintf(push, sizeof push,
-                 "; a push that is strong enough would lift the first domino off the floor");
+        snprintf(push, sizeof push, "; no push that leaves the first domino on the floor is enough");
     snprintf(text, START_TEXT, "%s, the fall ends at domino %zu: %s%s", start_words(query).text,
              start->stops_at,
              start->end == DOM_ROW_LEANS ? "the first domino touches the second before it tips over"

@@ -17,7 +17,7 @@ struct start {
 };
 
 /* Runs a row of `dominoes` dominoes of the train, or the first part of a very long row. If the row does not
- * fall, also finds start->push. */
+ * fall in the model, also finds start->push. Does not search for a push with the rigid-body engine. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 

@@ -120,8 +120,8 @@ static void contact_say(const struct query *query, struct answer *a, const struc
     else
         answer_say(a,
                    "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
-                   "have to be pulled with a force of %s of its weight, at a head tilt of %.4g %s. From that "
-                   "tilt on, the answer is not valid.",
+                   "have to be pulled with a force of %s of its weight, at a head tilt of %.4g %s. Once a "
+                   "contact would have to pull, the answer is no longer valid.",
                    c->domino, weight.text, tilt, unit);
 }
 
