@@ -65,8 +65,8 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 double seconds_of(bool (*answer)(void *context), void *context)
 {
-    const double shortest = 2e-4; /* in s; the clock cannot measure a shorter batch */
-    const double slow = 0.1;      /* in s; measuring stops after the first batch that takes longer */
+    const double shortest = 2e-4; /* in s; the clock is too coarse for a shorter batch */
+    const double slow = 0.1;      /* in s; a batch that takes longer is the last */
     const int batches = 7;
     double least = HUGE_VAL;
     long repeats = 1;
@@ -133,7 +133,7 @@ static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e
                                     1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
 enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
-_Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
+_Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS, "room for every row");
 
 /* Measures one method in one precision, with smaller and smaller tolerances. */
 static enum dom_status contender_measure(int which, const struct query *query,
@@ -193,7 +193,7 @@ static const struct column cost_columns[] = {
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
     {"dominoes", "", "the largest number of dominoes in one pass along the train", 8},
     {"passes", "", "how many times the computation passes along the train", 9},
-    {"time", "us", "time that one answer takes (the shortest of several measurements)", 10},
+    {"time", "us", "time that one answer takes: the shortest of up to seven measurements", 10},
     {"times", "", "time divided by the time of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
 };
@@ -308,7 +308,8 @@ const struct command cost_commands[] = {
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
              "does so in every precision. The error in the table is the true error, which includes the "
              "effect of rounding the parameters. For rmax and pair, the table also has rows for proofs, "
-             "which 'prove' explains.",
+             "which 'prove' explains. The error of a proof is half the distance between its bounds, divided "
+             "by the lower bound.",
      .see = "plot",
      .sweep_refusal =
          "it measures computing time, and points computed at the same time would slow each other down",

@@ -17,10 +17,10 @@ struct cost_row {
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* the relative error of the result, or that of the reference if it is larger */
     struct dom_work work;
-    double seconds; /* the shortest time of several runs, in s */
+    double seconds; /* time that a run takes, as seconds_of measures it */
 };
 
-enum { COST_ROWS = 64 };
+enum { COST_ROWS = 65 };
 
 struct cost {
     struct cost_row row[COST_ROWS];
@@ -31,8 +31,8 @@ struct cost {
 /* Measures the quantity with index `which` in cost_names, for the train of the scene. */
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
 
-/* Returns how many seconds a call to `answer` takes, in the fastest of several batches of calls. Returns NaN
- * if a call returns false. */
+/* Returns how many seconds a call to `answer` takes, in the fastest of up to seven batches of calls. A slow
+ * call is timed only once. Returns NaN if a call returns false. */
 double seconds_of(bool (*answer)(void *context), void *context);
 
 #endif

@@ -35,7 +35,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
 }
 
 /* Counts the work of the main answer without random errors and adds it to *work. If `random` is true, also
- * adds the work of one random row. Sets *dominoes to the number of dominoes in the row. */
+ * adds the work of one random row. The work of the engine is not counted. Sets *dominoes to the number of
+ * dominoes in the row. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -149,8 +150,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_random_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds source"); /* a table does not have the columns 'adds' and 'source'; effects_say
-                                           prints them as sentences */
+    /* effects_say prints these columns as sentences below the table. */
+    answer_leave_out(a, "adds source");
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {

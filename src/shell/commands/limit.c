@@ -6,7 +6,6 @@
 #include "parallel/points.h"
 #include <math.h>
 
-/* Returns argument i, or the fallback if the call has no such argument. */
 static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;

@@ -104,8 +104,8 @@ static bool list(const struct query *query, struct answer *a, enum listed listed
     const bool people = answer_for_people(a);
     struct column *columns = answer_columns(a, show_columns);
     struct shown shown;
-    for (int pass = people ? 0 : 1; pass < 2;
-         pass++) { /* the first pass only finds the widths of the columns */
+    /* For people, a first pass only finds the widths of the columns. */
+    for (int pass = people ? 0 : 1; pass < 2; pass++) {
         if (people && pass == 1)
             columns_fit(a);
         for (const struct parameter *p = session_parameters; p->name; p++) {

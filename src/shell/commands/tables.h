@@ -37,7 +37,7 @@ extern const struct command help_commands[];    /* help.c */
 /* Runs 'set' and 'effect', which change the parameter or effect that the arguments name. */
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Commands that are not defined in the files of their tables. */
+/* The parts of commands that are defined outside the files of their tables. */
 extern const struct column count_columns[], why_columns[], animate_columns[];
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
@@ -49,7 +49,6 @@ struct cell verdict_cell(enum dom_status verdict);
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
-/* The columns, parsers and functions of the commands print, let, show and diff. */
 extern const struct column print_columns[];
 bool conversion_parse(struct reader *reader, struct question *question);
 bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -70,8 +69,8 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Rounds the parameters of a train to double precision. A proof about the rounded train holds for all trains
- * that round to it. */
+/* Rounds the parameters of a train to double precision. domino_proof.h says for which trains a proof about
+ * the rounded train holds. */
 struct dom_train proof_train(const struct domq_train *train);
 
 #endif

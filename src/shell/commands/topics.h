@@ -27,7 +27,7 @@ enum topic_match {
     MATCH_NONE
 };
 
-/* Returns the part of a topic in which a word occurs. Does not distinguish upper and lower case. */
+/* Does not distinguish upper and lower case. */
 enum topic_match topic_match(const struct topic *topic, const char *word);
 
 /* Adds a row for a topic to an answer in csv or json. */

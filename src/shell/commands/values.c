@@ -110,7 +110,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     q.value = to ? q.value / to->unit.value : is_angle ? style_angle(style, q.value) : q.value;
     int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
-        digits = 15; /* show all digits of an integer */
+        digits = 15; /* an integer is shown with up to 15 digits */
     bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
