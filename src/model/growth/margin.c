@@ -50,6 +50,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
+/* Equation (26; c8), corrected. */
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {
@@ -76,6 +77,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
+/* Equation (17; b13). */
 static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
                                    struct margin *m)
 {

@@ -288,7 +288,7 @@ enum { CONTACT_SAMPLES = 3 };
 KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
 {
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
-    for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
+    for (int k = 0; k <= CONTACT_SAMPLES && c.status == DOM_OK; k++) {
         real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
         /* The last tilt is `to` itself, because rounding can put lo + (to - lo) beyond it. */
         least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);

@@ -58,7 +58,7 @@ KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /* Finds the contact forces at a few tilts from lo to `to` and divides each force by the weight of the domino
  * that it pushes. If the smallest of these ratios is below *least, stores it there. If segment->end.pushes is
- * true, no contact opens, so the function does nothing. */
+ * true, no ratio is negative, so callers that only need the sign do not call this function. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
 /* Returns the friction coefficient |x| / z that a hinge needs if (x, z) is the force of the floor on it. If
