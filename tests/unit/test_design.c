@@ -175,6 +175,8 @@ TEST(engine_decides)
         w.engine = &engine;
         assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
+        assert_status(domq_design_steps(&train, &w, NULL, NULL, free.steps, &d), DOM_OK);
+        assert_true(d.seconds > 0 && d.seconds != 10); /* the time in the model */
         fake.most = (double)free.r * 0.999;
         assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
         assert_int_equal(d.limit, DOM_DESIGN_FITS);

@@ -266,7 +266,8 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 /* A choice_test that returns true if the row falls and fits into the hall. */
 static bool falls_in_hall(struct planner *p, struct choice c)
 {
-    return row_ratio(p, c, p->wish->push, false) > 1 && row_feet(p, c) + p->wish->height <= p->wish->hall;
+    return row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           row_feet(p, c) + p->wish->height <= p->wish->hall;
 }
 
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
@@ -283,6 +284,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
     if (p.status == DOM_OK && steps == 0)
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
+    falls.engine = NULL;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
         p.wish = &falls; /* no train has the required safety, so look for one that merely falls */
         (void)separation_find(&p, &k);
