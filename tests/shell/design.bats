@@ -139,6 +139,9 @@ END
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
     wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
+    same 'a number has the unit at the end of the list' \
+        "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1 cm, 2 cm, 3 cm')" \
+        "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1, 2, 3 cm')"
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
     grep -q 'rows with a safety of 2 are possible, but no row with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'

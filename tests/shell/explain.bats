@@ -60,6 +60,8 @@ check=$root/tests/derivations/check.py
     same brackets "$(tr -cd '{' <a.tex | wc -c)" "$(tr -cd '}' <a.tex | wc -c)"
     same begins "$(grep -c '^\\begin' a.tex)" "$(grep -c '^\\end' a.tex)"
     same head quantity "$(head -n 1 a.csv | cut -d, -f1)"
+    same 'all quantities in the equation of the answer have a row' 'd h r s seconds' \
+        "$("$DOMINO" -e 'set output csv; explain duration' | cut -d, -f1 | grep -x '[dhrs]\|seconds' | sort | paste -sd ' ' -)"
     # The sentence about a row, and the note that an answer is about the train, are outside the formulas.
     "$DOMINO" -e 'effect row 5; explain verdict > v.tex; explain fuel > f.tex' 2>note
     grep -q 'not about the row' note

@@ -94,7 +94,7 @@ END
     wrong 'fit friction timeless.csv' "timeless.csv:1:1: there is neither a column 'time \(s\)' nor a column 'frame'"
     wrong 'fit friction angle.csv' "angle.csv:2:4: angle has no unit: .*write 'angle \(deg\)'"
     wrong 'fit friction, push frames.csv 240' '3 measurements are too few for 2 unknowns and the start time of each run'
-    wrong 'effect row 2; effect push 5; fit friction frames.csv 240' 'domino 3 was measured in run 1, but in the scene the fall ends at domino 2'
+    wrong 'effect row 2; effect push 5; fit friction frames.csv 240' 'domino 3 was measured in run 1, but the row has only 2 dominoes'
 }
 
 # Writes hit times of a row with errors of 1 ms, for two runs that are measured by different clocks.

@@ -172,7 +172,7 @@ dom_real digit_of(dom_real value, int places)
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
 /* the number of values that are tried in each direction; with an engine, fewer values are tried, because an
- * engine takes thousands of times as long for each value */
+ * engine takes about a thousand times as long for each value */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)

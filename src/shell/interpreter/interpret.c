@@ -85,7 +85,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     progress_begin();
     bool done = run_function(session, c, query, &answer, problem);
     progress_end();
-    session->typed.is_last = session->typed.is_last && done && !c->columns;
+    session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
     if (done && answer.note)
         train_note(session, &answer);
     const struct format *format = answer.style.format;

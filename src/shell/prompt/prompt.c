@@ -98,8 +98,7 @@ static char *line_whole(struct session *session, char *text)
     if (unfinished) {
         if (asprintf(&whole, "%s%s", unfinished, text) < 0)
             whole = NULL;
-        else
-            free(text);
+        free(text);
     }
     bool before = is_joined = unfinished != NULL;
     free(unfinished);

@@ -93,14 +93,13 @@ static bool row_times(struct row_film *f)
     if (!isfinite(f->row.end))
         return problem_no_answer(film->problem, "one domino almost stops, so later times cannot be computed");
     double moving = ceil((f->row.end - begins) / step - 1e-9);
-    int held = HELD * 100 / film->delay;
-    if (moving + held > FRAMES_MOST)
+    const double frames = moving + 1 + (film->answer ? 0 : HELD * 100 / film->delay);
+    if (frames > FRAMES_MOST)
         return problem_no_answer(
             film->problem,
             "the film would have %.0f frames, but at most %d are drawn; enter 'speed %s', or a smaller rate",
-            moving, FRAMES_MOST,
-            measured(speed * (domq_real)(1.05 * (moving + held) / FRAMES_MOST), "", 3).text);
-    film->frames = (size_t)(moving + 1 + (film->answer ? 0 : held));
+            frames, FRAMES_MOST, measured(speed * (domq_real)(1.05 * frames / FRAMES_MOST), "", 3).text);
+    film->frames = (size_t)frames;
     f->time = malloc(film->frames * sizeof *f->time);
     for (size_t k = 0; k < film->frames && f->time; k++)
         f->time[k] = (domq_real)((double)k < moving ? begins + step * (double)k : HUGE_VAL);

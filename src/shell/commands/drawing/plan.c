@@ -81,7 +81,6 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
         falling_row_free(&p->row);
         return false;
     }
-    scene->row.floor = false;
     p->back = malloc(count * sizeof *p->back);
     enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
     for (size_t k = 0; k < count && p->back; k++)

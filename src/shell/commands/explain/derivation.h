@@ -84,7 +84,7 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    int depth; /* how many equations lie between this quantity and the answer; 0 for the answer itself */
+    int depth; /* the fewest equations between this quantity and the answer; 0 for the answer itself */
 };
 
 struct derivation {

@@ -210,12 +210,24 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     return NULL;
 }
 
+/* Called when another equation, closer to the answer, needs a known step. */
+static void step_closer(struct derivation *d, struct step *s, int depth)
+{
+    if (depth >= s->depth)
+        return;
+    s->depth = depth;
+    for (int k = 0; k < s->count; k++)
+        step_closer(d, &d->step[s->needs[k] - d->step], depth + 1);
+}
+
 /* Returns the step for a quantity, with its value, or NULL on failure. */
 static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
     for (int k = 0; k < d->count; k++)
-        if (strcmp(d->step[k].name, name) == 0)
+        if (strcmp(d->step[k].name, name) == 0) {
+            step_closer(d, &d->step[k], depth);
             return &d->step[k];
+        }
     struct step *s = step_begin(d, name, depth);
     if (!s || (s->derived->library && !library_value(d, s->derived->library, &s->value)))
         return NULL;

@@ -22,7 +22,7 @@ static const struct column explain_columns[] = {
      6},
     {"needs", "", "the quantities that the equation contains", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
-    {"depth", "", "how many equations lie between this quantity and the answer", 5},
+    {"depth", "", "the fewest equations between this quantity and the answer", 5},
     {"meaning", "", "what the quantity is and, if it has no equation, why not", 40},
     {NULL, NULL, NULL, 0},
 };

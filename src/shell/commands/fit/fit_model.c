@@ -50,9 +50,16 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Checks that the fall in the model, which ends at domino `dominoes`, reaches all measured dominoes. */
-static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
+/* Checks that the fall in the model, which ends at domino `dominoes`, reaches all measured dominoes. If
+ * `falls` is true, this domino is the last of the row. */
+static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes, bool falls)
 {
+    if (falls && dominoes < run->dominoes)
+        return problem_no_answer(
+            &f->problem,
+            "domino %zu was measured in run %g, but the row has only %zu dominoes; enter "
+            "a longer row, for example 'effect row %zu'",
+            run->dominoes, run->number, dominoes, run->dominoes);
     return dominoes >= run->dominoes ||
            problem_no_answer(
                &f->problem,
@@ -76,8 +83,9 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
         computed[k] = done ? (double)row.fall[i].time : 0;
     }
     const size_t last = row.verdict.domino;
+    const bool falls = row.verdict.end == DOM_ROW_FALLS;
     row_run_free(&row);
-    return done || row_long_enough(f, run, last);
+    return done || row_long_enough(f, run, last, falls);
 }
 
 /* ---- Angles ---- */
@@ -133,7 +141,7 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
         return problem_no_answer(&f->problem,
                                  "angles can be compared with the model, but not with the rigid-body engine; "
                                  "times of hits can be compared with both");
-    return row_long_enough(f, run, fits ? run->dominoes : (size_t)row.row.count) &&
+    return row_long_enough(f, run, fits ? run->dominoes : (size_t)row.row.count, true) &&
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses the wishes of 'design' and 'improve', such as 'safety 2 hall 20 m', in any order. */
 #include "commands/planning/planning.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,9 +53,23 @@ static const char *least_names(const void *context, int k)
 struct wishes_parsed {
     struct item value[WISHES], board[BOARDS_MOST];
     size_t boards;
+    domq_real board_unit; /* the length unit at the end of the list of boards in m; 1 mm without a unit */
     bool sizes;
     enum dom_least least;
 };
+
+/* Returns the length unit at the end of the text from `from` to `end` in m, or 1 mm if there is none. */
+static domq_real unit_at_end(const char *from, const char *end)
+{
+    char name[8];
+    const char *at = end;
+    while (at > from && isalpha((unsigned char)at[-1]))
+        at--;
+    struct quantity unit = {.value = 0};
+    if (name_copy(at, (size_t)(end - at), name, sizeof name))
+        unit = expression_unit(name);
+    return quantity_alike(unit, (struct quantity){.length = 1}) ? unit.value : (domq_real)1 / 1000;
+}
 
 /* Parses a list of thicknesses, as in '9, 12, 15 mm'. */
 static bool boards_parse(struct reader *r, struct wishes_parsed *w)
@@ -68,10 +83,12 @@ static bool boards_parse(struct reader *r, struct wishes_parsed *w)
         r->at = skip_blanks(r->at);
         reader_place(r, r->at);
         r->stops = ",";
+        const char *from = r->at;
         const bool good = item_parse(r, &board, &w->board[w->boards++]);
         r->stops = NULL;
         if (!good)
             return false;
+        w->board_unit = unit_at_end(from, r->at);
         r->at = skip_blanks(r->at);
         more = *r->at == ',';
         r->at += more;
@@ -156,8 +173,8 @@ static int compare(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Computes and sorts the thicknesses of the boards. A number without a unit is in mm, the usual unit for
- * boards. */
+/* Computes and sorts the thicknesses of the boards. A number without a unit has the unit at the end of the
+ * list, as the 1 and the 2 in '1, 2, 3 cm'. Without any unit, it is in mm, the usual unit for boards. */
 static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
                         struct problem *problem)
 {
@@ -174,7 +191,7 @@ static bool boards_bind(const struct question *q, const struct query *query, str
             return problem_error(
                 problem, "the thickness of a board must be a length above 0, as in 'boards 9, 12, 15 mm'");
         if (bare)
-            w->board[i] *= (domq_real)1 / 1000;
+            w->board[i] *= parsed->board_unit;
     }
     qsort(w->board, w->boards, sizeof *w->board, compare);
     return true;

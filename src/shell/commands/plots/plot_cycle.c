@@ -14,7 +14,6 @@ enum { STEPS = 160 };
  * extends to this multiple of that tilt, but not beyond theta_c. */
 #define BEYOND_STOP 4
 
-enum { LINES = PLOT_CURVES };
 /* The lines of distant dominoes would lie too close to the line for theta_f. A line is drawn for domino i
  * only if theta_f - theta_i > LINES_APART theta_f at the launch. */
 #define LINES_APART ((domq_real)2 / 100)
@@ -29,7 +28,7 @@ struct cycle {
 
 /* The tilts of the head and its first followers at one moment. */
 struct tilts {
-    domq_real theta[LINES];
+    domq_real theta[PLOT_CURVES];
     int count;
 };
 
@@ -57,7 +56,7 @@ static bool tilts_link(const struct domq_link *link, void *context)
 {
     struct tilts *t = context;
     t->theta[t->count++] = link->theta;
-    return t->count < LINES;
+    return t->count < PLOT_CURVES;
 }
 
 /* Finds the tilts of the first dominoes. A detached or negligibly light domino has the tilt theta_f. */
@@ -66,7 +65,7 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     const struct scene *scene = c->query->scene;
     t->count = 0;
     enum dom_status status = domq_chain_walk(&scene->train, &scene->compute, theta, tilts_link, t);
-    while (t->count < LINES)
+    while (t->count < PLOT_CURVES)
         t->theta[t->count++] = c->angles.theta_f;
     return status;
 }
@@ -78,7 +77,7 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     domq_real theta_f = c->angles.theta_f;
     enum dom_status status = tilts_find(c, 0, &start);
     *lines = 1;
-    while (*lines < LINES && theta_f - start.theta[*lines] > LINES_APART * theta_f)
+    while (*lines < PLOT_CURVES && theta_f - start.theta[*lines] > LINES_APART * theta_f)
         ++*lines;
     return status;
 }

@@ -38,8 +38,6 @@ const struct column tolerance_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-enum { KINDS = WINDOW_KINDS };
-
 /* Returns the distance from the current value to the nearer end of the window. The distance is negative if
  * the value is outside the window, and NaN if there is no window. */
 static domq_real room(const struct domq_window *w)
@@ -79,7 +77,7 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
 /* The search for all windows. Each kind of window is a task, and the tasks run in parallel. */
 struct search {
     struct windows *windows;
-    enum dom_status status[KINDS];
+    enum dom_status status[WINDOW_KINDS];
     atomic_size_t done; /* the number of windows found so far */
     bool is_muted;      /* true if the thread that started the search mutes progress output */
 };
@@ -87,7 +85,7 @@ struct search {
 static void search_progress(size_t done, size_t of, void *context)
 {
     struct search *s = context;
-    const double all = (double)(s->windows->count * KINDS), now = (double)++s->done;
+    const double all = (double)(s->windows->count * WINDOW_KINDS), now = (double)++s->done;
     (void)done, (void)of;
     const bool was_muted = progress_mute(s->is_muted);
     progress_show(now / all);
@@ -113,8 +111,8 @@ static enum dom_status search_run(const struct query *query, struct windows *w)
                              .interrupt = query->scene->compute.interrupt};
     struct search search = {.windows = w, .is_muted = progress_mute(false)};
     progress_mute(search.is_muted);
-    enum dom_status status = workers_tasks(KINDS, search_kind, &search, &pool);
-    for (int kind = 0; kind < KINDS && status == DOM_OK; kind++)
+    enum dom_status status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
+    for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
         status = search.status[kind];
     return status;
 }
@@ -124,12 +122,12 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
     const struct domq_row *row = &scene->row;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};
-    w->kind[0] = malloc(KINDS * w->count * sizeof **w->kind);
+    w->kind[0] = malloc(WINDOW_KINDS * w->count * sizeof **w->kind);
     if (!w->kind[0])
         return DOM_NO_MEMORY;
-    for (int i = 1; i < KINDS; i++)
+    for (int i = 1; i < WINDOW_KINDS; i++)
         w->kind[i] = w->kind[i - 1] + w->count;
-    for (size_t i = 0; i < KINDS * w->count; i++)
+    for (size_t i = 0; i < WINDOW_KINDS * w->count; i++)
         w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
     enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
