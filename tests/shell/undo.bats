@@ -65,6 +65,6 @@ END
     same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
     same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
     same 'and variables' 's x f(a)' "$(json 's = 0.3; let x = 2; let f(a) = 2*a; diff' | values name | grep -v output | paste -sd ' ' -)"
-    same 'and gaps' "'change' has changed 1 value of the row; 'row' lists the row." \
+    same 'and gaps' "1 value of the row has been changed; 'row' lists the row." \
         "$("$DOMINO" -e 'effect row 3; place 2 20 mm; diff' | tail -n 1)"
 }

@@ -40,7 +40,10 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
         answer_describe(a, "theta_u", NULL,
                         "tilt at which a single domino with its rounded foot just tips over");
         answer_describe(a, "theta_inf", NULL, "tilt of followers far behind the head");
-    }
+    } else if (query->scene->train.alpha != 0)
+        answer_describe(
+            a, "theta_u", NULL,
+            "tilt at which a single domino just tips over: tan(theta_u + alpha) = d, with the slope alpha");
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
                         CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));
 }
@@ -155,10 +158,9 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
              place);
 }
 
-/* Decides whether there is an answer after a computation that ended with `status`. Returns false if there is
- * none. If a cycle releases no energy, if the train stops, or if friction locks a collision, there is an
- * answer, but some of its numbers are missing. In these cases, sets *why to the reason, which may be stored
- * in `reason`. If no number is missing, sets *why to NULL. */
+/* Returns false if there is no answer after a computation that ended with `status`. If a cycle releases no
+ * energy, if the train stops, or if friction locks a collision, there is an answer, but some of its numbers
+ * may be missing; *why is then the reason, which may be stored in `reason`. Otherwise *why is NULL. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
 {

@@ -11,7 +11,7 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
     return i < call->count ? call->number[i] : fallback;
 }
 
-/* Returns why no growth is possible, or NULL if some growth is possible. */
+/* Returns NULL if some growth is possible. */
 static const char *no_growth(struct domq_limit limit)
 {
     return limit.ends != DOM_END_NONE ? NULL
@@ -51,7 +51,6 @@ static const struct column rmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Prints what the largest growth means, and what prevents a larger one. */
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
     if (used->ends == DOM_END_NONE)
@@ -78,8 +77,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "depend on the fuel.");
     else if (used->ends != DOM_END_NONE)
         answer_say(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel leaves "
-                      "out the weights r^(-q "
-                      "i) (25; c7).");
+                      "out the weights r^(-q i) (25; c7).");
 }
 
 /* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
@@ -215,8 +213,8 @@ struct curve {
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool has_missing;       /* true if no growth is possible at one or more of the points */
-    enum dom_status status; /* status of the most recent point */
+    bool has_missing; /* true if no growth is possible at one or more of the points */
+    enum dom_status status;
 };
 
 static bool curve_point(void *context, size_t k, FILE *out)
@@ -264,7 +262,8 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     if (!points_answer(query, problem, a, workers, &by_point))
         return by_point ? query_status(query, problem, c.status) : false;
     if (c.has_missing)
-        answer_say(a, "'-' means that no growth is possible; 'rmax S' and 'pair S' explain why");
+        answer_say(
+            a, "'-' under exact or pair means that no growth is possible; 'rmax S' and 'pair S' explain why");
     return true;
 }
 

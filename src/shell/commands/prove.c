@@ -68,14 +68,13 @@ static void prove_row(struct answer *a, double s, enum what what, struct cell lo
                reason);
 }
 
-/* Returns why a proof is incomplete, written into `reason`, or NULL for a complete proof. */
+/* Writes into `reason` why a proof is incomplete and returns `reason`. Returns NULL for a complete proof. */
 static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
 {
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
     return gap == DOM_PROOF_NONE ? NULL : reason;
 }
 
-/* Prints what is proved about the largest growth. */
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
@@ -133,7 +132,7 @@ static const struct {
     [DOM_PROVED_STOPS] = {"stops",
                           "the train stops: at one tilt of the cycle it has too little energy for the climb"},
     [DOM_PROVED_NO_FUEL] = {"no fuel", "the train stops: a cycle releases no energy"},
-    [DOM_PROVED_OUT_OF_REACH] = {"out of reach", "r s > 1: the head falls past the next domino"},
+    [DOM_PROVED_OUT_OF_REACH] = {"out of reach", "the head falls past the next domino, because r s > 1"},
     [DOM_PROVED_NOTHING] = {"not proved", NULL},
 };
 
@@ -195,8 +194,8 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     if (is_enough)
         answer_say(a, "Proved: %.0f dominoes are enough at growth %.12g, and fewer are not.", least, train.r);
     say_cycle(query, a, &proof);
-    answer_say(a, "Computed, but not proved: %s, %s.", start_words(query).text,
-               start.falls ? "the row starts" : "the row does not start");
+    answer_say(a, "Computed, but not proved: the row %s %s.", start.falls ? "starts" : "does not start",
+               start_words(query).text);
     return true;
 }
 

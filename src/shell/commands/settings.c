@@ -97,8 +97,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
         change_say(query, a,
                    "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
-                   "'effect row "
-                   "N' makes a row from s and r.",
+                   "'effect row N' makes a row from s and r.",
                    kept, next->scene.listed.changes - 1);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
@@ -110,7 +109,6 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Runs the commands 'undo' and 'redo'. */
 static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
@@ -299,11 +297,11 @@ const struct command session_commands[] = {
                    .bind = definition_bind}},
      .summary = "give a value a name, or define a function",
      .help =
-         "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x. "
-         "'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes 1 "
-         "to "
-         "4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
-         "removes x. 'let' lists all variables and functions, and 'save' writes them into its file.",
+         "'let x = 0.9*rmax' stores the value that the expression has now, and every expression can use x."
+         " 'let f(s) = rmax(s)*s' stores the text, and f(0.3) evaluates it with s = 0.3. A function takes "
+         "1 to 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and "
+         "'reset x' removes x. 'let' lists all variables and functions, and 'save' writes them into its "
+         "file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
      .changes = true,
@@ -312,8 +310,8 @@ const struct command session_commands[] = {
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
-     .help = "FILE also records the effects that are on, the name of the row's file, the dimensions that "
-             "'change' has changed, and what 'let' has defined.",
+     .help = "FILE also records the effects that are on, the name of the row's file, the dimensions of the "
+             "row that have been changed, and what 'let' has defined.",
      .see = "source",
      .files = true,
      .run = run_save},

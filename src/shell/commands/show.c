@@ -59,7 +59,6 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     memcpy(shown->cell, cells, sizeof cells);
 }
 
-/* Adds a row for a variable, with its value and unit, or for a function, with its text. */
 static void variable_row(struct answer *a, const struct variable *v)
 {
     char value[WIDE_TEXT];
@@ -155,7 +154,7 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
     else
         answer_say(a, "All parameters have their defaults, and no effect is on.");
     if (changes > 0)
-        answer_say(a, "'change' has changed %zu value%s of the row; 'row' lists the row.", changes,
-                   changes == 1 ? "" : "s");
+        answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,
+                   changes == 1 ? "" : "s", changes == 1 ? "has" : "have");
     return true;
 }
