@@ -108,8 +108,7 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Prints a line for each named kind of domino, and for the kind of the session. `session_tower` is the result
- * for the session's kind. */
+/* Prints a line for each named kind of domino, and for the kind of the session. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)

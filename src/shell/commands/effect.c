@@ -57,7 +57,6 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     return row_status(query, problem, status);
 }
 
-/* A scene that is to be timed, and its row. */
 struct priced {
     const struct scene *scene;
     struct scene_row row;

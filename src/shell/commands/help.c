@@ -55,7 +55,6 @@ static void help_list(FILE *out)
 
 /* ---- A parameter or an effect ---- */
 
-/* Prints the arguments of an effect with their ranges. */
 static void help_effect_values(const struct session *session, const struct parameter *p)
 {
     char text[512];
@@ -123,7 +122,6 @@ static void help_example(struct session *session, const char *example)
     session_close(&fresh);
 }
 
-/* Prints the table of parameters, as the command 'show' does. */
 static void help_show(struct session *session)
 {
     const struct arguments none = {.count = 0};
@@ -212,7 +210,6 @@ static void help_name(struct session *session, struct answer *a, const char *nam
     }
 }
 
-/* Explains a variable or function that was defined with 'let'. */
 static void help_variable(const struct session *session, const struct arguments *given, struct answer *a)
 {
     const struct variable *v = given->variable;

@@ -29,7 +29,7 @@ static FILE *tutorial_open(void)
     return in;
 }
 
-/* Shows a line of the script. Escapes control characters, because the file may come from a stranger. */
+/* Escapes control characters, because the file may come from a stranger. */
 static void line_show(const struct session *reader, const char *before, const char *line)
 {
     char *shown = escape_copy(line);

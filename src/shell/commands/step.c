@@ -26,7 +26,7 @@ static bool follower_add(const struct domq_link *k, void *context)
     return k->i < 2;
 }
 
-/* Returns a cell that shows an angle with four digits, for a narrow column. */
+/* Four digits, for a narrow column. */
 static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
@@ -34,7 +34,6 @@ static struct cell cell_angle(domq_real theta)
     return cell;
 }
 
-/* The context of the callback cycle_row. */
 struct cycle_table {
     const struct query *query;
     struct answer *answer;

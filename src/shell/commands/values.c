@@ -138,7 +138,7 @@ static const char *language_words(const void *context, int k)
     return words[k];
 }
 
-/* Returns true if a name has no other meaning. Otherwise sets *problem and returns false. */
+/* Checks that a name has no other meaning. */
 static bool name_free(struct problem *problem, const char *name)
 {
     const char *is = parameter_find(name)                             ? "a parameter"
@@ -203,8 +203,8 @@ bool definition_parse(struct reader *r, struct question *q)
     if (!value)
         return problem_error(
             r->problem,
-            "enter, for example, 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function with 1 "
-            "to %d arguments",
+            "enter, for example, 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function with 1 to %d "
+            "arguments",
             EXPRESSION_ARGUMENTS);
     if (!name_free(r->problem, v->name))
         return false;

@@ -19,7 +19,7 @@ struct walk_units {
     const char *weight_unit;
 };
 
-/* Returns the units of measurement in a cycle. Cycles are numbered from 1. */
+/* Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
 /* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed

@@ -75,7 +75,6 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     }
 }
 
-/* Explains the verdict with the paper's symbols. */
 static void symbols_say(const struct query *query, struct answer *a, enum dom_status verdict,
                         const struct domq_barrier *b, const struct domq_limit *limit)
 {
@@ -98,7 +97,6 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
                    t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
 }
 
-/* Prints whether the dominoes stay in contact during the cycle, as the paper assumes. */
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
     const struct answer_style *style = &query->state->settings.style;
