@@ -183,6 +183,7 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
  *
  * Otherwise returns DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. For an
  * effect with a value that is impossible for this train, returns DOM_NO_STAND, DOM_NO_ROOM or DOM_NO_ROUND.
+ * The check is made by our own method: with any other method, the status is DOM_NO_METHOD.
  * Every function below that takes a train makes this check and may return these statuses.
  *
  * If r is 1/s rounded to the precision, the product r s counts as 1, even if rounding has made it slightly

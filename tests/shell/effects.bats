@@ -118,6 +118,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps a potential energy of $keeps mgh/2."* ]]
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
+    same "no paper fuel on a slope" null "$(json 'effect slope 2 deg; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: there is no proof for trains with friction, a slope or rounded edges' "$(json 'effect edges 0.01; prove rmax' | values reason)"
     printf 'height (mm),thickness (mm),gap (mm),radius (mm)\n48,7,,0.5\n60,8,20,0\n72,9,25,0.4\n' >radii.csv
     fall=$("$DOMINO" -e 'effect edges 0.01; effect row radii.csv; row > again.csv; set output json; fall')

@@ -150,7 +150,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
                       const struct tower *t, domq_real height, domq_real first)
 {
     if (count->dominoes == 0) {
-        answer_say(a, "No other domino is needed: the first is already %s tall.\n",
+        answer_say(a, "No other domino is needed: the first is already %s tall.",
                    measured(first, "m", 6).text);
         return;
     }

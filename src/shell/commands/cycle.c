@@ -128,9 +128,8 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     enum dom_status status = domq_fuel_find(&query->scene->train, query_compute(query), &f);
     if (status != DOM_OK)
         return query_status(query, problem, status);
-    /* The paper's closed form holds only for sharp edges. */
-    struct cell exact = CELL_OF(f, exact),
-                paper = query->scene->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
+    const bool has_paper = query->scene->train.rho == 0 && query->scene->train.alpha == 0;
+    struct cell exact = CELL_OF(f, exact), paper = has_paper ? CELL_OF(f, paper) : cell_real(DOMQ_NAN);
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
     if (domq_law(&query->scene->train)->dissipates) {
@@ -139,7 +138,11 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
             return query_status(query, problem, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
-    return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
+    return answer_row(a, ROW(used, exact, paper),
+                      used.number > 0 ? has_paper ? NULL
+                                                  : "fuel_paper has no value: the paper's closed form is for "
+                                                    "sharp edges on a level floor"
+                                      : no_fuel(query));
 }
 
 /* Writes why the train stops, and at which tilt if this is known. */

@@ -133,7 +133,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
  * variables or functions. */
 static const char *language_words(const void *context, int k)
 {
-    static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};
+    static const char *const words[] = {"to", "with", "and", "or", "not", NULL};
     (void)context;
     return words[k];
 }
