@@ -29,7 +29,7 @@ static const char help[] =
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
     "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
-    "      --bail              stop at the first error, even on standard input\n"
+    "      --bail              stop at the first error, also in input from a pipe\n"
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
     "      --interruptible     SIGINT ends the running command, not the program\n"

@@ -50,7 +50,8 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .synonyms = "alpha hill incline ramp tilt downhill uphill",
             .adds = "a sloping floor, downhill if ALPHA > 0",
             .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
-                    "tips over (tan theta_u = d). At separations from 0.2 to 0.4, one degree downhill raises "
+                    "tips over (tan theta_u = d with sharp edges). At separations from 0.2 to 0.4, one "
+                    "degree downhill raises "
                     "r_max by 4 to 8 %, and one degree uphill lowers it by 3 to 6 %. Tilts are "
                     "measured from the normal to the floor. The potential energy of a domino is then "
                     "h(theta) = cos(theta + alpha) + d sin(theta + alpha). This changes H, the fuel P, the "
