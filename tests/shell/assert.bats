@@ -10,8 +10,8 @@ load common
     wrong 'assert rmax(0.4) < 1.6' 'assert: not true: rmax\(0.4\) < 1.6'
     wrong 'assert 1/0 < 2' 'assert: .*division by zero'
     wrong 'assert rmax' "'rmax' has no verdict; .* 'assert rmax < 1.7'"
-    wrong 'assert rmax(0.4) > 2' "here '>' would write the answer into a file, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
-    wrong 'assert rmax > 2' "here '>' would write the answer into a file, .* parentheses"
+    wrong 'assert rmax(0.4) > 2' "here '>' would write the answer to a file, .* parentheses, as in 'assert \(rmax\(0.4\) > 1.6\)'"
+    wrong 'assert rmax > 2' "here '>' would write the answer to a file, .* parentheses"
     wrong 'assert (rmax(0.4) > 2)' 'assert: not true'
 }
 

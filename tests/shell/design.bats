@@ -98,7 +98,7 @@ END
     close seconds "$(values seconds <<<"$answer" | tail -n 1)" "$(values seconds <<<"$answer" | head -n 1)" 1e-4
     within 'a domino more' "$(json "$scene; design 9 m" | values steps)" "$(values steps <<<"$answer" | head -n 1)" 'o > e && o < e + 4'
     run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
-    grep -q 'according to the model, in which feet are hinges\. All dominoes also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
+    grep -q 'according to the model, which treats feet as hinges\. All dominoes also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
     grep -q "^infeasible: .* no row that was tried falls in the rigid-body engine (used because feet is on); a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
@@ -138,7 +138,7 @@ END
     run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
-    wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
+    wrong 'design 1 m grid 1 m' 'a grid of 1 m is too coarse: domino 1 is 4.8 cm tall and cannot reach across a gap of this length'
     same 'a number has the unit at the end of the list' \
         "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1 cm, 2 cm, 3 cm')" \
         "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1, 2, 3 cm')"

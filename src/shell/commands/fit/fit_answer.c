@@ -64,11 +64,11 @@ bool fit_parse(struct reader *r, struct question *q)
 
 const struct column fit_columns[] = {
     {"gap", "m",
-     "if a speed was measured: the clear gap between neighbouring dominoes; all gaps of the row are equal",
+     "the clear gap between neighbouring dominoes, if a speed was measured; all gaps of the row are equal",
      0},
-    {"run", "", "if a hit or an angle was measured: the number of the run", 5},
-    {"domino", "", "if a hit or an angle was measured: the number of the domino", 0},
-    {"time", "s", "if an angle was measured: the time of the measurement", 0},
+    {"run", "", "the number of the run, if a hit or an angle was measured", 5},
+    {"domino", "", "the number of the domino, if a hit or an angle was measured", 0},
+    {"time", "s", "the time of the measurement, if an angle was measured", 0},
     {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
     {"fitted", "", "the model's result with the fitted values", 0},
     {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},

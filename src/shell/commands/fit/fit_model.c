@@ -50,22 +50,23 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Checks that the fall in the model, which ends at domino `dominoes`, reaches all measured dominoes. If
- * `falls` is true, this domino is the last of the row. */
-static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes, bool falls)
+/* Checks that no measured domino comes after domino number `last`, the last one that the model has a result
+ * for. If the check fails, `falls` tells why: if it is true, the row ends at `last`; if it is false, the row
+ * is longer, but the fall ends there. */
+static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t last, bool falls)
 {
-    if (falls && dominoes < run->dominoes)
+    if (falls && last < run->dominoes)
         return problem_no_answer(
             &f->problem,
             "domino %zu was measured in run %g, but the row has only %zu dominoes; enter "
             "a longer row, for example 'effect row %zu'",
-            run->dominoes, run->number, dominoes, run->dominoes);
-    return dominoes >= run->dominoes ||
+            run->dominoes, run->number, last, run->dominoes);
+    return last >= run->dominoes ||
            problem_no_answer(
                &f->problem,
                "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
                "shows why; if the row was pushed, enter 'effect push', or fit push as well",
-               run->dominoes, run->number, dominoes);
+               run->dominoes, run->number, last);
 }
 
 static bool hits_compute(struct fit *f, const double *value, const struct fit_run *run, double *computed)
@@ -145,9 +146,9 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Finds the time at which the domino of the first measurement first rises to an angle, by interpolation
- * between the measurements. Returns NaN if no measurement is below the angle and followed by one that is
- * not. */
+/* Finds when the domino of the first measurement reaches an angle for the first time, by interpolation
+ * between its measurements. Returns NaN if its measurements never rise from below the angle to the angle or
+ * above. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;

@@ -86,7 +86,7 @@ static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residua
     if (done)
         residuals_fill(f, residual);
     else
-        gsl_vector_set_all(residual, 1e12); /* so large that the search turns back */
+        gsl_vector_set_all(residual, 1e12); /* so large that the search does not move to x */
     return done;
 }
 
@@ -141,8 +141,9 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 
 /* ---- Where the search begins ---- */
 
-/* Returns starting value k of an unknown, or NaN after the last one. The first one is the current value or,
- * for an effect that is off, a value just above the lowest one. */
+/* Returns starting value k of an unknown, or NaN after the last one. Value 0 is the current value. If the
+ * unknown is an effect that is off, value 0 is instead just above the lower end of the unknown's range. The
+ * other values are spread over the range. */
 static double start_of(const struct fit *f, int i, int k)
 {
     static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
@@ -155,8 +156,9 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Tries all combinations of starting values. Stores the combination with the smallest sum of squares in the
- * unknowns, and its start times in *clock. Fails if the model has no answer for any combination. */
+/* Tries all combinations of starting values and finds the one with the smallest sum of squares. Stores these
+ * values in the unknowns, and the start times of the runs in *clock. Fails if the model has no answer for any
+ * combination. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -208,8 +210,9 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         }
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
-    /* The residuals also show how large the errors are. Their size is used if the user gave no errors, or
-     * errors that are smaller than the residuals. */
+    /* The covariance assumes the errors that fit_error returns. If the user gave no errors, or if the
+     * residuals are too large for the given errors, the size of the errors is taken from the residuals
+     * instead. */
     const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
     for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);

@@ -13,12 +13,12 @@ const char *assert_names(const void *context, int k)
     return NULL;
 }
 
-/* Fails if a '>' follows, which would write the answer into a file. */
+/* Fails if a '>' follows, which would write the answer to a file. */
 static bool comparison_ends(struct reader *r)
 {
     return *skip_blanks(r->at) != '>' ||
            problem_error(r->problem,
-                         "here '>' would write the answer into a file, but a condition has no answer; put a "
+                         "here '>' would write the answer to a file, but a condition has no answer; put a "
                          "comparison in parentheses, as in 'assert (rmax(0.4) > 1.6)'");
 }
 

@@ -203,7 +203,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
         snprintf(least, sizeof least,
                  " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
                  floor(100 * (double)d->row),
-                 wish->engine ? ", according to the model, in which feet are hinges" : "");
+                 wish->engine ? ", according to the model, which treats feet as hinges" : "");
     if (wish->engine)
         snprintf(engine, sizeof engine,
                  " All dominoes also fall in the rigid-body engine, which is used because %s.",

@@ -23,8 +23,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns how many random rows to run. If each row falls with this probability, at least 20 of these rows (10
- * in the engine) can be expected not to fall. With fewer failures, the measured probability would be too
+/* Returns the number of random rows to run. If each row falls with this probability, at least 20 of them (10
+ * in the engine) are then expected not to fall. With fewer failures, the measured probability would be too
  * uncertain. */
 static size_t rows_for(domq_real probability, bool engine)
 {
@@ -83,7 +83,8 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Explains in `reason` that no number of dominoes reaches the probability, and names the best number. */
+/* Explains in `reason` why no design was found. Either no row falls, even without errors, or no number of
+ * dominoes reaches the probability. In the second case, `reason` also says which number comes closest. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real probability, char reason[REASON])
 {

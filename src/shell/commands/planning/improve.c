@@ -94,7 +94,7 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
         return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
         return problem_error(problem, "the masses of this row are not known; set the mass of its first "
-                                      "domino with 'set mass', or leave out the wish 'mass'");
+                                      "domino with 'set mass', or leave out 'mass'");
     return true;
 }
 
@@ -169,7 +169,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                    study_words(&i->study[0]).text, study_words(&i->study[1]).text);
     if (i->scene.row.engine)
         answer_say(a,
-                   "The search used the model, in which feet are hinges. The probability comes from the "
+                   "The search used the model, which treats feet as hinges. The probability comes from the "
                    "rigid-body engine, which is used because %s.",
                    scene_engine_why(query->scene));
     if (i->changed == 0)

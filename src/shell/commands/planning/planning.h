@@ -43,8 +43,9 @@ struct scan {
     const struct solve *solve;
     struct root {
         domq_real x, answer;
-        const char *branch; /* "rising" or "falling", or on which side of x a verdict is true */
-    } root[ROOTS_MOST];     /* the roots found so far; at the end they are sorted by x */
+        /* "rising" or "falling"; for a verdict, "true up to here" or "true from here on" */
+        const char *branch;
+    } root[ROOTS_MOST]; /* the roots found so far; at the end they are sorted by x */
     int roots;
     domq_real jump; /* an x at which the answer jumps past the given value */
     struct scan_point {

@@ -22,16 +22,16 @@ const struct command design_commands[] = {
          "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
          "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
          "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
-         "thicknesses to choose from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'grid "
-         "1 mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first domino, the "
-         "height H and the thicknesses of boards. The row still has the required safety. 'design 8 m falls "
-         "99 %' finds the fewest dominoes that fall with this probability. It takes the random errors of "
-         "the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % interval must "
-         "reach this probability. A table shows the results for fewer and for more dominoes; then the row "
-         "is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect feet', 'effect "
-         "bounce', 'set method engine'), the row also falls in the engine. 'safety' still refers to the "
-         "model, in which feet are hinges. The row becomes the session's row; 'design ... > hall.csv' "
-         "writes a file for 'effect row hall.csv'.",
+         "thicknesses to choose from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'grid 1 "
+         "mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first domino, the height "
+         "H and the thicknesses of boards. The row still has the required safety. 'design 8 m falls 99 %' "
+         "finds how few dominoes are enough for the row to fall with this probability. It takes the random "
+         "errors of the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % "
+         "interval must reach this probability. A table shows the results for fewer and for more dominoes; "
+         "then the row is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect "
+         "feet', 'effect bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
+         "refers to the model, which treats feet as hinges. The row becomes the session's row; 'design ... > "
+         "hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
@@ -44,11 +44,11 @@ const struct command design_commands[] = {
      .summary = "a guide for building the row: sizes, boards, places",
      .help =
          "For the hall, the guide lists the places of the dominoes on a tape measure. For the workshop, it "
-         "lists their sizes and the boards to cut. Beside each place, height and thickness are the limits "
-         "between which all dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement "
-         "2 mm', the guide shows how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws "
-         "the guide on pages of A4. It shows the row to scale, beside a person 1.75 m tall. As .svg or "
-         ".png, the guide is one long page. csv and json have the numbers, in m.",
+         "lists their sizes and the boards to cut. Beside each place, each height and each thickness, it "
+         "shows the limits between which all dominoes fall, as 'tolerance' finds them. With errors such as "
+         "'effect placement 2 mm', the guide shows how likely the row is to fall. 'plan title \"The hall\" > "
+         "hall.pdf' draws the guide on pages of A4. It shows the row to scale, beside a person 1.75 m tall. "
+         "As .svg or .png, the guide is one long page. csv and json have the numbers, in m.",
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .sweep_refusal = "it is a text",

@@ -9,7 +9,8 @@
 
 /* ---- Probes ---- */
 
-/* Runs the command and sets *value to 1 if its verdict is true, or else to -1. */
+/* Runs the command and sets *value to 1 if its verdict is true, and to -1 if it is false. Fails if the
+ * command has no verdict. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)
 {

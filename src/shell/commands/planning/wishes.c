@@ -53,7 +53,7 @@ static const char *least_names(const void *context, int k)
 struct wishes_parsed {
     struct item value[WISHES], board[BOARDS_MOST];
     size_t boards;
-    domq_real board_unit; /* the length unit at the end of the list of boards in m; 1 mm without a unit */
+    domq_real board_unit; /* the unit of length after the last board, in m; 1 mm if it has none */
     bool sizes;
     enum dom_least least;
 };
@@ -117,7 +117,7 @@ static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed 
     reader_place(r, r->at);
     if (ends)
         return problem_error(
-            r->problem, "the value of '%s' is missing; wishes are %s", names[k],
+            r->problem, "the value of '%s' is missing; the possible wishes are %s", names[k],
             list == design_wishes
                 ? "'safety 2', 'falls 99 %', 'hall 20 m', 'boards 9, 12, 15 mm', 'grid 1 mm' and 'minimise "
                   "dominoes'"
@@ -160,8 +160,8 @@ bool improve_parse(struct reader *r, struct question *q)
 bool grid_check(domq_real grid, domq_real first, struct problem *problem)
 {
     return grid < first || problem_no_answer(problem,
-                                             "with a grid of %s, the gap before domino 2 cannot be shorter "
-                                             "than the height of domino 1, %s; enter a finer grid",
+                                             "a grid of %s is too coarse: domino 1 is %s tall and cannot "
+                                             "reach across a gap of this length; enter a finer grid",
                                              measured(grid, "m", 6).text, measured(first, "m", 6).text);
 }
 
@@ -173,8 +173,9 @@ static int compare(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Computes and sorts the thicknesses of the boards. A number without a unit has the unit at the end of the
- * list, as the 1 and the 2 in '1, 2, 3 cm'. Without any unit, it is in mm, the usual unit for boards. */
+/* Computes and sorts the thicknesses of the boards. The unit at the end of the list also applies to
+ * numbers without a unit, such as the 1 and the 2 in '1, 2, 3 cm'. If the list does not end with a unit,
+ * these numbers are in mm, the usual unit for boards. */
 static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
                         struct problem *problem)
 {
