@@ -26,8 +26,8 @@
  * The energy margin of a domino lies between MARGIN_LEAST and MARGIN_MOST. Three cases have a fixed value:
  * - MARGIN_MOST: the domino needs no energy
  * - MARGIN_LEAST: friction brings the domino to rest, whatever its energy
- * - MARGIN_NONE: the fall ends at this domino, but neither for lack of energy nor at a gap that is too wide;
- *   or the row cannot be computed, and this is the first domino
+ * - MARGIN_NONE: the fall ends at this domino for a reason other than lack of energy or too wide a gap. If
+ *   the row cannot be computed, its first domino has this margin too.
  */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)

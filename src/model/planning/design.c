@@ -61,9 +61,9 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Compares trains with different separations. Returns the largest growth at which any of them is safe. Sets
- * *best to the separation of this train. If no train is safe, returns 0. The search first takes coarse steps
- * and then halves the step repeatedly. */
+/* Finds the separation whose train is safe at the largest growth. Sets *best to this separation and returns
+ * the growth. If no train is safe, returns 0. The search first takes coarse steps and then halves the step
+ * repeatedly. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -127,8 +127,8 @@ enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the number of steps to try after n steps. (A row with n steps has n + 1 dominoes.) Without an
- * engine, this number is n + 1. With an engine, which is slow, the increments grow. */
+/* After the rows with n steps (n + 1 dominoes) have been tried, returns the number of steps of the rows to
+ * try next. Without an engine, this number is n + 1. With an engine, which is slow, the increments grow. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);

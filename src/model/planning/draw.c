@@ -130,7 +130,8 @@ static void gaps_draw(const struct draw *draw, const struct dom_random_error *er
     }
 }
 
-/* Applies a random error to the lean of each domino, limited so that the domino still stands. */
+/* Applies a random error to the lean of each domino. If the domino would then fall over by itself, its lean
+ * is limited so that it still stands. */
 static void leans_draw(const struct draw *draw, const struct dom_random_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {

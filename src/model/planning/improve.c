@@ -51,7 +51,8 @@ enum { CHECK = 8 };
 #define MARGIN_TOL ((dom_real)1e-5)
 
 /* FIRST_STEP is the length of the minimizer's first step. The variables are logarithms, so a step is a
- * relative change. LINE_TOL is the accuracy of line searches that GSL's manual recommends. */
+ * relative change. LINE_TOL is the accuracy of line searches; its value is the one that GSL's manual
+ * recommends. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -184,7 +185,7 @@ static void widths_set(struct search *s, const struct level *level, const gsl_ve
     }
 }
 
-/* Runs the random rows that decide whether a result is kept and counts how many fall. */
+/* Runs the random rows that decide whether a result is kept. Counts how many of them fall. */
 static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
 {
     struct dom_row row = *s->shape.row;

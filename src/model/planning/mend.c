@@ -16,10 +16,10 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* Mends a gap that is too wide for the domino before it to reach the next domino. The widest gap within reach
- * equals the height of that domino. If the row falls at this widest gap, also finds the narrowest gap down to
- * which the row still falls. Returns false if the gap is already within reach, or if the row does not fall at
- * the widest gap within reach. */
+/* A domino cannot reach across a gap that is wider than its height. If the gap is that wide, tries the widest
+ * gap within reach, which equals the height of the domino before the gap. If the row falls with that gap,
+ * also finds the narrowest gap down to which the row still falls, and returns true. Otherwise returns
+ * false. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -176,8 +176,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds r_min and r_max. The growth r_min is the smallest growth at which the row falls. From there, the row
- * keeps falling up to the growth r_max. If the row falls at r = 1, r_min is 1. Otherwise r_min is larger. For
+/* Finds r_min and r_max. The growth r_min is the smallest growth, from 1 upwards, at which the row falls. The
+ * row falls at all growths from r_min to r_max. If it does not fall at r = 1, r_min is larger than 1. For
  * example, the gaps at r = 1 can be too narrow for the first domino to tip over. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {

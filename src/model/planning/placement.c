@@ -19,7 +19,7 @@ struct shared {
     struct dom_compute compute;
     const struct dom_placement *placement;
     bool gaps;         /* true if the rows differ only in their gaps */
-    bool causes;       /* true if each row is also run without each kind of error in turn */
+    bool causes;       /* true to run each row again for each kind of error, without errors of this kind */
     atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
     /* how many falls ended at each domino (dom_placement_causes), or NULL if not requested */
@@ -85,7 +85,8 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* the kernel must allocate memory for friction, which random rows may have */
+        /* The random rows may have friction, for which the kernel must allocate memory. It does so if mu is
+         * not 0. */
         row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);

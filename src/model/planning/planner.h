@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes how safe and how long the candidates for a design are. A candidate is an endless train, or a row
- * of dominoes with a constant growth. */
+/* Computes the safety and the length of candidates for a design. A candidate is an endless train, or a row of
+ * dominoes with a constant growth. */
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 
@@ -31,8 +31,8 @@ struct planner {
     dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
     /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
     bool whole;
-    /* number, counted from 1, of the weakest domino after the first in the last run: the domino with the
-     * smallest ratio of kinetic energy to barrier */
+    /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
+     * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
     size_t weakest;
     dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
@@ -70,8 +70,8 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 
 /* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
  * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
- * first ratio below the required safety, and this ratio is returned. Later dominoes are then not run, so the
- * row may stop even if the ratio is above 1. */
+ * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
+ * it are not run, the row may stop even if the ratio is above 1. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
 /* Returns the length of a standing row, from the back of the first domino to the front of the last. The row

@@ -69,8 +69,9 @@ static bool is_train(const struct dom_row *row)
  *
  * The margin of a domino is the energy that it has to spare, here as a fraction of its kinetic energy. In a
  * train, this fraction changes less and less from domino to domino. To be on the safe side, this test assumes
- * that from each further domino to the next, the fraction decreases by as much as it changed last. If more
- * than half of the fraction would then be left at the end of the row, the row is taken to fall.
+ * that the fraction decreases at every further domino, and each time by the size of its last change. If more
+ * than half of the fraction would still be left at the end of the row, the test concludes that the whole row
+ * falls.
  */
 static bool start_decides(struct trial *t)
 {
@@ -252,7 +253,7 @@ bool falls_with(dom_real value, void *context)
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
-            /* if the engine cannot decide whether the row falls, it counts as not falling */
+            /* if the engine cannot decide whether the row falls, the row counts as not falling */
             t->status = DOM_OK;
     } else {
         t->verdict.end = DOM_ROW_STOPS;

@@ -90,8 +90,9 @@ static struct range range_of(const struct trial *t)
 }
 
 /*
- * Changes the value step by step towards `end`. Returns the last value at which the row still falls. Stores
- * in *beyond how the fall ends past this value. If the row falls again farther on, sets *others to true.
+ * Changes the value step by step towards `end`. Returns the last value at which all dominoes still fall. If
+ * some do not fall at a value farther on, sets *beyond to the way the fall ends there. If all dominoes fall
+ * again even farther on, sets *others to true.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -113,7 +114,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window around the current value, at which all dominoes must fall. */
+/* Finds the window around the current value. All dominoes must fall at the current value. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -182,8 +183,9 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* Finds the window if the current value is above the range of values that are tried, and if all dominoes fall
- * at the highest value of this range. The window then ends at the highest value. */
+/* Finds the window for a current value that is above the range, for example a gap that is out of reach. All
+ * dominoes must fall at the highest value of the range. The window ends at this value. The function searches
+ * for its lower end. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
