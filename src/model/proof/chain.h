@@ -47,12 +47,12 @@ struct shape {
 struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
-    /* v of the tilt min(theta_leave, theta_inf); no follower leans on a domino beyond this tilt */
+    /* v of the tilt min(theta_leave, theta_inf), beyond which a domino has no follower that leans on it */
     struct span leave;
     double last; /* upper bound on the v of every follower: the v of theta_f or of theta_inf */
 };
 
-/* A train for all growths r in an interval, where r s <= 1. */
+/* A train whose growth r can be any number in an interval. For all these numbers, r s <= 1. */
 struct growth {
     const struct shape *shape;
     struct span r;

@@ -43,8 +43,8 @@ struct level {
     bool refute;       /* true if the outcome is OUTCOME_REFUTED as soon as D exceeds `point` */
 };
 
-/* Returns the loss in bound 3 of cover_tilts: within the strip, K - D is smaller than at the upper end of the
- * strip by at most this amount. The loss is max(M, 0) times the width of the strip. */
+/* Returns max(M, 0) w, which bound 3 of cover_tilts needs: the most by which K - D can be smaller than its
+ * value at the upper end of the strip, for any growth in the strip. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);

@@ -20,7 +20,7 @@ struct proof {
     /* the train for the whole interval of growths, and for the upper end of the interval */
     struct upright box, point;
     struct link *links;   /* memory for the links of `box` and `point` */
-    size_t boxes, chains; /* how many boxes were tried and how many chains were computed so far */
+    size_t boxes, chains; /* how many boxes have been tried, and how many chains have been computed */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };

@@ -41,9 +41,9 @@ struct upright {
 
 /*
  * Computes the train with an upright head, for all growths from r_low to r_high. Dominoes are added to the
- * sums one by one. This ends when the remainder of the energy is at most `rest`, when more dominoes no longer
- * reduce it, or when the array is full. Returns false if the array is full and even its last domino is not
- * certain to lean beyond theta_u, since no remainder is known then.
+ * sums one by one. This ends when the remainder of the energy is at most `rest`, when more dominoes hardly
+ * reduce it, or when the array is full. If the array is full and even its last domino may not lean beyond
+ * theta_u, no remainder is known, and the function returns false.
  */
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);

@@ -165,8 +165,8 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Finds where to begin the search for a pair that stops at r = 1. Such a pair may keep falling at larger
- * growths. Estimates the smallest growth at which the margin is 0 and returns a growth above it at which the
+ * A pair that stops at r = 1 may keep falling at larger growths. Finds such a growth, at which the search can
+ * begin: estimates the smallest growth at which the margin is 0, and returns a growth above it at which the
  * pair provably keeps falling. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)

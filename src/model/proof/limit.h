@@ -9,8 +9,8 @@ enum limit_kind {
     LIMIT_REACH,   /* the train keeps falling for all growths in [from, 1/s] */
     /* the train stops at r = 1; if it is a pair, no larger growth was found at which it keeps falling */
     LIMIT_NONE,
-    /* the train keeps falling for all growths in [from, low], unless `low` is NaN; it stops at `high`, unless
-     * `high` is infinite */
+    /* if `low` is not NaN, the train keeps falling for all growths in [from, low]; if `high` is finite, the
+     * train stops at `high` */
     LIMIT_PARTLY
 };
 
@@ -22,8 +22,9 @@ struct limit_proof {
     enum outcome outcome; /* with LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Tries to enclose the smallest growth above `from` at which the train stops. The relative difference between
- * `low` and `high` is then about `tol`. */
+/* Tries to prove that the smallest growth above `from` at which the train stops lies between `low` and
+ * `high`. If the proof succeeds (LIMIT_BRACKET), the relative difference between `low` and `high` is about
+ * `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

@@ -257,8 +257,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Finds bounds on a large number of dominoes. This number is ln(height/first)/ln r, rounded up. `height` must
- * be larger than `first`. */
+/* Finds bounds on the smallest n with first * r^n >= `height`, for an n that is too large for count_until.
+ * This n is ln(height/first)/ln r, rounded up. `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},
