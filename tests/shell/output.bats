@@ -238,7 +238,7 @@ END
     same 'quad holds it' 1e+4000 "$(json 'set precision quad; print 1e4000' | values value)"
     null_of 'set r 1e6; effect row 60; row' '.domino == 60' height 'too large for double precision'
     null_of 'effect row 60; sweep r 2, 1e6 : row' '.r > 2 and .domino == 60' height 'too large for double precision'
-    same csv $'value,unit,reason\n,,value is too large for double precision; \'set precision quad\' has a wider range' \
+    same csv $'value,unit,reason\n,,value is too large for double precision; quad precision has a wider range (\'set precision quad\')' \
         "$("$DOMINO" -e 'set output csv; print 1e400')"
     # A csv table has no column for a reason that comes with its last rows, so the reason is on
     # stderr.

@@ -156,7 +156,7 @@ static const char *cells_check(struct answer *a, struct cell *cells, const char 
     bool people = a->style.format->for_people;
     snprintf(people && !*a->late_reason ? a->late_reason : too_large, ANSWER_REASON,
              "%s is too large for %s precision%s", key, domq_arithmetic(precision)->name,
-             precision == DOM_QUAD ? "" : "; 'set precision quad' has a wider range");
+             precision == DOM_QUAD ? "" : "; quad precision has a wider range ('set precision quad')");
     return people || (reason && *reason) ? reason : too_large;
 }
 

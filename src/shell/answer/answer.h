@@ -21,8 +21,8 @@ struct column {
     const char *key;
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* a one-line explanation */
-    /* The width of the column in a table of rows, if it holds words or short numbers. 0 if it holds other
-     * numbers, because the table then chooses the width. */
+    /* The width of the column in a table of rows, if the column holds words or short numbers. For other
+     * numbers this width is 0, and the table chooses the width itself. */
     int width;
 };
 
@@ -54,8 +54,8 @@ struct layout {
 struct csv_layout {
     bool units;       /* column names include the units, so that the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
-    /* a buffer for the column names of the previous rows in this output, or "" if there are none; may be
-     * NULL */
+    /* A buffer that keeps the column names between answers, so that rows with the same columns do not repeat
+     * the header. It contains "" if the output has no header yet. The pointer may be NULL. */
     char *last_header;
     /* Additional columns, as text that is appended to the lines. Each piece of text is terminated by a NUL
      * byte. The first piece belongs to the header line, and each later piece to one row. May be NULL. */
@@ -67,10 +67,11 @@ struct answer {
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
-    const char *command;                /* the name of the command, for programs that read the answer */
-    const char *note;                   /* a remark for programs that read the answer, or NULL */
-    const struct column *columns;       /* the columns of each row; the key of the last element is NULL */
-    struct column copy[ANSWER_COLUMNS]; /* if the command has changed columns, `columns` points here */
+    const char *command;          /* the name of the command, for programs that read the answer */
+    const char *note;             /* a remark for programs that read the answer, or NULL */
+    const struct column *columns; /* the columns of each row; the key of the last element is NULL */
+    /* the answer's own copy of the columns, which can be changed (see answer_columns) */
+    struct column copy[ANSWER_COLUMNS];
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
@@ -87,8 +88,8 @@ struct answer {
     /* a command without columns has written something, so the next answer needs a blank line above it */
     bool wrote_text;
     int error; /* errno of the first write that failed, or 0 */
-    /* Why a cell is empty, if the format could not say so in or below the row. This reason is reported at the
-     * end of the answer. If there are several, only the first one is kept. "" if there is none. */
+    /* The reason why a cell is empty, if the reason was not written in or below the row. It is reported at
+     * the end of the answer. Only the first such reason is kept. "" if there is none. */
     char late_reason[ANSWER_REASON];
 
     /* If the answer belongs to one point of a sweep, this function receives its rows, and nothing is written
@@ -154,10 +155,10 @@ void answer_announce(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
-/* Writes a row and returns true. If a cell has no value, `reason` says why. A format for people writes the
- * reason below the row, and `reason` is NULL for a row without one. In csv and json, the reasons have a
- * column of their own, "reason". For these formats, pass "" if only other rows of the answer may have a
- * reason, and NULL if no row can have one. */
+/* Writes a row and returns true. `reason` explains why a cell has no value, or is NULL. In a format for
+ * people, the reason is written below the row. In csv and json, the reasons have a column of their own,
+ * "reason". If this row has no reason but other rows of the answer may have one, pass "" in these two
+ * formats, so that the row also has this column. */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */

@@ -29,7 +29,9 @@ struct cell {
     domq_real number;
     domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
-    int digits; /* the number of digits in a table, or 0 for answer_style.digits */
+    /* If this is not 0, tables show the number with at most this many digits and without its error bound,
+     * whatever answer_style.digits is. */
+    int digits;
     /* The number was computed to the tolerance of the style. If its error bound is not shown, a table shows
      * only the digits that this tolerance guarantees. */
     bool computed;
@@ -56,9 +58,9 @@ bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table. A real number gets at most `digits` digits, unless the cell has its
- * own number of digits, and a count gets all its digits. If `bounds` is true, the text also includes the
- * error bound, if one is known. */
+/* Returns the text of a cell in a table. A real number gets at most `digits` digits. If `bounds` is true and
+ * the error bound of the number is known, the text also shows the bound. For a cell with digits of its own
+ * (cell.digits), these two parameters have no effect. A count gets all its digits. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
 /* Returns the text of a cell in csv and json, without its error bound. Numbers are written with few digits,

@@ -30,7 +30,8 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
     (void)cells;
     char header[ANSWER_HEADER];
     size_t n = 0;
-    /* Unless a sweep has already set has_reasons, the first row decides whether there is this column. */
+    /* Unless a sweep has already set has_reasons, the first row decides whether the answer has the column
+     * "reason". */
     a->csv.has_reasons = a->csv.has_reasons || reason;
     for (int i = 0; a->columns[i].key && n < sizeof header; i++) {
         const struct column *c = &a->columns[i];

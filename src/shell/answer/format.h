@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of output formats. To add a format, write a file like csv.c and add its name to FORMATS. 'set
- * output', its help, its completion and the extensions of output files also use this list. Only some messages
- * name the formats themselves. */
+ * output', its help, its completion and the extensions of output files then include the new format. Only a
+ * few help texts and messages name the formats themselves and must be changed by hand. */
 #ifndef SHELL_FORMAT_H
 #define SHELL_FORMAT_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The json format. Each row of an answer is written as an object on a line of its own. An error is also
- * written as an object, and so is the end of a command that has no rows. */
+/* The json format. Each row of an answer is written as an object on a line of its own, and so is an error. If
+ * a command has no rows, an object with only the name of the command shows that the command has finished. */
 #define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "io/escape.h"

@@ -6,7 +6,9 @@
 #include <string.h>
 
 /* The units for display, such as mm, so that 0.005 m is shown as 5 mm. A number in the unit `base` is shown
- * in the first of these units with the same base whose limit `below` is larger than the number. */
+ * in the first unit of the list that has this base and a limit `below` larger than the number. For example,
+ * 0.5 m is shown as 50 cm, because 0.5 is below 1 but not below 1/100. If the list has no such unit, the
+ * number is shown in `base`. */
 static const struct {
     const char *base;
     domq_real below;

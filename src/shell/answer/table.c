@@ -14,7 +14,7 @@ enum {
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if the last column has less room, its words are below each row */
-    WORDS_SHORT = 12,   /* a last column of at most this width may get less room than WORDS_LEAST */
+    WORDS_SHORT = 12,   /* a last column of words that is no wider than this needs only its own width */
     WORDS_INDENT = 8,   /* the indentation of the words below a row */
     VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
     MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
@@ -33,7 +33,7 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
     return text;
 }
 
-/* Returns how many columns of the terminal a number of `digits` digits occupies at most. */
+/* Returns the maximum width of a number with `digits` digits, in columns of the terminal. */
 static int number_width(const struct answer *a, int digits)
 {
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);

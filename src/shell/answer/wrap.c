@@ -16,7 +16,7 @@ static bool word_joins(const char *word, size_t n)
            (number && last == ':' && isdigit((unsigned char)*next));
 }
 
-/* Returns the length of the first piece of a text (see wrap.h). */
+/* Returns the length of the first piece of a string (see wrap.h). */
 static size_t piece_length(const char *text)
 {
     size_t n = strcspn(text, " \n"), word = 0;
@@ -64,7 +64,8 @@ void write_wrapped(FILE *out, const char *text, int left, int right)
 {
     enum { BELOW = 4 };
     text += strspn(text, " ");
-    /* If a piece does not fit, the text begins on the next line, with less indentation. */
+    /* If the longest piece does not fit between `left` and `right`, the text begins on the next line, with
+     * less indentation. */
     if (right && left > BELOW && left + longest_piece(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Returns how many bytes of a text go into the first line, which has room for `columns` columns. The line
+/* Returns how many bytes of a string go into the first line, which has room for `columns` columns. The line
  * ends between two pieces or at a '\n'. If the first piece is longer than a line, the line ends within this
  * piece. */
 size_t line_break(const char *text, int columns);

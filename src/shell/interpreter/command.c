@@ -10,8 +10,8 @@ static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
 /* The commands of all groups. To find a command quickly, all commands with the same first letter form a
- * linked list, which begins at first[letter]. The links in `first` and `next` are indices in `every` plus 1.
- * The link 0 ends a list. */
+ * linked list, which begins at first[letter]. A link in `first` or `next` is 1 more than the index of a
+ * command in `every`, so that 0 can mark the end of a list. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;

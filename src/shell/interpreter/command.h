@@ -50,8 +50,8 @@ struct argument {
     enum argument_kind kind;
     const char *parameter; /* for ARGUMENT_VALUE_OF: the name of the parameter */
     int which; /* for ARGUMENT_VALUE_OF: the index of the value, if the parameter has several values */
-    /* What messages call the value, such as "picture". If an ARGUMENT_ANY has a noun, completion offers no
-     * values for this argument. */
+    /* The noun for the value in messages, such as "picture". If an ARGUMENT_ANY has a noun, completion offers
+     * no values for this argument. */
     const char *noun;
     bool optional;
     names_list *choices;
@@ -94,15 +94,16 @@ struct command {
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
-    /* If a column of the answer only repeats the value of a parameter, the name of this parameter. A sweep
-     * over the parameter already shows its values, so the sweep leaves this column of the answer out. If an
-     * argument replaces the value, as in 'rmax 0.4', the sweep keeps the column. */
+    /* The name of the parameter whose value a column of the answer only repeats, such as "s". A sweep over
+     * this parameter already shows its values, so the sweep leaves the column out. If an argument replaces
+     * the value, as in 'rmax 0.4', the sweep keeps the column. NULL if no column repeats a parameter. */
     const char *echo;
     /* The key of the last column, if this column takes a long time to compute. Sweeps leave this column out,
      * and expressions can use it only as a column of 'ans'. NULL if no column is slow. */
     const char *slow_column;
-    /* The reason why 'sweep' refuses this command, as a text for messages. NULL if 'sweep' accepts the
-     * command. Also NULL if the command computes nothing, because 'sweep' refuses every such command. */
+    /* Why 'sweep' refuses this command, worded for the message "'plot' cannot be varied: it draws". NULL if
+     * 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep' accepts no
+     * such command. */
     const char *sweep_refusal;
     bool train; /* the answer is about the endless train */
     enum {
@@ -169,7 +170,7 @@ int command_principal(const struct command *command);
  * returns -1. */
 int command_arity(const struct command *command, int *fewest);
 
-/* Returns a text that shows the arguments of a command, such as "rmax [S]". The text is in a compound
+/* Returns a string that shows the arguments of a command, such as "rmax [S]". The string is in a compound
  * literal, so it lives until the end of the block that contains the call. */
 enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})

@@ -85,9 +85,10 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Users sometimes write a command like a function, such as "print(2)" or "quit()". Returns true for 'print'
- * before a '(', and for a command before an empty "()" unless the command can be used in an expression. If
- * so, also moves the reader past the name and the empty "()". */
+/* Users sometimes call a command like a function, as in "print(2)" or "quit()". Returns true for such a call
+ * and moves the reader past the name and past an empty "()". The parentheses of 'print' may contain anything.
+ * Those of other commands must be empty, and a command that can be used in an expression is left to the
+ * parser of expressions. */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -133,8 +134,9 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
-/* Returns the command that a shorthand stands for. For a command and a number, such as 'rmax 0.4', returns
- * the command as well. Returns NULL for other lines and after an error. */
+/* If the line is a shorthand, returns the command that it stands for, such as 'print' for "2+3". If the line
+ * is a command with a number, such as 'rmax 0.4', returns this command. Returns NULL for other lines and
+ * after an error. */
 static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
@@ -182,8 +184,8 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Several commands begin with the abbreviation `name`. If it stands for one of them (see command.shortest),
- * returns the index of this command. Otherwise returns NAMES_SEVERAL. */
+/* `name` is an abbreviation that fits several commands. If the abbreviation is reserved for one of these
+ * commands (see command.shortest), returns the index of this command. If it is not, returns NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
     const char *all;

@@ -104,7 +104,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The time must not appear in csv, in json or in a file, which programs may read. */
+        /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -135,7 +135,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-/* Lists the file extensions that a command can write, for messages. */
+/* Lists the extensions of the files that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
     return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt (for the data: .csv or .json)"
@@ -204,7 +204,7 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
     const size_t length = strlen(problem->text);
     if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) && !c->files)
         snprintf(problem->text + length, sizeof problem->text - length,
-                 "; to write the answer into a file, put '>' before its name: '> %s'", names_shown(path));
+                 "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
 }
 
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
@@ -230,14 +230,14 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 
 /* ---- Commands ---- */
 
-/* Returns true if standard output has no answer of this command. The json format then writes an object,
+/* Returns true if this command writes no answer to standard output. The json format then writes an object,
  * because a program may be waiting for an answer. With --shard, the outputs of all parts are concatenated
  * later, so only part 1 writes this object. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->run_context.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* 'source' has no answer of its own; session->wrote is about the last command of the file. */
+    /* 'source' has no answer of its own: the answers are those of the commands in its file. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }

@@ -13,8 +13,8 @@
 
 #include "session/session.h"
 
-/* Runs the commands in a text of one or more lines. ';' separates commands, and '#' begins a comment. After a
- * command, '> NAME' writes the answer to a file, and '>> NAME' appends the answer to a file. */
+/* Runs the commands in a string of one or more lines. ';' separates commands, and '#' begins a comment. After
+ * a command, '> NAME' writes the answer to a file, and '>> NAME' appends the answer to a file. */
 void command_run_text(struct session *session, const char *text);
 
 /* Runs the commands of a stream line by line. `name` is the name of the stream in error messages. */

@@ -58,7 +58,7 @@ static bool end_wrong(struct reader *r, const char *name, const char *end)
                                        : "an operator or a blank is missing");
 }
 
-/* A unit may follow a text that ends in a number. */
+/* A unit may follow a string that ends in a number. */
 static bool ends_in_number(const char *begin, const char *end)
 {
     const char *c = end;

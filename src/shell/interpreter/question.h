@@ -54,8 +54,8 @@ struct call {
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 
-/* Allocates zeroed memory for the result of argument.bind in the arena given->memory and stores its address
- * in given->bound. Returns NULL if memory runs out. */
+/* Allocates zeroed memory in the arena given->memory and stores its address in given->bound. The function
+ * argument.bind calls this function to get memory for its result. Returns NULL if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 

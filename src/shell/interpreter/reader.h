@@ -14,7 +14,7 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /* What the user may type next, for completion, hints and colours. To find out, the line is parsed with a
  * special cursor character at its end. Each parsing function that reaches this character records what it
- * would accept there. The function then fails, unless it accepts any text, such as the name of a file. */
+ * would accept there. The function then fails, unless it accepts arbitrary text, such as a file name. */
 struct offer {
     const char *cursor;
     int lists; /* the number of lists whose names may be typed at the cursor */
@@ -79,19 +79,20 @@ bool reader_ends(struct reader *reader);
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If the next word is `word`, skips this word with the blanks after it and returns true. Completion offers
- * the word at the cursor. */
+/* If the next word is `word`, skips this word with the blanks after it and returns true. If the reader is at
+ * the cursor, completion offers `word`. */
 bool reader_takes(struct reader *reader, const char *word);
 
 /* These functions allocate memory in the arena. The memory from reader_memory is filled with zeros, and
- * reader_copy copies a text. If memory runs out, they set the reader's problem and return NULL. */
+ * reader_copy copies the first `length` bytes of a string. If memory runs out, they set the reader's problem
+ * and return NULL. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
 /*
  * Reads a word and returns a copy in the arena. A word ends at a blank, at a ';' or at one of the characters
- * in `stops`. If `quotes` is true, the word may also be a text in double quotes, which may contain these
- * characters. In this text, '""' stands for one '"'. If the closing quote is missing, sets the reader's
+ * in `stops`. If `quotes` is true, the word may also be a string in double quotes, which may contain these
+ * characters. In this string, '""' stands for one '"'. If the closing quote is missing, sets the reader's
  * problem and returns NULL.
  */
 char *read_word(struct reader *reader, bool quotes);
@@ -100,7 +101,7 @@ char *read_word(struct reader *reader, bool quotes);
 char *read_text(struct reader *reader);
 
 /* Reads the name of a file, which may be in double quotes. Replaces '~' or '~USER' at the beginning of the
- * name by a home directory. */
+ * name with a home directory. */
 char *read_file(struct reader *reader);
 
 #endif

@@ -3,7 +3,8 @@
 #include "session/parameters.h"
 #include <string.h>
 
-/* Limits for trees and nested function calls. Each level needs stack, which may be only 128 kB. */
+/* Limits for the height of trees and for nested function calls. Each level uses stack space, and the whole
+ * stack may be as small as 128 kB. */
 enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
 /* Reports an error in a tree. The value of the macro is -1. */

@@ -6,8 +6,8 @@
 
 enum { PLANE = 0x10000 };
 
-/* Decodes the first character of a text in UTF-8 (RFC 3629). Returns the length of this character in bytes.
- * If the text does not begin with a valid character, returns 0. */
+/* Decodes the first character of a string in UTF-8 (RFC 3629). Returns the length of this character in bytes.
+ * If the string does not begin with a valid character, returns 0. */
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -24,9 +24,9 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true if a character is invisible, or can change how other text is shown: control characters, the
- * separators of lines and paragraphs, the invisible format characters, tags, and codes that are not
- * characters. The joiners U+200C and U+200D are not hidden, because some scripts need them. */
+/* Returns true if a character is invisible or can change how other text is shown. Such characters are control
+ * characters, separators of lines and paragraphs, invisible format characters, tags, and codes that are not
+ * characters. Returns false for the joiners U+200C and U+200D, because some scripts need them. */
 static bool is_hidden(uint32_t code)
 {
     static const struct {

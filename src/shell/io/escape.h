@@ -12,9 +12,9 @@
 /* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
 enum { ESCAPE_PIECE = 12 };
 
-/* Writes the first character of a text into `piece`, with an escape sequence if it needs one. The text must
- * not be empty. Returns the length of this character in the text, in bytes. A text that has been escaped can
- * be escaped again without further changes. */
+/* Writes the first character of a string into `piece`, with an escape sequence if it needs one. The string
+ * must not be empty. Returns the length of this character in the string, in bytes. A string that has been
+ * escaped can be escaped again without further changes. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
 bool escape_needed(const char *text);
@@ -24,14 +24,14 @@ bool escape_needed(const char *text);
  * "...". */
 const char *escape_text(const char *text, char *shown, size_t size);
 
-/* Escapes a text of any length. Returns an allocated copy, or NULL if memory runs out. */
+/* Escapes a string of any length. Returns an allocated copy, or NULL if memory runs out. */
 char *escape_copy(const char *text);
 
-/* Writes a text as a JSON string in double quotes. A JSON parser then gets the original text back. There is
- * one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
+/* Writes a string as a JSON string in double quotes. A JSON parser then gets the original string back. There
+ * is one exception: each byte that is not UTF-8 becomes the character U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
-/* Returns one character of a text, escaped if it has a special meaning in TeX. */
+/* Returns one character of a string, escaped if it has a special meaning in TeX. */
 const char *escape_tex(char letter, char piece[ESCAPE_PIECE]);
 
 #endif

@@ -33,7 +33,8 @@ bool io_wait(int file, bool to_write, const struct timespec *longest, const vola
     if (file >= 0)
         FD_SET(file, to_write ? &out : &in);
     sigset_t before = io_block();
-    /* A signal that arrives after this check stays blocked until pselect and ends pselect at once. */
+    /* If a signal arrives after this check, it stays blocked until pselect is called, and then pselect
+     * returns at once. */
     if (!dom_raised(interrupt))
         pselect(file + 1, &in, &out, NULL, longest, &before);
     io_unblock(&before);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Functions for files and streams. The user can interrupt their waits, such as the wait for the other end of
- * a FIFO. A signal handler raises the flag `interrupt` (see dom_raised). The wait then ends, and errno is
- * ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
- * signals have their usual effect. All functions set errno on failure.
+ * Functions for files and streams. The user can interrupt them while they wait, for example for the other end
+ * of a FIFO. A signal handler then raises the flag `interrupt` (see dom_raised), and the function fails with
+ * errno ECANCELED. This also works if the signal handler was installed with SA_RESTART. If `interrupt` is
+ * NULL, signals have their usual effect. All functions set errno on failure.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H

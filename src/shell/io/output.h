@@ -50,11 +50,11 @@ void output_push(struct output **top, struct output *output);
 /* Ends and frees a level, usually the topmost one. Returns the result of the level's pop function. */
 const char *output_pop(struct output **top, bool keep);
 
-/* Writes all buffered text of the level and of standard output. */
+/* Writes the buffered text of this level and of standard output. */
 void output_flush(struct output *output);
 
-/* OUTPUT_SINKS are the kinds of levels that do not pass text on to the level below. OUTPUT_BASE are the kinds
- * that are always below files and pagers. */
+/* OUTPUT_SINKS is the set of the kinds of levels that do not pass text on to the level below. OUTPUT_BASE is
+ * the set of the kinds that are always below files and pagers. */
 enum {
     OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD,
     OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE
@@ -92,9 +92,10 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
  * ends this log or tee and returns the reason. Otherwise returns NULL. */
 const char *records_flush(struct output **top);
 
-/* Writes commands into the log, if there is one. A command that fails becomes a comment in the log. Unless
- * `at_once` is true, the log therefore holds the commands back until the next answer or error or until
- * records_flush. `commands` must be valid until then. */
+/* Writes commands into the log, if there is one. A command that fails must become a comment in the log, so
+ * the log holds the commands back until the next answer, the next error or the next call of records_flush. If
+ * `at_once` is true, the commands are written immediately. `commands` must stay valid while the log holds
+ * them back. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
 /* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log has

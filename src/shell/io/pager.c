@@ -37,7 +37,7 @@ struct pager {
     double begun; /* the terminal_clock time when the first text arrived; 0 before that */
     int width, height;
     int rows;       /* the number of terminal rows that the current page has filled so far */
-    double screens; /* a text of at least this many screens is paged */
+    double screens; /* text that fills at least this many screens is paged */
     bool may_run;
     const volatile sig_atomic_t *interrupt;
     pid_t child;
@@ -126,8 +126,8 @@ static bool program_open(struct pager *p)
     return true;
 }
 
-/* Closes the pipe and waits until the pager program has ended. If a signal ends the session during this
- * time, the pager program is ended too. */
+/* Closes the pipe and waits until the pager program has ended. If a signal ends the session during this time,
+ * the pager program is terminated, too. */
 static void program_close(struct pager *p)
 {
     const struct timespec moment = {.tv_nsec = 20000000};

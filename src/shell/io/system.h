@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* The functions that do the work of a stream. If the stream does not need a function, it may be NULL. `write`
+/* The functions that do the work of a stream. A function that the stream does not need may be NULL. `write`
  * must write all bytes. If it returns a smaller number, the stream treats this as an error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);

@@ -19,8 +19,8 @@ struct target {
  * registering fails in these cases:
  * - The path contains characters that have to be escaped.
  * - The file is standard output, and `may_be_standard` is false.
- * - The session is already writing the file for another target. There are two exceptions: this other target
- *   is `except`, which may be NULL, or the file is a device or a FIFO.
+ * - The session is already writing the file for another target. This is allowed, however, if the other
+ *   target is `except` (which may be NULL), or if the file is a device or a FIFO.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);

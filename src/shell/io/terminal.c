@@ -11,8 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The stream to which answers are written if it is not standard output itself. It passes its text on to
- * standard output, perhaps through further streams. NULL if there has been no such stream yet. */
+/* NULL if no log, tee or pager has been opened yet. After that, the stream that receives the answers:
+ * standard output, or a stream that passes its text on to standard output. */
 static const FILE *front;
 
 void terminal_pass(const FILE *from, const FILE *to)

@@ -21,8 +21,8 @@ bool terminal_size(FILE *stream, int *width, int *height);
 int terminal_width(FILE *stream);
 
 /* While a log, a tee or a pager is open, answers go to a stream that passes them on to standard output, so
- * the functions above must treat this stream like standard output. Call terminal_pass when answers that went
- * to `from` go to `to` from now on. The call has no effect if the answers do not go to `from`. */
+ * the functions above must treat this stream like standard output. Call terminal_pass when answers begin to
+ * go to `to` instead of `from`. If answers do not go to `from`, the call has no effect. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
