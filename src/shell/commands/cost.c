@@ -257,7 +257,8 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
 static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
     if (isfinite(seconds / others))
-        answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
+        answer_say(a, "%s %s times as long as %s.", what, measured((domq_real)(seconds / others), "", 3).text,
+                   than);
 }
 
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
@@ -268,20 +269,20 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
     double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
-    char than[64 + CELL_TEXT] = "as long as 3 digits do";
+    char than[64 + CELL_TEXT] = "3 digits do";
     if (isfinite(quad))
-        snprintf(than, sizeof than, "as long as 3 digits do; quad takes %s times as long as double",
+        snprintf(than, sizeof than, "3 digits do; quad takes %s times as long as double",
                  measured((domq_real)quad, "", 3).text);
     answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
     times_say(a, "For 6 digits the paper's recipe takes",
-              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "as long as our method");
+              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "our method");
     times_say(a, "For 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
-              six, "as long as our method");
+              six, "our method");
     times_say(a, "12 digits take", twelve, few, than);
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
-    times_say(a, "A proof to 12 digits takes", proved, twelve, "as long as our method without a proof");
+    times_say(a, "A proof to 12 digits takes", proved, twelve, "our method without a proof");
 }
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
@@ -306,10 +307,10 @@ const struct command cost_commands[] = {
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
-             "does so in every precision. The error in the table is the true error, which includes the "
-             "effect of rounding the parameters. For rmax and pair, the table also has rows for proofs, "
-             "which 'prove' explains. The error of a proof is half the distance between its bounds, divided "
-             "by the lower bound.",
+             "is measured in every precision, the others only in double. The error in the table is the true "
+             "error, which includes the effect of rounding the parameters. For rmax and pair, the table also "
+             "has rows for proofs, which 'prove' explains. The error of a proof is half the distance between "
+             "its bounds, divided by the lower bound.",
      .see = "plot",
      .sweep_refusal =
          "it measures computing time, and points computed at the same time would slow each other down",

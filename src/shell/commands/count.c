@@ -14,7 +14,7 @@ const struct column count_columns[] = {
     {"first_height", "m", "height of the first domino", 0},
     {"last_height", "m", "height of the tallest domino that this row can topple, first_height r^n", 0},
     {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
-    {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
+    {"goes_on", "", "whether an endless train with this growth keeps falling once it is moving", 7},
     {"stops_at", "", "the domino at which the fall ends, if not all dominoes fall", 8},
     {"push", "rad/s", "the weakest push with which such a row would fall", 0},
     {"r_start", "", "the largest growth at which such a row starts and keeps falling", 0},
@@ -50,7 +50,7 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* the result of running the row, including the domino to topple */
+    struct start start;      /* the result of running the row, whose last domino is the one to topple */
     struct start_growths growths;
     bool falls;
 };
@@ -102,7 +102,7 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
     if (isnan(t->growths.r_max) && !t->start.engine)
         snprintf(starts, sizeof starts, "; but no such row starts %s", by);
     else if (t->growths.r_max < t->limit.r_max)
-        snprintf(starts, sizeof starts, "; a row that starts %s falls with growth up to %.6g: %s", by,
+        snprintf(starts, sizeof starts, "; a row that starts %s can have a growth of up to %.6g: %s", by,
                  (double)t->growths.r_max, enough_words(query, height, t->growths.r_max).text);
     answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind.text, t->falls ? "yes;" : "no;",
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);

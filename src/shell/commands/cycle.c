@@ -161,9 +161,10 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
              place);
 }
 
-/* Returns false if there is no answer after a computation that ended with `status`. If a cycle releases no
- * energy, if the train stops, or if friction locks a collision, there is an answer, but some of its numbers
- * may be missing; *why is then the reason, which may be stored in `reason`. Otherwise *why is NULL. */
+/* Looks up why numbers are missing after a computation that ended with `status`. If a cycle releases no
+ * energy, if the train stops, or if friction locks a collision, there is still an answer, and *why points to
+ * the reason for its missing numbers; a text that depends on the train is stored in the buffer `reason`. For
+ * every other status, *why is NULL. Returns false, and sets *problem, if there is no answer. */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)
 {

@@ -88,7 +88,7 @@ static double price_with(const struct query *query, int effect, bool on)
     struct scene scene = *query->scene; /* this copy shares the row of the original */
     /* A random row may stop early. Its time would then say little about the effect. */
     errors_off(&scene);
-    /* Neither random rows nor the rigid-body engine can include 'floor'. */
+    /* The effect 'floor' is not computed for random rows, and the rigid-body engine refuses it. */
     if (effect == DOM_EFFECT_placement || effect >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
@@ -292,11 +292,11 @@ const struct command effect_commands[] = {
      .synonyms = "list switch",
      .summary = "all effects: whether they are on, what they add, and the time they take",
      .help =
-         "For each effect, measures how long an answer of this scene takes without the effect and with it. "
-         "The effects that this effect needs are on in both cases. An effect that is off is timed with its "
-         "usual value. Effects decide which of three methods finds the motion: the energy balance; the "
-         "equation of motion, if there is friction; or a rigid-body engine, if there are feet or bounce. "
-         "'scene' shows which method this scene needs, and why.",
+         "For each effect, measures how long it takes to compute an answer for this scene without the effect "
+         "and with it. If the effect needs other effects, they are on in both cases. An effect that is off "
+         "is timed with its usual value. Effects decide which of three methods finds the motion: the energy "
+         "balance; the equation of motion, if there is friction; or a rigid-body engine, for effects such "
+         "as 'feet' and 'bounce'. 'scene' shows which method this scene needs, and why.",
      .see = "effect scene",
      .sweep_refusal =
          "it measures computing time, and points computed at the same time would slow each other down",

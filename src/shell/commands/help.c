@@ -230,7 +230,7 @@ static void help_variable(const struct session *session, const struct arguments 
 static void help_several(FILE *out, const char *word)
 {
     const char *name;
-    help_say(out, "'%s' can mean one of these; 'help NAME' explains each:", word);
+    help_say(out, "'%s' can mean any of these; 'help NAME' explains each:", word);
     for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++) {
         const struct command *c = command_find(name);
         topic_entry(out, "", name, c ? c->summary : parameter_meaning(parameter_find(name)));
@@ -286,7 +286,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
         }
     return found > 0 || problem_error(problem,
                                       "nothing was found about '%s'; try another word, such as 'picture' or "
-                                      "'gap', or 'help', which lists all commands",
+                                      "'gap', or enter 'help' for a list of all commands",
                                       names_shown(word));
 }
 

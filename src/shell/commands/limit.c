@@ -325,12 +325,14 @@ const struct command limit_commands[] = {
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},
      .summary = "how many dominoes it takes to topple one of height H (growth R; default: r)",
-     .help = "The answer n is the smallest integer with h r^n >= H: n dominoes, the first of which is h "
-             "tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
-             "next one. The first domino of the row just tips over, or is given the push of 'effect push'. "
-             "'feasible' tells whether the row falls. If not, 'stops_at' is the domino at which the fall "
-             "ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
-             "endless train that is already moving keeps falling. 'r_start' is the largest growth at which a "
+     .help = "The answer n is the smallest integer with h r^n >= H, where h is the height of the first "
+             "domino. The last domino of the row is smaller than H, but it can topple one more, which is r "
+             "times as tall. For example, if h = 5 cm, r = 1.5 and H = 20 cm, n is 4: dominoes of 5, 7.5, "
+             "11.25 and 16.9 cm can topple one of up to 25.3 cm. The first domino of the row just tips over, "
+             "or is given the push of 'effect push'. 'feasible' tells whether the row falls. If not, "
+             "'stops_at' is the domino at which the fall ends, and 'push' is the weakest push with which the "
+             "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
+             "'r_start' is the largest growth at which a "
              "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
              "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",

@@ -77,8 +77,8 @@ static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON]
 
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
-    const char *falls =
-        pair ? "a first domino that only just tips over topples the next one" : "the train keeps falling";
+    const char *falls = pair ? "the first domino topples the next one even if it only just tips over"
+                             : "the train keeps falling";
     /* The 12 printed digits may be rounded up, which would claim more than is proved. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
@@ -88,7 +88,7 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
         answer_say(a, "Proved: for every growth from %.12g up to 1/s %s.", p->from, falls);
     else if (p->ends == DOM_PROVED_NONE)
         answer_say(a, "Proved: at growth 1 %s.",
-                   pair ? "a first domino that only just tips over does not topple the next one"
+                   pair ? "the first domino does not topple the next one if it only just tips over"
                         : "the train stops");
     else if (low > p->from)
         answer_say(a, "Only this is proved: for every growth from %.12g to %.12g %s.", p->from, low, falls);
@@ -227,13 +227,14 @@ const struct command prove_commands[] = {
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "answer with a proof", .choices = prove_names},
           {.name = "VALUE", .kind = ARGUMENT_ANY, .noun = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
-     .help = "'prove rmax S' and 'prove pair S' find two decimal numbers, 'tol' apart, with the largest "
-             "growth between them. The train keeps falling with every growth up to the first number, and "
-             "stops with the second. 'prove barrier' and 'prove verdict' are about the growth r. 'prove "
-             "count H' is about the number of dominoes; whether such a row starts is computed, but not "
-             "proved. A proof covers all tilts, and all growths in between; domino-model(7) explains how. If "
-             "a proof fails or is interrupted, the answer is 'not proved', with what has been proved so far. "
-             "There are no proofs with friction, slopes or rounded edges.",
+     .help =
+         "'prove rmax S' and 'prove pair S' find two decimal numbers, 'tol' apart, with the largest "
+         "growth between them. The train keeps falling at every growth up to the first number and stops at "
+         "the second. 'prove barrier' and 'prove verdict' are about the growth r. 'prove count H' is "
+         "about the number of dominoes. It also computes whether such a row starts, but does not prove "
+         "this. A proof covers every tilt and every growth in a range, not only samples; domino-model(7) "
+         "explains how. If a proof fails or is interrupted, the answer is 'not proved', with what has "
+         "been proved so far. There are no proofs with friction, slopes or rounded edges.",
      .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",

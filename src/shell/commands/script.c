@@ -36,7 +36,8 @@ static bool run_source(struct session *session, const struct arguments *given, s
 
 /* ---- Text ---- */
 
-/* Parses the rest of the command as one text. Inside double quotes it may contain ';', '>' and '#'. */
+/* Parses the rest of the command as a single string. If it is in double quotes, it may contain ';', '>' and
+ * '#'. */
 static bool echo_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
@@ -117,8 +118,8 @@ const struct command script_commands[] = {
      .synonyms = "record transcript protocol journal file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE until 'log off'",
-     .help = "In FILE, answers, errors and lines that failed are comments, so 'source FILE' runs the "
-             "commands again. Write './off' for a file named off.",
+     .help = "'source FILE' can run the commands again, because answers, errors and lines that failed are "
+             "written as comments. Write './off' for a file named off.",
      .see = "tee save",
      .files = true,
      .act = run_record},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that set, reset, save and undo the parameters of the session, and that end the session. */
+/* Commands that set, reset and save the parameters of the session, undo changes, or end the session. */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "io/output.h"
@@ -278,11 +278,11 @@ const struct command session_commands[] = {
          "is a parameter, or something that 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a "
          "number of the last answer. A command stands for one number of its answer, and a key chooses "
          "another: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number or a ')': '10 g'. "
-         "Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are true, and 0 otherwise: < <= >= "
-         "== !=, and '(a > b)' in parentheses, because '>' alone begins the name of a file. 'and', 'or' and "
-         "'not' join comparisons, and 'if(r > 1.5, 1, 0)' chooses one of two values. 'with' changes "
-         "parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1'. In an expression, 'with' "
-         "needs parentheses: '2*(rmax with friction 0.2)'.",
+         "Elsewhere g is gravity: 'h/g', '2*g'. The comparisons are < <= > >= == and !=. The value of a "
+         "comparison is 1 if it is true, and 0 otherwise. Write '(a > b)' in parentheses, because otherwise "
+         "'>' sends the answer to a file. 'and', 'or' and 'not' join comparisons, and 'if(r > 1.5, 1, 0)' "
+         "chooses one of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q "
+         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",

@@ -103,7 +103,7 @@ static bool list(const struct query *query, struct answer *a, enum listed listed
     const bool people = answer_for_people(a);
     struct column *columns = answer_columns(a, show_columns);
     struct shown shown;
-    /* For people, a first pass only finds the widths of the columns. */
+    /* If the answer is for people, the first of two passes only finds the widths of the columns. */
     for (int pass = people ? 0 : 1; pass < 2; pass++) {
         if (people && pass == 1)
             columns_fit(a);

@@ -88,7 +88,7 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
         answer_say(
             a,
             "After the collision the train must get over its barrier, whose top is at a head tilt of %.4g "
-            "%s. The kinetic energy K is compared with the energy B that this takes: K %s B (26; c8).",
+            "%s. The train needs the energy B for this climb and has the kinetic energy K: K %s B (26; c8).",
             (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_REACH)
         answer_say(a,

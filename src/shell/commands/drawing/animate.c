@@ -129,7 +129,8 @@ static bool animate_row(const struct film *film, double tower)
     }
     falling_row_reach(&f.row, true);
     stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
-    /* Makes room for the largest caption, in which the second line is the verdict. */
+    /* Every frame reserves as many lines as this caption takes up. The longest caption has the verdict as its
+     * second line. */
     falling_row_verdict(&f.row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
     bool done = !f.towers || tower_film(&f.row, tower) ||

@@ -277,7 +277,7 @@ const struct command draw_commands[] = {
      .argument =
          {{.name = "FILE", .kind = ARGUMENT_FILE},
           {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
-     .summary = "a film of the falling row or of the train, in FILE",
+     .summary = "a film of the falling row or of the train, written to FILE",
      .help =
          "'animate row.gif' shows the whole fall of the row, with a clock. The film runs in real time, or "
          "faster if the fall takes more than 9 s. 'speed 0.5' shows the row half as fast as in real time. "

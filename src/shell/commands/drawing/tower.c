@@ -13,9 +13,10 @@
 #define TOO_SMALL 0.012
 /* The largest width of the enlarged copy, as a fraction of the width of the picture. */
 #define ZOOM_WIDE 0.36
-/* The copy is at most this high, and stands this far above the floor. Both numbers are divided by the height
- * of the tower. */
-#define ZOOM_HIGH  0.4
+/* The largest height of the enlarged copy, as a fraction of the tower's height. */
+#define ZOOM_HIGH 0.4
+/* The enlarged copy is drawn above the row. This is its distance from the floor, as a fraction of the tower's
+ * height. */
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
 #define ZOOM_LEAST 2

@@ -5,9 +5,9 @@
 
 #include "commands/drawing/falling_row.h"
 
-/* Makes *changed, a query about the row that the last 'count' found, and sets *height to the height of the
- * tower in m. *changed points to *state, a changed copy of the state of `query`. The copy shares memory with
- * the original. */
+/* Makes a query about the row that the last 'count' found, and stores it in *changed. Its state is *state: a
+ * copy of the state of `query` with this row, which shares memory with the original. Sets *height to the
+ * height of the tower in m. On failure, sets *problem and returns false. */
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);
 

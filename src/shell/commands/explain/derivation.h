@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derivations show where a number comes from. Most quantities have an equation, which the user sees, and an
- * expression with which the library computes the same number. The program shows the number of the library. A
- * test checks that the equation gives the same number. */
+ * expression with which the library computes the same number. The program shows the number that the library
+ * computes. A test checks that the equation gives the same number. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -84,7 +84,9 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    int depth; /* the fewest equations between this quantity and the answer; 0 for the answer itself */
+    /* The number of equations on the shortest path from this quantity to the answer. The answer has depth 0.
+     */
+    int depth;
 };
 
 struct derivation {

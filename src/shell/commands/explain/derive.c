@@ -99,9 +99,9 @@ static bool chain_add(const struct domq_link *link, void *context)
     return true;
 }
 
-/* Computes the tilts of all dominoes, in the chain `d->at` for the given tilt of the head, and in the chain
- * `d->launch` for the tilt 0. Both chains are then extended to the same length, by dominoes with the tilt
- * theta_f, whose terms are 0. */
+/* Computes the tilts of all dominoes twice: in the chain `d->at` the head has the given tilt, and in the
+ * chain `d->launch` it has the tilt 0. The two chains may differ in length, so dominoes with the tilt theta_f
+ * are added until both are equally long. The terms of the added dominoes are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -210,14 +210,15 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     return NULL;
 }
 
-/* Called when another equation, closer to the answer, needs a known step. */
-static void step_closer(struct derivation *d, struct step *s, int depth)
+/* Reduces the depth of a step to `depth`, unless it is already as small. Also reduces the depths of the steps
+ * that this step needs. Called when another equation turns out to need a step of the derivation. */
+static void depth_reduce(struct derivation *d, struct step *s, int depth)
 {
     if (depth >= s->depth)
         return;
     s->depth = depth;
     for (int k = 0; k < s->count; k++)
-        step_closer(d, &d->step[s->needs[k] - d->step], depth + 1);
+        depth_reduce(d, &d->step[s->needs[k] - d->step], depth + 1);
 }
 
 /* Returns the step for a quantity, with its value, or NULL on failure. */
@@ -225,7 +226,7 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
     for (int k = 0; k < d->count; k++)
         if (strcmp(d->step[k].name, name) == 0) {
-            step_closer(d, &d->step[k], depth);
+            depth_reduce(d, &d->step[k], depth);
             return &d->step[k];
         }
     struct step *s = step_begin(d, name, depth);

@@ -22,7 +22,7 @@ static const struct column explain_columns[] = {
      6},
     {"needs", "", "the quantities that the equation contains", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
-    {"depth", "", "the fewest equations between this quantity and the answer", 5},
+    {"depth", "", "the number of equations on the shortest path from this quantity to the answer", 5},
     {"meaning", "", "what the quantity is and, if it has no equation, why not", 40},
     {NULL, NULL, NULL, 0},
 };
@@ -241,15 +241,15 @@ const struct command explain_commands[] = {
              "there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
-     .sweep_refusal = "it compares the steps for one train",
+     .sweep_refusal = "the paper's steps are compared for one train at a time",
      .rows = true,
      ANSWER(recipe)},
     {.name = "paper",
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
-     .summary = "the numbers and figures of the paper, beside the exact ones",
+     .summary = "numbers and figures of the paper, next to the exact values",
      .help = "A table of numbers from the paper: points of the figures, the largest growth, the best "
              "separation, the printed equations and the quiz. Each number is computed twice: with the "
-             "paper's formulas, such as its closed form of the fuel, and with the fuel from the energy "
+             "paper's formulas, such as the closed form of the fuel, and with the fuel from the energy "
              "balance. The table says why the two results differ. It is about the paper's own dominoes and "
              "does not depend on the scene.",
      .example = "paper",

@@ -5,7 +5,7 @@
 
 const struct column paper_columns[] = {
     {"where", "", "the figure, the equation or the section of the paper", 13},
-    {"what", "", "the quantity that the paper states or draws", 34},
+    {"what", "", "the quantity that the paper gives in its text or shows in a figure", 34},
     {"q", "", "mass exponent: 3 for hollow dominoes, 4 for solid ones", 4},
     {"s", "h", "separation", 0},
     {"paper", "", "the value with the paper's closed form of the fuel (25; c7); for J(0), the printed value",
