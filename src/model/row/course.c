@@ -20,12 +20,12 @@
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. Contact forces are linear in
  * omegasq. So if no force is negative at two values of omegasq, none is negative between these two values.
- * For this reason, each head of the unchanged row is run twice more: once barely fast enough, and once with
- * omegasq FAST times as large.
+ * For this reason, each head of the unchanged row is run twice more: once with an omegasq that is barely
+ * enough, and once with an omegasq that is FAST times as large as in the unchanged row.
  *
- * From these runs follow the limits `below` and `above` of each head. As long as omegasq deviates by less
- * than these limits, the verdict does not change. If the row falls, the limits are found from the last head
- * to the first, as
+ * These runs give the limits `below` and `above` of each head. As long as omegasq deviates by less than these
+ * limits, the verdict does not change. If the row falls, the limits are found from the last head to the
+ * first, as
  *
  *     min(half the limit of the head itself, limit of the next head / max(lambda, 1)).
  *
@@ -94,7 +94,8 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* `before` and `after` are the states when head k and the next head were hit. */
+/* Makes the mark of head k. `before` is the state when head k was hit, and `after` is the state when the next
+ * head was hit. */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -118,8 +119,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq may deviate so that head k itself still falls. marks_join then adds the limits of
- * later heads. */
+/* Sets the limits `below` and `above` of head k alone: within them, head k falls and no contact force is
+ * negative. Later, marks_join reduces them to the limits of the heads after it. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -135,8 +136,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
 /*
  * Goes back from mark[to - 1] to mark[from]. At each head, sets the limits `below` and `above` so that no
  * deviation within these limits exceeds the limits of a later head. If `falls` is false, the fall ends at
- * head to - 1, and only the limits of this head count: if a changed row ends earlier, it does not fall,
- * either.
+ * head to - 1, and only the limits of this head count. If the fall of a changed row ends at an earlier head,
+ * the verdict is the same: the row does not fall.
  */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
@@ -185,14 +186,15 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from`. Fills in the marks of heads that have none yet. Dominoes after `last` are
- * unchanged, so only the heads after `last` may end the run early. */
+/* Runs the row from head `from`. Fills in the marks of heads that have none yet. If a change can no longer
+ * affect the verdict, the run ends early. It ends at a head after `last`, since only the dominoes after
+ * `last` are certain to be unchanged. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* new marks need the smallest force */
+                      .forces = c->known < count, /* a new mark stores the smallest force */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);

@@ -120,8 +120,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Chooses the dynamics of domino k. In a row, each domino has its own thickness of walls and radius of edges
- * as multiples of its height. */
+/* Chooses the dynamics of domino k. Most effects are the same for all dominoes of a row. But the thickness of
+ * the walls and the radius of the edges, both divided by the height, can differ from domino to domino. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -201,8 +201,8 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* The kernel must be able to represent the values of domino k in its precision, and also the values that are
- * computed from them. */
+/* The values in `self` are computed from the sizes. They may underflow or overflow even if the sizes do not,
+ * so they are checked too. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

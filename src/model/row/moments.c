@@ -78,7 +78,7 @@ static real passage_size(const struct passage *s)
 /*
  * The time until the head comes to rest, at the tilt b = `to`, is an integral over the tilt theta. Its
  * integrand 1/omega grows like (b - theta)^(-1/2) near b, so it cannot be integrated directly. The
- * substitution theta = b - (b - lo) x^2 removes the infinity, and time becomes a smooth function of x.
+ * substitution theta = b - (b - lo) x^2 removes the singularity, and time becomes a smooth function of x.
  * Returns the new integrand at x.
  */
 static real slowness_to_rest(real x, void *context)
@@ -255,8 +255,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle phi by which a domino with rounded edges has turned beyond theta_u when the time until it
- * hits the next domino is `left`, in tau. */
+/* A domino with rounded edges tips over from theta_u. Returns the angle phi by which it has turned beyond
+ * theta_u when the time `left`, in tau, remains until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};

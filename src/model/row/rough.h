@@ -19,14 +19,14 @@ struct rough_motion {
 /* Returns an estimate of the relative error in omegasq that the tolerance of the sums causes. */
 KERNEL real rough_error(const struct geometry *head);
 
-/* Returns true if it is certain that the head reaches the tilt theta with tan(theta / 2) = `hi`. All dominoes
- * must be plumb. The caller must make sure that no contact force is negative. */
+/* Let theta be the tilt with tan(theta / 2) = `hi`. Returns true if the head certainly reaches theta. All
+ * dominoes must be plumb. The caller must make sure that no contact force is negative. */
 KERNEL bool rough_reaches(struct rough_motion *s, const struct geometry *head, real hi, real omegasq);
 
 /*
- * Computes the motion of a head to its end. Sets *after to omegasq at the end, and *after_off to an estimate
- * of the error in *after. Returns false if the head may come to rest earlier. The requirements are those of
- * rough_reaches.
+ * Computes the motion of a head until it hits the next domino, or the floor if it is the last. Sets *after to
+ * omegasq at the hit, and *after_off to an estimate of the error in *after. Returns false if the head may
+ * come to rest before the hit. The requirements are those of rough_reaches.
  */
 KERNEL bool rough_descend(struct rough_motion *s, const struct geometry *head, real omegasq, real *after,
                           real *after_off);

@@ -29,8 +29,8 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* Follows the motion to the end of the segment, or to the tilt at which descent_rest has found that it ends
- * early. */
+/* Follows the motion to the end of the segment. If descent_rest has found a smaller tilt at which the head
+ * comes to rest or locks, follows the motion only to that tilt. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;
@@ -94,8 +94,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 
 /*
  * Finds the inertia J of all moving dominoes after head k is hit. J is a sum along the chain. With rounded
- * edges, this sum is slow, because the tilts have no closed form. So J is computed from the inertia ratio of
- * the collision instead, unless there is friction, which changes the inertia ratio.
+ * edges, this sum is slow, because the tilts have no closed form. So with rounded edges, J is computed from
+ * the inertia ratio of the collision, unless there was no collision, or there is friction, which changes the
+ * inertia ratio.
  */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A motion can be repeated only if the head stands in a long sequence of equal dominoes. The sequence up to
- * the head must be longer, by at least STEADY_MORE, than the longest pass along a chain. */
+/* A motion can be repeated only if the head stands in a long sequence of equal dominoes. The number of equal
+ * dominoes up to the head must exceed the length of the longest pass along a chain by at least
+ * STEADY_MORE. */
 enum { STEADY_MORE = 2 };
 
 /* A row may end with a long sequence of equal dominoes. Only about the first STEADY_FIRST of them have their

@@ -10,7 +10,7 @@
 struct steady {
     struct dom_fall fall; /* result for the previous head */
     size_t alike;         /* number of equal dominoes up to the current head */
-    /* how many more dominoes move with each head than with the head before; 0 or 1 if `found` is true */
+    /* by how many the number of moving dominoes grows from one head to the next; 0 or 1 if `found` is true */
     size_t more;
     /* true if the motion is steady. The next head then repeats the motion, provided that the next two
      * dominoes both equal the current one. */
@@ -22,8 +22,8 @@ KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
 /*
  * Returns the number of dominoes whose geometry is filled in before the run. The geometry of later dominoes
- * is filled in only when it is needed. This cannot fail, because all later dominoes equal the last domino
- * that is filled in before the run.
+ * is filled in only when it is needed. Filling it in cannot fail, because all later dominoes equal the last
+ * one that is filled in before the run.
  */
 KERNEL size_t steady_made(const struct row_request *request);
 
@@ -37,10 +37,10 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
                         const struct descent *d, const struct dom_fall *fall);
 
 /*
- * Runs the last head of a row, head k, after a repeated motion. The repetition has skipped the heads before
- * head k, so head k has no geometry. The last domino that has a geometry equals head k, and is run in its
- * place, as if the row ended there. Returns false if too few equal dominoes precede this substitute. The
- * caller must then run head k itself.
+ * Runs head k, the last head of a row, after a steady motion whose repetition skipped the heads before it.
+ * The skipped heads and head k have no geometry. But the last domino that has a geometry equals head k. So
+ * the function runs this domino in the place of head k, as if the row ended there. If too few equal dominoes
+ * precede this domino, returns false, and the caller must run head k itself.
  */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
