@@ -117,8 +117,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2.
  *
- * If mu, alpha or rho is not 0, only DOM_METHOD_OURS can be used, and only DOM_FUEL_EXACT where the answer
- * depends on the fuel. Any other method or fuel gives the status DOM_NO_METHOD.
+ * If mu, alpha or rho is not 0, the method must be DOM_METHOD_OURS. If the answer depends on the fuel, the
+ * fuel must also be DOM_FUEL_EXACT. With any other method or fuel, the status is DOM_NO_METHOD.
  */
 struct dom_train {
     dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
@@ -150,8 +150,8 @@ struct dom_scale dom_scale_default(void);
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the results */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
-    /* Default DOM_METHOD_OURS. The other methods answer few questions, and none if `errors` is set. Otherwise
-     * the status is DOM_NO_METHOD. */
+    /* Default DOM_METHOD_OURS. The other methods answer few questions, and none if `errors` is set. If a
+     * method cannot answer a question, the status is DOM_NO_METHOD. */
     enum dom_method method;
     bool errors;           /* true to compute error bounds, which takes more time */
     struct dom_work *work; /* counters to which the work is added; may be NULL */
@@ -209,7 +209,7 @@ struct dom_angles_error {
 struct dom_angles {
     dom_real theta_c;   /* the head hits the next domino at this angle: sin theta_c = r s (2; a2) */
     dom_real theta_u;   /* a single domino tips over at this angle: tan theta_u = d (4; b1) */
-    dom_real theta_inf; /* the angle that far followers approach: cos theta_inf = d / (s + d) (40; A16) */
+    dom_real theta_inf; /* the angle that distant followers approach: cos theta_inf = d / (s + d) (40; A16) */
     dom_real theta_f;   /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
     /* The angle of a leader at which its follower detaches. NaN if no follower does. */
     dom_real theta_leave;
@@ -305,8 +305,8 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    /* The fuel P that train->fuel selects. With friction, it is instead the kinetic energy that a cycle would
-     * end with if it began with none. */
+    /* The fuel P that train->fuel selects. With friction, this member is instead the kinetic energy that a
+     * cycle would have at its end if it had none at its start. */
     dom_real fuel;
     dom_real J0; /* J(0) */
     /* omega(0) just after the collision, divided by omega_1(theta_c) just before the collision. By equation
@@ -346,10 +346,11 @@ struct dom_barrier {
 };
 
 /*
- * Finds whether the train keeps falling. The status is
- * - DOM_OK if it keeps falling (margin >= 0): all members are written,
- * - DOM_STOPS if it stops: all members are written,
- * - DOM_NO_FUEL: theta_m and barrier are written, and the other members are NaN.
+ * Finds whether the train keeps falling. The status is the result:
+ * - DOM_OK: the train keeps falling (margin >= 0). All members are written.
+ * - DOM_STOPS: the train stops. All members are written.
+ * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed, and the other members are
+ *   NaN.
  *
  * All functions that compute a cycle give the same verdict. If the tolerance is too coarse to tell whether
  * the train stops, they compute with a finer tolerance.
@@ -546,8 +547,8 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
  * starts at the point of tipping over and must carry domino 0 over the barrier of the pair. Does not use
  * train->r and train->fuel.
  *
- * Domino 1 tips over only if r is large enough (5; b0). So equal dominoes can fail although larger growths
- * succeed. r_max is then the upper end of the first interval of growths that succeed.
+ * Domino 1 tips over only if r is large enough (5; b0). So equal dominoes (r = 1) can fail even though larger
+ * growths succeed. r_max is then the upper end of the first interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -566,10 +567,11 @@ struct dom_best {
  * Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
  * DOM_NO_GROWTH if no separation allows r > 1.
  *
- * Without friction and with sharp edges, bounds show which separations cannot allow a larger growth. So the
- * search can miss a peak of the function r_max(s) only if the peak is narrower than 0.2 % of s. If the search
- * takes very long, it can also miss a wider peak. With friction or rounded edges, no bounds are known. The
- * separations are then only sampled, and a peak between two samples can be missed.
+ * Without friction and with sharp edges, bounds show which separations cannot allow a larger growth than the
+ * best one found so far. The search bisects the remaining separations down to intervals of 0.2 % of s, or
+ * wider ones if the search takes long. It can miss a peak of the function r_max(s) that is narrower than
+ * these intervals. With friction or rounded edges, no bounds are known. The separations are then only
+ * sampled, and a peak between two samples can be missed.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
@@ -582,8 +584,8 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
  * - `statuses` is an array of `count` statuses, one for each train.
  * - `tilts` is an array of `count` tilts. It may be NULL if the question needs no tilt.
  *
- * Returns DOM_OK, or DOM_NO_METHOD if the question is not in the enumeration. After an interrupt returns
- * DOM_INTERRUPTED; all remaining trains also get this status.
+ * Returns DOM_OK, or DOM_NO_METHOD if the question is not in the enumeration. If the computation is
+ * interrupted, returns DOM_INTERRUPTED and gives this status to all remaining trains too.
  */
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
                                const dom_real *tilts, size_t count, const struct dom_compute *compute,
@@ -641,7 +643,7 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* A hollow box with six walls of the same thickness. */
 struct dom_box {
-    dom_real filled; /* the fraction of the volume of the box that the walls fill */
+    dom_real filled; /* volume of the walls divided by the volume of the box */
     /* Moment of inertia about a lower edge, divided by that of a solid block of equal mass. */
     dom_real inertia;
 };
@@ -679,10 +681,11 @@ struct dom_count {
  * unit.
  *
  * Because of rounding, first * r^n counts as equal to `height` if the two differ by at most 2 + n/2 units in
- * the last place, and by less than a millionth of ln r, relative to `height`.
+ * the last place, and their relative difference is at most a millionth of ln r.
  *
- * The status is DOM_BAD_HEIGHT unless both heights are > 0, or if n is too large for the precision. It is
- * DOM_BAD_R unless r >= 1. Only compute->precision and compute->errors are used.
+ * The status is DOM_BAD_HEIGHT if a height is not a finite number > 0, or if n or height / first is too large
+ * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1. Only compute->precision
+ * and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

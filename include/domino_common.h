@@ -43,7 +43,7 @@ extern "C" {
     X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
     X(BAD_LEAN, "a lean is too large: a domino that leans that far falls over when it is set up")            \
     X(BAD_ERROR, "the size of an error is outside its range")                                                \
-    X(BAD_ROWS, "the number of rows is 0, or smaller than the number counted as fallen or unknown")          \
+    X(BAD_ROWS, "the number of rows is 0, or smaller than the number of rows counted as fallen or unknown")  \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
     X(BAD_SAFETY, "the safety factor is not a finite number above 1")                                        \
     X(BAD_HALL, "the length of the hall is not greater than the height of the last domino")                  \

@@ -50,8 +50,8 @@ struct dom_proof_work {
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* the train keeps falling at growths from `from` to `low` and stops at `high` */
     DOM_PROVED_REACH,   /* the train keeps falling at growths from `from` to 1/s; low <= 1/s <= high */
-    /* A train stops at r = 1. For a pair, no growth above 1 was found at which the pair provably keeps
-     * falling. */
+    /* For a train: it stops even at r = 1. For a pair: no growth above 1 was found at which the pair provably
+     * keeps falling. */
     DOM_PROVED_NONE,
     /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, nothing is proved.
      * `gap` says why the proof is incomplete. */

@@ -18,9 +18,9 @@ extern "C" {
     X(PASSES, "its upper edge passes above the next domino, and the model does not include the contact "     \
               "that follows")                                                                                \
     X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
-    X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
+    X(PARTS, "it moves ahead of the dominoes that lean on it, and the model does not include this motion")   \
     X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
-    X(SKEWED, "it or the next domino leans, so that the two already touch, or would touch in a way that "    \
+    X(SKEWED, "because it or the next domino leans, the two already touch, or would touch in a way that "    \
               "the model does not include")
 
 enum dom_row_end {
@@ -248,10 +248,10 @@ struct dom_moment {
  * returns false to end the run. For a time after the end of the motion, such as INFINITY, visit gets the
  * final state and the time at which the row reached it. A domino that detaches keeps its tilt from then on.
  *
- * Without a push, times may be negative, because they are measured from the first hit. With a push, a
- * negative time gives the status DOM_BAD_TIME. So do a time that is NaN, and times that are not in order. If
- * the row comes so close to a stop that later times cannot be computed, the status is DOM_NO_MARGIN. Other
- * statuses are those of dom_row_run.
+ * Without a push, times may be negative, because they are measured from the first hit. The status is
+ * DOM_BAD_TIME if a time is NaN, if the times are not in order, or if a time is negative although there is a
+ * push. If the row comes so close to a stop that later times cannot be computed, the status is DOM_NO_MARGIN.
+ * Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -277,9 +277,9 @@ struct dom_row_growth {
 };
 
 /*
- * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. `make` writes the
- * dominoes for each growth r that is tried; row->domino is not used. For a train, let `make` call
- * dom_row_of_train, and let `highest` be dom_train_reach.
+ * Finds the largest growth at which all dominoes of a row fall. The growth is accurate to the relative
+ * tolerance compute->tol. `make` writes the dominoes for each growth r that is tried; row->domino is not
+ * used. For a train, let `make` call dom_row_of_train, and let `highest` be dom_train_reach.
  *
  * The search starts at r = 1 and raises r until the row falls, in steps of 2 %, or of 10 % with an engine.
  * From there it raises r in steps of 2 %, until the row no longer falls or r is `highest`. The search can
@@ -312,8 +312,8 @@ struct dom_mend {
  * gap after the domino is too wide to reach across, the search tries no other gap.
  *
  * Each gap is tried from 0 to the widest gap within reach, which is the height of the domino before the gap.
- * If the current gap is even wider, and all dominoes fall at the widest gap within reach, `to` is the widest
- * gap within reach.
+ * If the current gap is even wider, the widest gap within reach is tried first. If all dominoes fall with it,
+ * `to` is this gap.
  *
  * In each direction, the search takes up to 40 steps of increasing length, and then bisects. The first step
  * is 1/64,000 of the range. With an engine, there are up to 10 steps, and the first is 1/1,000 of the range.
@@ -351,8 +351,9 @@ struct dom_window {
  * These values are tried:
  * - gaps from 0 to the height of the domino before the gap,
  * - places up to the next domino, as long as the gap before the domino stays in the range of gaps,
- * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope, rounded edges
- *   fit, and row->boxes_above does not turn a solid domino into a box or a box into a solid domino,
+ * - heights from 1/100 to 4 times the current height, if the domino can stand on the slope, if rounded edges
+ *   fit, and if the height stays on the same side of row->boxes_above, so that a solid domino stays solid and
+ *   a box stays a box,
  * - thicknesses from 1/100 to 4 times the current thickness, if the domino can stand on the slope, and walls
  *   and rounded edges fit,
  * - frictions from 0 to 2, or to 4 times the current friction if that is more, but at most DOM_MU_HIGHEST,
@@ -424,8 +425,8 @@ struct dom_wish {
     dom_real walls, boxes_above;
 };
 
-/* A row that fulfils a wish, with the dominoes and gaps of a train. If the wish cannot be fulfilled, `limit`
- * is not DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
+/* A row that meets the requirements of a struct dom_wish, with the dominoes and gaps of a train. If no such
+ * row was found, `limit` is not DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;
@@ -435,7 +436,7 @@ struct dom_design {
     dom_real length;  /* length after the last domino has fallen: `feet` + `height`, in m */
     dom_real seconds; /* as in struct dom_verdict; computed by the engine, if any */
     dom_real train;   /* kinetic / barrier of the endless train */
-    dom_real row;     /* the smallest kinetic / barrier of all dominoes after the first */
+    dom_real row;     /* the smallest ratio kinetic / barrier among all dominoes after the first */
     size_t weakest;   /* the number of the domino with this ratio; at least 2 */
     enum dom_design_limit limit;
     dom_real needs; /* see enum dom_design_limit; NaN with DOM_DESIGN_FITS */
@@ -468,13 +469,13 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
  * - Sizes and gaps are multiples of the grid, except the sizes of the first domino and the height of the
  *   last.
  * - If there are boards, every thickness is that of a board.
- * - The rounded row still has the safety of the wish and fits into the hall of the wish.
+ * - The rounded row is still as safe as wish->safety demands and fits into wish->hall.
  *
  * The results about the endless train are computed before rounding.
  *
- * The members `sizes`, `hall` and `heaviest` of the limits have no effect, and the hall is that of the wish.
- * Even so, `hall` and `heaviest` must be positive. If a member of the limits is bad, the status is DOM_BAD_Q,
- * DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
+ * The members `sizes`, `hall` and `heaviest` of the limits have no effect; the hall is wish->hall. Even so,
+ * `hall` and `heaviest` must be positive. If a member of the limits is outside its range, the status is
+ * DOM_BAD_Q, DOM_BAD_HALL, DOM_BAD_MASS, DOM_BAD_GAP (the grid) or DOM_BAD_THICKNESS (a board).
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -550,8 +551,8 @@ struct dom_study {
  * model cannot decide (study->unknown) are not counted in `stops`.
  *
  * The status is DOM_BAD_ERROR if the size of an error is not a finite number >= 0. It is DOM_NO_LEAN if leans
- * have errors and the row has rounded edges or is run by an engine. Other statuses come from dom_row_run and
- * placement->parallel.
+ * have errors, and either the row has rounded edges or an engine runs it. A status that dom_row_run or the
+ * function placement->parallel returns is passed on.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
@@ -595,10 +596,11 @@ struct dom_budget {
  *
  * The status is DOM_STOPS if too few rows fall even at sigma = 0.
  *
- * If the search is interrupted, the status is DOM_INTERRUPTED. The budget is then written only if the search
- * has found a sigma > 0 at which enough rows fall. In that case, `sigma` and `low` are the largest such
- * sigma, and `high` is the smallest sigma at which too few rows are known to fall, or infinity. If only the
- * interval is still missing, all three are the final `sigma`.
+ * If the search is interrupted, the status is DOM_INTERRUPTED. If no sigma > 0 at which enough rows fall was
+ * found before the interrupt, the budget is not written. If such a sigma was found, `sigma` and `low` are the
+ * largest one, and `high` is the smallest sigma at which too few rows are known to fall, or infinity. After
+ * `sigma` has been found to its full precision, an interrupted search for the interval leaves `low` and
+ * `high` equal to `sigma`.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,
@@ -611,21 +613,22 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * changed dominoes to domino[0] ... domino[row->count - 1]. Calls progress, which may be NULL.
  *
  * study[0] counts how many rows of the placement fall before the changes, and study[1] how many fall after
- * them. The search itself uses other random rows, whose numbers follow those of the placement. The same seed
- * gives the same result, whatever placement->parallel is.
+ * them. The search uses other random rows, whose numbers follow those of the placement. The same seed gives
+ * the same result, whatever placement->parallel is.
  *
  * If the given row is within the limits, it is the result unless a more reliable row is found. If the given
  * row is not within the limits, the result is the best row found within the limits, even if this row is less
  * reliable. If no row within the limits was found, the result is the given row, and study[1].rows is 0.
  *
- * The search runs the model in double. An engine runs only the rows that study[0] and study[1] count.
+ * The search itself uses the model in double precision, even if the row has an engine. The engine runs only
+ * the rows that study[0] and study[1] count.
  *
- * If the search is interrupted, the status is DOM_INTERRUPTED. If study[0].rows is > 0, the result is then
- * the best row so far. If study[0].rows is 0, the dominoes are not written.
+ * If the search is interrupted, the status is DOM_INTERRUPTED. If study[0].rows > 0, the result is then the
+ * best row so far. If study[0].rows is 0, the dominoes are not written.
  *
- * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps. For a bad member of
- * the limits, the status is DOM_BAD_THICKNESS (a board), DOM_BAD_Q, DOM_BAD_MASS (`heaviest`) or DOM_BAD_GAP
- * (the grid). Other statuses are those of dom_placement_study.
+ * The status is DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps. If a member of the
+ * limits is outside its range, the status is DOM_BAD_THICKNESS (a board), DOM_BAD_Q, DOM_BAD_MASS
+ * (`heaviest`) or DOM_BAD_GAP (the grid). Other statuses are those of dom_placement_study.
  */
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
                                 const struct dom_placement *placement, const struct dom_limits *limits,

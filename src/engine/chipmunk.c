@@ -19,10 +19,10 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Creates the first space of the process. A Chipmunk that was built with assertions, as in Debian, then
- * prints its name and version to `stdout`. To suppress this line, `stdout` is /dev/null during the call. The
- * file descriptor of standard output is not redirected, since a signal handler or another thread may write to
- * it.
+ * Creates the first space of the process. If the Chipmunk library was built with assertions, as in Debian,
+ * this call prints the library's name and version to `stdout`. To suppress this output, `stdout` is /dev/null
+ * during the call. The file descriptor of standard output is not redirected, since a signal handler or
+ * another thread may write to it.
  */
 static void make_first(void)
 {

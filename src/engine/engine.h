@@ -94,8 +94,8 @@ struct engine_fall {
     /* The largest tilt of the foremost box, relative to the tilt at which it balances on its lower front
      * corner. 1 if the box went beyond its balance point. */
     double climbed;
-    /* In a normal contact, a tip touches the back face of the next box. True if instead an edge of a box
-     * touched the top of the box behind it. */
+    /* True if an edge of a box touched the top of the box behind it. In a normal contact, a tip touches the
+     * back face of the next box. */
     bool other_contact;
 };
 
@@ -127,8 +127,9 @@ struct engine_moment {
 typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
- * Runs a row once. `hit` has row->count elements, or is NULL. Without it, all times are measured from the
- * start of the run. `visit`, which may be NULL, is called after each step and returns false to end the run.
+ * Runs a row once. `hit` is an array of row->count elements and receives a record of each box that is hit. If
+ * `hit` is NULL, all times are measured from the start of the run. `visit`, which may be NULL, is called
+ * after each step and returns false to end the run.
  *
  * If `hit` and `visit` are both NULL, only the verdict is wanted. The run then ends as soon as it is certain
  * that all boxes fall, and fall->seconds is roughly the time at which the run ended.
@@ -158,8 +159,8 @@ struct engine_settled {
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row repeatedly and halves the step length until the verdict no longer changes. `hit` has row->count
- * elements, or may be NULL if `times` is false.
+ * Runs a row repeatedly and halves the step length until the verdict no longer changes. `hit` is an array as
+ * in engine_run, and may be NULL if `times` is false.
  * - If `times` is true, halving goes on until no time changes by more than ENGINE_AGREES times the duration.
  * - If `times` is false, a coarse first run is not repeated if its verdict is certain.
  * - No run takes more than ENGINE_FINEST steps per unit of time.

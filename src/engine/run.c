@@ -18,7 +18,7 @@
 /* In these constants, the unit of time is sqrt(height / g), where `height` is the height of the head. */
 static const double hinge_rate = 50;       /* rate at which the drift of a hinge decays */
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
-/* a step takes at most this fraction of the time until the next hit, unless it would be too short */
+/* a step takes at most this fraction of the time until the next hit, but is never shorter than `shortest` */
 static const double brakes = 0.9;
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
@@ -42,8 +42,8 @@ struct run {
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
-/* Returns the time until the front face of the head reaches the next box's upper back edge at the current
- * speed. Returns INFINITY if it never does. */
+/* Returns the time after which the front face of the head would reach the next box's upper back edge (`edge`)
+ * if the head kept its current speed. Returns INFINITY if the face would never reach the edge. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -75,7 +75,7 @@ static double time_to_hit(const struct world *w)
 /* Records how far hinges have drifted and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
-    /* the fraction of a drift that remains after a time of 1, which is 1 / `unit` units of time */
+    /* Chipmunk expects the fraction of a drift that remains after one second. */
     const double left = exp(-hinge_rate / unit);
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
@@ -135,7 +135,7 @@ static double to_balance(const struct world *w, size_t k)
 /*
  * Returns true if the run is over: the head lies on the floor, or it has rested so long that it has stopped
  * for good. If `verdict_only` is true, the run is also over when the last box is past its balance point and
- * turns faster than ever.
+ * turns faster than at any time since it was hit.
  */
 static bool ends(struct run *r, bool verdict_only)
 {

@@ -13,7 +13,7 @@ struct question {
     enum dom_status status;
 };
 
-/* The same for a row. */
+/* A question about a row, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
 struct row_question {
     struct row_request request;
     const struct kernel *kernel;

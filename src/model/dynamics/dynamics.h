@@ -102,18 +102,18 @@ struct dynamics {
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
     /*
-     * Tells how strongly the speed at theta depends on the speed at the launch. Returns the derivative of
-     * omegasq at theta with respect to omegasq at the launch. The motion may begin later than the launch,
-     * where a domino has detached. So `gain` is the same derivative at the tilt start->from. J_at is the
-     * inertia at theta.
+     * Returns how strongly the speed at theta depends on the speed at the launch: the derivative of omegasq
+     * at theta with respect to omegasq at the launch. `gain` is this derivative at start->from, the tilt at
+     * which the motion begins. This is the tilt of the launch or, if a domino has detached since then, the
+     * tilt at which it detached. J_at is the inertia at theta.
      */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };
 
-/* Returns true if error bounds are known for this motion, and also the bounds on all trains of a strip
- * (growth/strip.h). If not, error bounds are NaN, and searches for a growth or a separation rely on samples
- * alone. */
+/* Returns true if bounds are known for this motion, both on errors and on all trains of a strip
+ * (growth/strip.h). If no bounds are known, error bounds are NaN, and searches for a growth or a separation
+ * rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

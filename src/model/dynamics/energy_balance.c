@@ -70,7 +70,8 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
     real J0 = launch->J0, kinetic = launch->kinetic;
     if (error) {
         real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
-        real powers = 12 * ROUNDOFF; /* of the powers in the denominator, and of the operations after them */
+        /* relative rounding error of the denominator and of the operations after it */
+        real powers = 12 * ROUNDOFF;
         real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
                           size * (e.inertia_ratio / f.inertia_ratio + powers);
         real of_J0 = e.inertia_ratio + ROUNDOFF * J0;

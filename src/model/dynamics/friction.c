@@ -4,10 +4,10 @@
  * follower slides down the face of its leader. The Coulomb force mu N along the face brakes both dominoes.
  * The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
  *
- * Friction dissipates energy, so an equation of motion takes the place of the energy balance (21; c3). It is
- * a sum over the torques on all dominoes. Each torque is multiplied by a factor S_i, where S_0 = 1 and
- * S_(i+1) = S_i a_i / b_i (55; e4). With these factors, the contact forces cancel in the sum. Let w = tau^2
- * omega^2. The equation of motion is then
+ * Friction dissipates energy, so an equation of motion takes the place of the energy balance (21; c3). To
+ * obtain it, multiply the equation of motion of each domino i by a factor S_i and add all equations. The
+ * factors are S_0 = 1 and S_(i+1) = S_i a_i / b_i (55; e4). They make the contact forces cancel in the sum.
+ * With w = tau^2 omega^2, the sum is
  *
  *     (A/2) dw/dtheta + B w = C,
  *     A = sum of r^(-(q+1) i) S_i theta_i',   B = sum of r^(-(q+1) i) S_i theta_i'',

@@ -56,8 +56,7 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
     return (train->s + train->d) * train->r * scale->h / seconds;
 }
 
-/* The smallest tolerance of each precision is 4 to 10 times its epsilon. On some machines, the widest type is
- * a long double with a 64-bit mantissa. */
+/* The smallest tolerance of each precision is 4 to 10 times its epsilon. */
 #define TENTH(power) (1 / (dom_real)(power)) /* `power` is a power of ten that a double holds exactly */
 
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)

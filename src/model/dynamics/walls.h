@@ -32,7 +32,7 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
     return (struct box){filled, 1 + v * smaller / (4 * filled)};
 }
 
-/* Returns true if two walls fit into the thickness, or fill it, up to rounding errors. */
+/* Returns true if two walls together are at most as thick as the domino, apart from rounding errors. */
 KERNEL inline bool walls_fit(real d, real walls)
 {
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);

@@ -33,7 +33,7 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Returns a number with the sign of slope_of_H, in less time. */
+/* Returns a number that has the same sign as slope_of_H(p) and takes less time to compute. */
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
@@ -63,7 +63,7 @@ struct top {
     /* tan of half the initial backward lean of the head. Changes of p are relative to |p| plus this value,
      * because p may be 0. */
     real backwards;
-    real height; /* estimated height of the top; its error is of third order in the last step */
+    real height; /* estimated height of the top; its error is proportional to the cube of the last step */
     real moved;  /* relative change of p in the last step of the search */
 };
 
@@ -152,8 +152,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if the head passes theta_u in the cycle, and H certainly decreases from there on (6; b2): the
- * head then loses height, and so do its followers, which lean more. */
+/* Returns true if the head passes theta_u in the cycle and H certainly decreases beyond theta_u (6; b2). H
+ * decreases there because the head loses height, and so do its followers, which lean even more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -334,8 +334,9 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 KERNEL real barrier_most(const struct geometry *geometry)
 {
     /*
-     * No domino moves beyond the initial tilt of its follower, and none weighs less than its follower. So the
-     * total rise is less than h(theta_u) - h(0), the rise of one domino.
+     * During a cycle, each domino moves from its own initial tilt to the initial tilt of its follower. So no
+     * two dominoes pass the same tilts. Since a follower weighs at most as much as its leader, H increases by
+     * less than h(theta_u) - h(0), the rise of a head that moves alone from 0 to theta_u.
      */
     return geometry_rise_u(geometry);
 }

@@ -6,8 +6,8 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 /* A search ends when no peak can exceed the largest known value by more than this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* The dominoes behind the first one that is slower than this fraction of the speed of the head are ignored.
- * Nobody would see them slip. */
+/* The walk from the head backwards ends at the first domino that is slower than this fraction of the head's
+ * speed. Nobody would see the dominoes behind it slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Sets *motion to the friction that the motion needs at theta. Also updates the maxima in
- * *required_friction. */
+/* Sets *motion to the friction coefficient that the floor needs during the motion, at the tilt theta. Also
+ * updates the maxima in *required_friction. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {

@@ -2,9 +2,9 @@
 #include "motion/forces.h"
 #include <stdlib.h>
 
-/* The force on the last domino shown depends on all dominoes behind it. forces_walk lists about as many of
- * these dominoes as it shows, but at most about this many. The dominoes even farther behind all move alike,
- * so moving_push replaces them by a geometric series. */
+/* The force on the last domino shown depends on all dominoes behind it. If n dominoes are shown, forces_walk
+ * lists n + 64 more dominoes behind them, but at most about FORCES_MORE. The dominoes behind the end of the
+ * list all move alike, so moving_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
 
 static real geometric(real first, real ratio)
@@ -57,8 +57,8 @@ static struct push push_on(const struct moving *k, real normal)
 
 /*
  * Finds the force of the floor from Newton's law for the centre of the domino. Relative to the hinge, the
- * centre is at (x - d y, y + d x) / 2. A domino with rounded edges has no hinge. There, the centre of the
- * lower edge takes the place of the hinge. It moves parallel to the floor, at the height rho.
+ * centre is at (x - d y, y + d x) / 2. A domino with rounded edges has no hinge. In its place, the function
+ * uses the centre of the rounded lower edge, which moves parallel to the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -252,7 +252,8 @@ static real least_at(real theta, void *context)
 /* A train with more dominoes than this moves so smoothly that a third of the samples is enough. */
 #define LEAST_LONG 100000
 /* The relative tolerance of the tilt at which the force is smallest. If the samples begin at the tilt 0, no
- * tilt is larger than LEAST_SAMPLES times their distance, so the error is at most 1/1000 of this distance. */
+ * tilt is larger than LEAST_SAMPLES times the spacing of the samples, so the error is at most 1/1000 of this
+ * spacing. */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi]. Forces must not jump inside this interval. */

@@ -36,7 +36,7 @@ struct hinge_load {
     bool leaned;               /* true if a follower leans on this domino */
     real force, impulse;       /* force and impulse of the follower, normal to the back face */
     real x, z;                 /* force of the floor at the hinge */
-    real impulse_x, impulse_z; /* impulse of the floor at the hinge in the collision */
+    real impulse_x, impulse_z; /* impulse of the floor during the collision */
 };
 
 /*
@@ -67,7 +67,7 @@ KERNEL real friction_needed(real x, real z);
 
 /*
  * The friction coefficient that the floor needs so that no hinge slips. It is the largest ratio |R_x| / R_z
- * of all hinges. During the motion, R is the force of the floor at a hinge. In the collision, R is the
+ * over all hinges. During the motion, R is the force of the floor at a hinge. In the collision, R is the
  * impulse of this force.
  */
 struct required_friction {

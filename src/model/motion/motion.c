@@ -33,15 +33,15 @@ KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop, the remaining energy would underflow. So u has a minimum, below which dt/du no
-     * longer changes. */
+    /* Very near the stop, the remaining energy would underflow, and dt/du hardly changes any more. So dt/du
+     * is computed at u = sqrt(REAL_EPSILON) instead of at a smaller u. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
     return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 
-/* Adds the time between the tilts m->smooth and `to`, which is before the stop. */
+/* Adds the time of the motion from the tilt m->smooth to the tilt `to`, which is at or before the stop. */
 static enum dom_status motion_time_before(struct motion *m, real to, real *time)
 {
     real part = 0, far = sqrt((m->end - m->smooth) / m->end);
@@ -143,8 +143,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Corrects *left, the energy change of a detached follower, if theta is the tilt at which it detaches. There,
- * the follower counts as detached, even if rounding has made theta slightly smaller. */
+/* If theta is the tilt at which a follower detaches, the follower counts as detached, even if rounding has
+ * made theta slightly smaller. In that case, corrects *left, the energy change of the detached follower. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;

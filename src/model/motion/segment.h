@@ -50,7 +50,7 @@ KERNEL enum dom_status segment_next(struct segment *segment, struct segment *nex
  * *braked is set to false. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
-/* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
+/* Finds tau^2 omega^2 at a tilt. If `error` is not NULL, also finds the error bound. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
 /* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
@@ -62,8 +62,9 @@ KERNEL real slowness(real theta, void *context);
 KERNEL real slowness_error(real theta, void *context);
 
 /*
- * Integrates f between two tilts, piece by piece between the edges of the barrier. In each piece, f must be
- * smooth except for a peak at the top of the barrier. Unless `error` is NULL, adds the error bound to *error.
+ * Integrates f from one tilt to another. The range is split at the edges of the barrier. In each piece, f
+ * must be smooth except for a peak at the top of the barrier. Unless `error` is NULL, adds the error bound to
+ * *error.
  */
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
                                         real tol, real *sum, real *error);

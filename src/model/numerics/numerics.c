@@ -259,8 +259,9 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns [lo, hi] after the substitution x = peak + width sinh u. The interval is not transformed if the
- * width is unknown, or if the interval is shorter than the width or than its distance from the peak. */
+/* Returns [lo, hi] after the substitution x = peak + width sinh u. The interval is left as it is if the width
+ * is unknown, if the interval is not longer than the width, or if the peak is at least one length of the
+ * interval away from it. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -314,7 +315,7 @@ static real series_at(const real *series, int n, real x)
 }
 
 /* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
- * more. The constant term gives the result the value `start` at -1. */
+ * more. Its constant term is chosen so that the result equals `start` at x = -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;

@@ -23,7 +23,8 @@ typedef real num_function(real x, void *context);
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* For callers of num_root that already know f(lo) and f(hi), or at least their signs. */
+/* Does the same as num_root, for callers that already know f(lo) and f(hi), or at least numbers with the same
+ * signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
