@@ -230,7 +230,7 @@ END
 }
 
 @test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
-    null_of 'print 1e400' true value "too large for double precision; 'set precision quad'"
+    null_of 'print 1e400' true value "too large for double precision; quad precision has a wider range"
     null_of 'print -1e4000' true value 'too large for double precision'
     null_of 'set precision float; print 1e39' true value 'too large for float precision'
     null_of 'set precision float; print -1e39 m' true value 'too large for float precision'
