@@ -84,9 +84,7 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    /* The number of equations on the shortest path from this quantity to the answer. The answer has depth 0.
-     */
-    int depth;
+    int depth; /* number of equations on the shortest path to the answer; 0 for the answer itself */
 };
 
 struct derivation {
