@@ -16,7 +16,8 @@ static const struct column plot_columns[] = {
     {"omega", "rad/s", "omega: angular velocity of the head", 0},
     {"i", "", "chain: number of the domino, where 0 is the head", 5},
     {"theta_i", "rad", "chain: tilt of the domino (27; A2)", 0},
-    {"event", "", "energy, omega, inertia, chain: launch, top, fall, stop or hit", 6},
+    {"event", "",
+     "energy, omega, inertia, chain: the event at this tilt (launch, top, fall, stop or hit), if any", 6},
     {"s", "h", "growth, marginal: separation", 0},
     {"solid", "", "growth: r_max of solid dominoes, q = 4", 0},
     {"hollow", "", "growth: r_max of hollow dominoes, q = 3", 0},
@@ -97,8 +98,8 @@ static const struct plot plots[] = {
                {"reach", "", CHART_LINE, INK_GREY, 2}},
      .argument = &paper_argument},
     {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach",
-     .title = "Below the curve of a pair, a domino that barely tips over topples the next one",
-     .x = {"s", ""}, .y = {NULL, "growth r"},
+     .title = "Growth below a pair's curve: a domino that barely tips over topples the next", .x = {"s", ""},
+     .y = {NULL, "growth r"},
      .curve = {{"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
                {"solid_train", "solid train", CHART_LINE, INK_BLUE, 0},
                {"hollow_pair", "hollow pair", CHART_LINE, INK_ORANGE, 4},
@@ -255,20 +256,20 @@ const struct command plot_commands[] = {
          "the fall runs along the row, and 'plot gaps' how far each gap may be off. 'plot placement 400' "
          "shows how likely the whole row is to fall. It uses 400 random rows for each size of the errors. "
          "For trains, 'plot growth' shows the largest growth. 'plot growth paper' compares it with the "
-         "growth that the paper's fuel gives, and 'plot marginal' with the growth of two dominoes. 'plot "
-         "energy', 'plot omega', 'plot inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows "
-         "what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters. "
-         "'plot sweep s 0.1 0.9 33 : rmax, pair' shows the curves of several answers. 'plot fit friction "
-         "FILE' shows measurements against the values that the model gives with the fitted friction. The "
-         "picture appears in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: .svg, .png, "
-         ".pdf, or .tex for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The extensions .csv "
-         "and .json give the data, and .gp gives gnuplot's script with the data, for you to change. 'plot "
-         "growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' and 'ylabel' "
-         "take a text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its label names. "
-         "'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or 'off'. For a "
-         "file, 'width' and 'height' take 6 to 30 cm, 'font' takes points, and 'family' takes the name of a "
-         "font. These words can come in any order. They must come before the grid of a sweep or the "
-         "parameters of a fit.",
+         "growth that the paper's fuel gives, and 'plot marginal' compares it with the largest growth of two "
+         "dominoes. 'plot energy', 'plot omega', 'plot inertia' and 'plot chain' show one cycle, and 'plot "
+         "cost rmax' shows what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' shows any sweep over one or "
+         "two parameters. 'plot sweep s 0.1 0.9 33 : rmax, pair' shows the curves of several answers. 'plot "
+         "fit friction FILE' shows measurements against the values that the model gives with the fitted "
+         "friction. The picture appears in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: "
+         ".svg, .png, .pdf, or .tex for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The "
+         "extensions .csv and .json give the data, and .gp gives gnuplot's script with the data, for you to "
+         "change. 'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' "
+         "and 'ylabel' take a text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its "
+         "label names. 'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or "
+         "'off'. For a file, 'width' and 'height' take 6 to 30 cm, 'font' takes points, and 'family' takes "
+         "the name of a font. These words can come in any order. They must come before the grid of a sweep "
+         "or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",

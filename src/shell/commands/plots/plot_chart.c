@@ -9,8 +9,9 @@
 
 /* ---- The rows as numbers ---- */
 
-/* The functions of a binary output format: a struct plot_rows with keys and units, then a struct plot_row for
- * each row. */
+/* The two functions of a binary output format, in which a plot passes its rows to the code that draws the
+ * chart. The output is a struct plot_rows with the keys and units of the columns, followed by a struct
+ * plot_row for each row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct plot_rows rows = {.count = 0};

@@ -31,8 +31,8 @@ static void cost_chart(const struct query *query, const char *name, const struct
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
-        /* A quarter of the machine epsilon takes the place of any smaller error. Such an error is luck, and
-         * an error of 0 has no place on a logarithmic axis. */
+        /* An error smaller than a quarter of the machine epsilon is luck, and an error of 0 cannot be drawn
+         * on a logarithmic axis. Such errors are drawn as a quarter of the machine epsilon. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));

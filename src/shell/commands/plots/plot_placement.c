@@ -60,7 +60,8 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
              "%zu rows for each point, with the 95 %% interval", rows);
     if (unknown)
         snprintf(chart->note, sizeof chart->note,
-                 "The model cannot decide some rows. The upper ends of the intervals assume that they fall.");
+                 "For some rows, the model cannot decide whether they fall. The upper ends of the intervals "
+                 "assume that all these rows fall.");
     chart->x.low = chart->y.low = 0;
     chart->y.high = 1.04;
     chart_level(chart, 0.95, "95 %");

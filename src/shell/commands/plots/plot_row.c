@@ -90,10 +90,11 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 {
     struct row_run run;
     if (scene_has_engine(query->scene))
-        return problem_no_answer(problem,
-                                 "the rigid-body engine, which does not compute the energy that a domino "
-                                 "needs, runs this row because %s; 'plot speed' shows how the row falls",
-                                 scene_engine_why(query->scene));
+        return problem_no_answer(
+            problem,
+            "the rigid-body engine runs this row because %s, and the engine does not compute the energy that "
+            "a domino needs; 'plot speed' shows how the row falls",
+            scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
     if (scene_has_masses(query->scene))
@@ -193,7 +194,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
     if (window_room(t) == HUGE_VAL)
         snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, and no change of a single gap was found that would save it.");
+                 "The row does not fall, and the search found no change of a single gap that saves it.");
     else if (falls)
         snprintf(chart->note, sizeof chart->note,
                  "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "

@@ -100,7 +100,8 @@ struct look_parsed {
     const char *text[LOOK_WORDS];
 };
 
-/* Parses keywords for the look of a chart, such as 'title "..." width 8 cm', up to the first other word. */
+/* Parses keywords for the look of a chart with their values, such as 'title "..." width 8 cm'. Stops before
+ * the first word that is not such a keyword. */
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);

@@ -22,7 +22,7 @@ const struct column fall_columns[] = {
     {"floor_hit", "",
      "friction that the floor needs so that no foot slips when this domino is hit (only with 'effect floor')",
      9},
-    {"slid", "m", "how far the foot of the domino has slid, backwards if negative (only with 'effect feet')",
+    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); only with 'effect feet'",
      7},
     {NULL, NULL, NULL, 0},
 };

@@ -24,8 +24,8 @@ void row_run_free(struct row_run *run);
  * friction that the floor needs is not computed. After a failure nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
-/* Returns true if domino k, counted from 0, is not hit or pushed but tilted until it tips over. Only the
- * first domino can start like this. */
+/* In a row without a push, the first domino is tilted until it tips over. Returns true if domino k, counted
+ * from 0, is this domino. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
 /* A callback for domq_row_rmax. Fills in the row of `scene` with the growth r. Keeps the changes that

@@ -15,7 +15,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns true if the first domino does not tip over, so that a stronger push may save the row. */
+/* Returns true if the first domino does not tip over. In this case, a stronger push may save the row. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
@@ -63,8 +63,9 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {
-    static const char no_single_gap[] = "no change of a single gap was found that saves this row; change "
-                                        "several gaps, the push, or the dominoes";
+    static const char no_single_gap[] =
+        "the search found no change of a single gap that saves this row; change several gaps, the push, or "
+        "the dominoes";
     const bool falls = v->end == DOM_ROW_FALLS;
     for (size_t i = 0; i < found; i++) {
         domq_real change = list[i].to - list[i].gap;
@@ -80,7 +81,7 @@ static void mends_answer(struct answer *a, const struct domq_mend *list, size_t 
     else if (falls)
         answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
     else
-        answer_say(a, "N%s.", no_single_gap + 1);
+        answer_say(a, "T%s.", no_single_gap + 1);
     if (falls)
         weakest_say(a, v);
 }

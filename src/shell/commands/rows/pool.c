@@ -251,7 +251,7 @@ static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
     return count;
 }
 
-/* Parses a text written by stops_text and adds its counts to p->study.stops. *sum receives their total. */
+/* Parses a string written by stops_text and adds its counts to p->study.stops. *sum receives their total. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -263,7 +263,7 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
     return true;
 }
 
-/* Parses a text written by without_text and adds its counts to p->study. */
+/* Parses a string written by without_text and adds its counts to p->study. */
 static bool without_add(struct pool *p, const char *text)
 {
     struct study *study = &p->study;

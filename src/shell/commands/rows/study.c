@@ -87,7 +87,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "how large the errors in the gaps may be for this share of the rows to fall", 0},
+    {"sigma", "m", "the largest errors in the gaps at which the share 'probability' of the rows falls", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of the 95 % interval of sigma; more rows narrow the interval", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -243,9 +243,9 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
         for (int i = 1; i < 4; i++)
             answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
     if (call->kind != DOM_ERROR_gap)
-        answer_describe(
-            a, "sigma", NULL,
-            "how large the error, or the factor for all errors, may be for this share of the rows to fall");
+        answer_describe(a, "sigma", NULL,
+                        "the largest error, or factor for all errors, at which the share 'probability' of "
+                        "the rows falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -304,10 +304,10 @@ const struct command study_commands[] = {
              "for example, 'effect error_thickness 1 %' or 'effect error_friction 0.05'. If there are "
              "several errors, each row is also run without each error in turn, with the same random numbers "
              "for the other errors. The answer then says which error makes the most rows fail, and at which "
-             "domino. With the same 'seed', row number i is always the same, with any number of 'threads'. "
-             "^C ends the study, and the answer then covers only the rows that have been run. 'domino "
-             "--shard 2/7' runs only the second of seven parts of the study, and prints counts for blocks "
-             "of 100 rows. The command 'pool' adds up the counts of all parts.",
+             "domino. With the same 'seed', row number i is always the same, whatever the number of "
+             "'threads'. ^C ends the study, and the answer then covers only the rows that have been run. "
+             "'domino --shard 2/7' runs only the second of seven parts of the study, and prints counts for "
+             "blocks of 100 rows. The command 'pool' adds up the counts of all parts.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -335,12 +335,12 @@ const struct command study_commands[] = {
           {.name = "E", .kind = ARGUMENT_CHOICE, .noun = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
      .help = "Finds how large the errors in the gaps may be for the share P of the rows to fall. The answer "
-             "is sigma, the standard deviation of these errors, or their limit if they are uniform, with "
-             "its 95 % interval. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), with "
-             "the same random numbers. All other errors of the scene stay as they are. 'budget 0.95 1000 "
-             "thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds the "
-             "factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma is "
-             "then the largest size at which enough rows are known to fall.",
+             "is sigma with its 95 % interval. Sigma is the standard deviation of these errors or, if they "
+             "are uniform, their limit. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), "
+             "with the same random numbers. All other errors of the scene stay as they are. 'budget 0.95 "
+             "1000 thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds "
+             "the factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma "
+             "is then the largest size at which enough rows are known to fall.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",

@@ -18,9 +18,9 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which rows stop most often", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without the error in the column 'costs_most'",
-     0},
-    {"stops_there", "", "the domino at which the error in the column 'costs_most' stops the most rows", 0},
+    {"without", "share",
+     "the share of the rows that would fall without the kind of error named in 'costs_most'", 0},
+    {"stops_there", "", "the domino at which the kind of error named in 'costs_most' stops the most rows", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -114,7 +114,7 @@ static void causes_say(struct answer *a, const struct study *s)
         answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall%s. %s.",
                    names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows, stops, others);
     else
-        answer_say(a, "No more of these rows would fall if any single kind of error were left out.");
+        answer_say(a, "Leaving out any single kind of error would not make more of these rows fall.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)
@@ -136,7 +136,8 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     if (*text)
         answer_say(a, "The other rows stop at domino %s.", text);
     causes_say(a, s);
-    if (answer_for_people(a)) /* sentences show these values, so the columns are left out */
+    /* The user knows the errors, and causes_say has printed the other three values in sentences. */
+    if (answer_for_people(a))
         answer_leave_out(a, "errors costs_most without stops_there");
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,

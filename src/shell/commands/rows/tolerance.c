@@ -34,7 +34,9 @@ const struct column tolerance_columns[] = {
      "2, or at 4 times the present friction if that is larger",
      8},
     {"first", "",
-     "the properties in which this domino has the tightest limits of all: 'place', 'height' or 'both'", 6},
+     "the properties in which this domino has the tightest limits of all dominoes: 'place', 'height' or "
+     "'both'",
+     6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -45,10 +47,10 @@ static domq_real room(const struct domq_window *w)
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Finds the domino that is closest to an end of its window, and returns its number. If the row falls, this
- * domino has the tightest limits. If the row does not fall, this domino needs the smallest change to save it.
- * Dominoes with the value 0, such as those that do not lean, are then left out. Returns 0 if no domino is
- * found. */
+/* Returns the number of the domino whose value is closest to an end of its window, or 0 if there is no such
+ * domino. If the row falls, this domino has the tightest limits. If the row does not fall, this domino needs
+ * the smallest change to save the row. In a row that does not fall, dominoes with the value 0 are not
+ * considered, for example dominoes that do not lean. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -79,7 +81,7 @@ struct search {
     struct windows *windows;
     enum dom_status status[WINDOW_KINDS];
     atomic_size_t done; /* the number of windows found so far */
-    bool is_muted;      /* true if the thread that started the search mutes progress output */
+    bool is_muted;      /* true if progress output is muted in the thread that started the search */
 };
 
 static void search_progress(size_t done, size_t of, void *context)
@@ -179,7 +181,10 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a, "No friction between the dominoes (now %s) was found that saves this row.", now.text);
+        answer_say(a,
+                   "The search found no value of the friction between the dominoes that saves this row; the "
+                   "friction is %s now.",
+                   now.text);
     else if (!w->falls)
         answer_say(a, "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
                    range, now.text);
@@ -357,8 +362,9 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
     *cell++ = cell_narrow(friction->high, DIGITS);
     *cell++ = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
     answer_row(a, cells,
-               saves || answer_for_people(a) ? NULL
-                                             : "no change of this domino alone was found that saves the row");
+               saves || answer_for_people(a)
+                   ? NULL
+                   : "the search found no change of this domino alone that saves the row");
 }
 
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem)

@@ -152,8 +152,8 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Asks all questions of a list at one point and writes the answers as one row. If an answer is missing, its
- * cell is empty. If a question has an error, sets w->problem and returns false. */
+/* Asks all questions of a list at one point and writes the answers as one row. If a question has no answer at
+ * this point, its cell is empty. If a question fails with an error, sets w->problem and returns false. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -174,7 +174,7 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
 }
 
 /* Evaluates the question at point k. Writes the rows of the answer to w->to, unless this pointer is NULL. If
- * the question has an error, sets w->problem and returns false. */
+ * the question fails with an error, sets w->problem and returns false. */
 static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;

@@ -129,15 +129,17 @@ static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        /* A column needs a unit that suits its largest number. Between FROM and TO, this is the first or the
-         * last value. A list may have any order, so all its values are announced. */
+        /* The unit of a column must suit its largest number. If the values run from FROM to TO, the largest
+         * one is the first or the last, so only these two are passed. A list can have its largest value
+         * anywhere, so all its values are passed. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_announce(a, axis->parameter->name, axis_value(axis, k));
     }
 }
 
-/* Reports the interrupt or the problem of the failed point in *problem. Returns false. */
+/* Copies the problem of the failed point to *problem or, after ^C, reports the interrupt there. Returns
+ * false. */
 static bool point_failed(const struct sweeper *w, struct problem *problem)
 {
     if (dom_raised(w->query->scene->compute.interrupt))
