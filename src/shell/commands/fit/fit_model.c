@@ -75,17 +75,19 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
     struct row_run row;
     if (!trial_make(f, value, run, &t) || !row_run(&t.query, &f->problem, true, &row))
         return false;
-    size_t i = 0, hits = row.timeless ? 0 : row.hits;
+    size_t i = 0;
     bool done = true;
     for (size_t k = run->first; k < run->first + run->count && done; k++) {
-        while (i < hits && row.fall[i].domino < f->data.point[k].domino)
+        while (i < row.hits && row.fall[i].domino < f->data.point[k].domino)
             i++;
-        done = i < hits && row.fall[i].domino == f->data.point[k].domino;
+        done = i < row.hits && row.fall[i].domino == f->data.point[k].domino;
         computed[k] = done ? (double)row.fall[i].time : 0;
     }
     const size_t last = row.verdict.domino;
-    const bool falls = row.verdict.end == DOM_ROW_FALLS;
+    const bool falls = row.verdict.end == DOM_ROW_FALLS, timeless = row.timeless;
     row_run_free(&row);
+    if (timeless)
+        return problem_no_answer(&f->problem, "one domino almost stops, so later times cannot be computed");
     return done || row_long_enough(f, run, last, falls);
 }
 
