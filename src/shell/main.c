@@ -80,9 +80,9 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Installs the signal handler. The first signal lets the script write what it has found before it ends. If
- * the same signal arrives again, the program ends at once. With --interruptible, however, SIGINT ends only
- * the running command, each time that it arrives. A signal that was ignored when the program started stays
+/* Installs the signal handler. The first signal ends the script, after the script has written its results so
+ * far. If the same signal arrives again, the program ends at once. With --interruptible, however, every
+ * SIGINT ends only the command that is running. A signal that was ignored when the program started stays
  * ignored, except for SIGINT with --interruptible. */
 static void signals_begin(struct session *session)
 {

@@ -66,7 +66,7 @@ struct csv_file {
         /* The place of the first ambiguous number. A number is ambiguous if its decimal mark could be a
          * thousands separator. If there is no such number, at.line is 0. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits of the ambiguous number before and after its decimal mark */
+        char before[4], after[4]; /* the digits on the two sides of the mark in the ambiguous number */
     } point, comma;
 };
 
@@ -93,9 +93,9 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 /* Must be called after the last number. If a number such as "1,234" is still ambiguous, this is an error. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell. The cell is put in quotes if it contains one of the characters in `quoted`. Control
- * characters and the other characters that escape_next escapes become escape sequences, except newlines and
- * tabs. */
+/* Writes a cell. If the cell contains one of the characters in `quoted`, it is put in quotes. Control
+ * characters, invisible characters and bytes that are not UTF-8 become escape sequences, as in escape.h. Only
+ * newlines and tabs are written unchanged. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

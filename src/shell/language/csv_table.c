@@ -23,7 +23,7 @@ static bool is_empty(const char *text)
 
 enum { UNIT = 32 };
 
-/* Copies the unit of a text such as "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
+/* Copies the unit of a string such as "mm", "(mm)" or "[mm]". Returns false if the string is not a unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
@@ -234,8 +234,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false if there is an error, or if
- * more text follows the expression. In the second case, error->message is empty. */
+/* Evaluates a string that must be a single expression without names. Returns false if there is an error, or
+ * if more text follows the expression. In the second case, error->message is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};

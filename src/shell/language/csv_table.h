@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Tables in csv files.
- * - The first line names the columns. Their order does not matter, and neither do upper and lower case.
+ * - The first line names the columns, in any order. Upper and lower case make no difference.
  * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm".
  *   The second line may also give them.
  * - A cell is an expression. A cell that contains only a '-' counts as empty. If a cell has a unit, the unit

@@ -91,8 +91,9 @@ struct parse {
     const char *end;  /* the end of the expression, or the position of an error */
     struct expression_error *error;
     struct arena *arena;
-    /* Letters that are names, not units, when they stand alone after a blank. If this member is not NULL, the
-     * word "feet" after a blank is also a name, that of an effect. */
+    /* Letters that are names, not units, when they stand alone after a blank. For example, if the letters are
+     * "sg", then the s in "r 2 s 0.3" is the parameter s, not seconds. If this member is not NULL, the word
+     * "feet" after a blank is also a name, because there is an effect called feet. */
     const char *no_unit;
     /* Parses a "with" after a value in parentheses, as in "(rmax with q hollow d 0.1)". The "with" begins at
      * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`

@@ -30,8 +30,8 @@ static enum binding binding(const struct tree *t)
                                                           : BINDS_WORD;
 }
 
-/* Returns how tightly the first operand of a chain must bind. If it binds less tightly, it needs parentheses.
- * A product may begin with a minus sign, which needs no parentheses. */
+/* Returns how tightly the first operand of a chain must bind to need no parentheses. In a product, the first
+ * operand may also be a negated value, as in -a*b. */
 static enum binding first_binding(const struct tree *chain)
 {
     enum binding level = chain_binding(chain);

@@ -19,7 +19,7 @@ struct formula {
 
 void formula_write(const struct formula *formula, const struct tree *tree);
 
-/* Writes a number as the parser reads it. In TeX, an exponent is written as a power of ten. */
+/* Writes a number in the form that the parser accepts. In TeX, an exponent is written as a power of ten. */
 void formula_number(const struct formula *formula, domq_real number, int digits);
 
 #endif

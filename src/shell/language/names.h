@@ -41,7 +41,7 @@ const char *names_closest(names_list *list, const void *context, const char *tex
 
 enum { NAMES_SHOWN = 64 };
 
-/* Returns a copy of a text for messages, shortened and escaped. The copy lives until the end of the block
+/* Returns a copy of a string for messages, shortened and escaped. The copy lives until the end of the block
  * that contains the call. */
 #define names_shown(text) escape_text(text, (char[NAMES_SHOWN]){""}, NAMES_SHOWN)
 

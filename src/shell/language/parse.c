@@ -236,8 +236,9 @@ static const struct op {
 };
 
 /* Returns the operator that continues an expression, or NULL if there is none. `at` is the first position
- * after a value and the blanks that follow it. Outside parentheses, '>' is not an operator, because it
- * redirects the answer, and neither is the sign in "1 -2", because it begins a second value. */
+ * after a value and the blanks that follow it. Outside parentheses, there are two exceptions. A '>' is not an
+ * operator, because it redirects the answer. In "1 -2", the sign is not an operator, because it begins a
+ * second value. */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
     const struct op *op = NULL;
@@ -284,8 +285,8 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
-/* Parses a chain of values. The operators between the values are of the level `least`, or of levels that bind
- * more tightly. */
+/* Parses values that are joined by operators of the level `least` or of higher levels. Operators of higher
+ * levels bind more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
 {
     struct tree *left = parse_factor(p), *last = NULL;

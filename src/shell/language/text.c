@@ -15,9 +15,9 @@ static const struct {
 
 enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
-/* Converts the first character of the text `typed`, which has `size` bytes. If the character is in the table
- * `letters`, returns its ASCII text. Otherwise copies only the first byte of the character to `byte`, and
- * returns `byte`. In both cases, stores in *length how many bytes of `typed` have been converted. */
+/* Converts the first character of the string `typed`, which has `size` bytes. If the character is in the
+ * table `letters`, returns its ASCII text. Otherwise copies only the first byte of the character to `byte`,
+ * and returns `byte`. In both cases, stores in *length how many bytes of `typed` have been converted. */
 static const char *plain_form(const char *typed, size_t size, char byte[2], size_t *length)
 {
     for (size_t k = 0; (unsigned char)*typed >= 0x80 && k < sizeof letters / sizeof *letters; k++) {
@@ -54,7 +54,7 @@ bool text_make(struct text *text, const char *typed, size_t length)
         char byte[2];
         const char *plain = plain_form(typed + i, length - i, byte, &taken);
         column += ((unsigned char)typed[i] & 0xc0) != 0x80;
-        do { /* copies at least one byte, which may be a NUL byte */
+        do { /* not a while loop, so that a typed NUL byte is copied too */
             text->origin[n] = (struct origin){column, (int)i};
             text->line[n++] = *plain;
         } while (*plain && *++plain);

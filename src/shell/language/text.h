@@ -13,8 +13,8 @@
 struct text {
     const char *typed;
     char *line;
-    /* For each byte of `line`, including the terminating NUL byte: the typed character from which the byte
-     * comes. The pointer is NULL if all characters are ASCII, because nothing has been converted then. */
+    /* For each byte of `line`, including the terminating NUL byte: the typed character that the byte comes
+     * from. If all characters are ASCII, nothing has been converted, and the pointer is NULL. */
     struct origin {
         int column; /* the column of the character in `typed`, counted from 1 */
         int offset; /* the offset of the character in `typed`, in bytes */

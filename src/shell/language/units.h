@@ -69,7 +69,7 @@ static inline bool name_start(char c)
     return isalpha((unsigned char)c) || c == '_';
 }
 
-/* Returns the number of letters, digits and '_' at the beginning of a text. These characters are a name if
+/* Returns the number of letters, digits and '_' at the beginning of a string. These characters are a name if
  * the first of them is not a digit. */
 size_t name_length(const char *text);
 
@@ -77,7 +77,7 @@ size_t name_length(const char *text);
  * copies as much as fits and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
-/* Reads the unit at the beginning of a text and multiplies *quantity by it. Returns the end of the unit, or
+/* Reads the unit at the beginning of a string and multiplies *quantity by it. Returns the end of the unit, or
  * NULL if there is no unit or its exponent is too large. In "4.8 cm/h", the unit is only cm, because h is not
  * a unit. */
 const char *unit_scan(const char *text, struct quantity *quantity);

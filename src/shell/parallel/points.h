@@ -7,9 +7,9 @@
 #include "session/query.h"
 
 /*
- * Computes workers.points points. With --shard, computes only the requested part of these points. The caller
- * sets the members points, point, context, size and merge of `workers`. The function workers.point must begin
- * the answer when it computes point 0. If something fails:
+ * Computes all points of an answer. With --shard, computes only the requested part of them. The caller sets
+ * the members points, point, context, size and merge of `workers`. The function workers.point must begin the
+ * answer when it computes point 0. If something fails:
  * - If workers.point has returned false, sets *by_point and returns false.
  * - If a write has failed, sets answer->error and returns true.
  * - Otherwise sets *problem and returns false.

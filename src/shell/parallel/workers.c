@@ -12,8 +12,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* A block has at most about this many times as many points as the worker's previous block, because later
-     * points may take more time. */
+    /* A worker's next block has at most about GROWTH times as many points as its last one, even if the last
+     * one was computed quickly, because later points may take more time. */
     GROWTH = 4,
     WINDOW = 16, /* for each worker, at most this many blocks are being computed or wait to be written */
     BLOCK_MOST = 4096,
@@ -33,7 +33,7 @@ struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
     pthread_cond_t room;   /* signalled when blocks have been written, and when the computation stops */
-    size_t next;           /* the first point that no worker has taken so far */
+    size_t next;           /* the first point that no worker has taken yet */
     size_t taken, written; /* the number of blocks taken, and the number of blocks written */
     size_t window;         /* the size of `waiting` */
     struct block *waiting; /* a ring buffer: block k is element k % window */
@@ -109,9 +109,10 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker the next block of points. Waits first if too many blocks have not been written. Sets *block
- * to the number of the block, *from to the index of its first point, and me->points to the number of its
- * points. Returns false if there are no more points, or if the computation has been stopped. */
+/* Gives a worker the next block of points. If `waiting` has no room for another block, first waits until
+ * blocks have been written. Sets *block to the number of the block, *from to the index of its first point,
+ * and me->points to the number of its points. Returns false if there are no more points, or if the
+ * computation has been stopped. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)

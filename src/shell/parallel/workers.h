@@ -15,8 +15,8 @@ struct workers {
      * change only `context`, which is the worker's own copy. Returns false to stop the computation after this
      * point. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* The context for `point`. Each worker has a copy of it. If `point` returns false, the copy of its worker
-     * is copied back into `context`. */
+    /* The context for `point`. Each worker has its own copy. If `point` returns false in a worker, the copy
+     * of this worker is written back to `context`. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after all points have been computed. May be NULL. */
@@ -35,8 +35,9 @@ struct workers_end {
 /* Computes all points. If some threads cannot be created, the other workers compute all points. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* Returns how many workers to use: `threads`, which is the parameter 'threads', or one for each processor if
- * `threads` is 0. The result is from 1 to 256, and not above `points` unless `points` is 0. */
+/* Returns how many workers to use for `points` points. `threads` is the value of the parameter 'threads'. If
+ * it is 0, there is one worker for each processor. There are never more workers than points, and never more
+ * than 256, but there is always at least one. */
 unsigned workers_count(domq_real threads, size_t points);
 
 /* Runs tasks of the library. This is a dom_parallel whose pool is a struct task_pool. */

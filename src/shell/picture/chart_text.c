@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* AXIS_USUAL is the width of the y axis with its labels, in columns, that is assumed until the labels are
+/* AXIS_USUAL is the assumed width of the y axis with its labels, in columns. It is used until the labels are
  * known. */
 enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_USUAL = 7 };
 

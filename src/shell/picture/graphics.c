@@ -15,7 +15,7 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads the reply of the terminal, which ends with 'c'. */
+/* Reads the terminal's reply, up to the 'c' that ends it. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
     enum { WAIT = 1000 /* time limit for a character in ms, long enough even for a slow connection */ };
@@ -67,7 +67,8 @@ static bool ask_sixel(void)
 enum graphics graphics_of(FILE *stream)
 {
     static const char *const kitty[] = {"xterm-kitty", "xterm-ghostty", NULL};
-    static const char *const inside[] = {"tmux", "screen", NULL}; /* multiplexers, which pass on only sixel */
+    /* Multiplexers. They may pass sixel images on to the terminal, but not the images of kitty's protocol. */
+    static const char *const inside[] = {"tmux", "screen", NULL};
     static const char *const candidates[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
                                              "tmux",  "screen", "yaft",   NULL};
     static int sixel = -1; /* -1 until the terminal has been asked, which happens only once */
@@ -102,8 +103,8 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* The text of a stage becomes larger or smaller with the picture. In a small chart, the text is small, so
-     * that there is room for the curves. */
+    /* The text of a stage is scaled with the picture. The text of a chart has its normal size, but is smaller
+     * in a small picture, so that there is room for the curves. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,

@@ -7,7 +7,7 @@
 
 enum { GUIDE_COLUMNS = 9, GUIDE_CELL = 24, GUIDE_TABLES = 3 };
 
-/* An empty cell is left blank. */
+/* A line of a table. A cell may be an empty string. */
 struct guide_line {
     char cell[GUIDE_COLUMNS][GUIDE_CELL];
     bool bold[GUIDE_COLUMNS];

@@ -95,8 +95,8 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     snprintf(what, sizeof what, "make '%s'", m->shown);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    /* Standard output is a file. If ffmpeg took it for a pipe, it would not go back to write the duration of
-     * the film. */
+    /* Standard output is a file. The name 'file:/dev/stdout' tells ffmpeg so. At the end, ffmpeg goes back in
+     * a file to write the duration of the film, but it cannot go back in a pipe. */
     argv[n] = "file:/dev/stdout";
     return program_run((char *const *)argv, m->drawn, m->file->out, what, m->picture.interrupt, problem);
 }

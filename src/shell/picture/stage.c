@@ -145,7 +145,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 
 /* ---- The train ---- */
 
-/* The state of a loop. The loop puts the dominoes of a train on a stage, beginning with the front one. */
+/* Used while the dominoes of a train are added to a stage, from the front to the back. */
 struct filling {
     struct stage *stage;
     double s, r, d, rho;

@@ -119,8 +119,8 @@ enum dom_status stage_forces(struct stage *stage, const struct domq_train *train
 bool stage_make(struct stage *stage, size_t room);
 void stage_free(struct stage *stage);
 
-/* Returns the unit of the ruler, and the size of this unit in the unit of the stage. `across` is the width of
- * the visible part of the stage. */
+/* Returns the unit that the ruler shows. For a train, this is h, the height of its head, with the size 1. For
+ * a row, it is a metric unit that suits `across`, the width of the visible part of the stage. */
 struct axis_unit stage_unit(const struct stage *stage, double across);
 
 /* ---- In characters ---- */

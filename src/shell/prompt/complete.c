@@ -50,8 +50,8 @@ static bool fits(const struct argument *a, const char *name, const char *unit)
         return false;
     if (!quantity_is_number(wanted))
         return quantity_alike(expression_unit(unit), wanted);
-    /* A plain number has no unit that would show what it is for. Only its name can show this: r_max is a
-     * value for the parameter r. */
+    /* If the argument is a plain number, only the names of values can show which of them fit: r and r_max,
+     * for example, fit the parameter r. */
     return length > 0 && strncmp(name, a->parameter, length) == 0 &&
            (name[length] == '\0' || name[length] == '_');
 }
@@ -89,9 +89,9 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* is_unasked passes this callback to emit_values. *context is NULL at first. After the first candidate, it is
- * the name of this candidate if the candidate is a command. Otherwise, and after a second candidate, it is
- * "". */
+/* is_unasked passes this callback to emit_values. *context is NULL until there is a candidate. In the end, it
+ * is the name of a command if this command is the only candidate. It is "" if the only candidate is not a
+ * command, or if there are several candidates. */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -246,7 +246,8 @@ static void candidate_add(const char *candidate, void *context)
     candidates.count += candidates.word[candidates.count] != NULL;
 }
 
-/* Readline frees the candidates, and calls this function with `state` = 0 first. */
+/* Readline calls this function until it returns NULL, the first time with `state` = 0. Readline also frees
+ * the candidates. */
 static char *candidate_next(const char *text, int state)
 {
     (void)text;
@@ -258,7 +259,8 @@ char **complete_word(const char *text, int start, int end)
 {
     char *line = strndup(rl_line_buffer, (size_t)end);
     (void)start;
-    rl_attempted_completion_over = 1; /* Readline must not fall back to paths. */
+    /* If there are no candidates, Readline must not complete the names of files instead. */
+    rl_attempted_completion_over = 1;
     candidates.count = 0;
     if (line)
         complete_line(prompt_session, line, true, candidate_add, NULL);

@@ -140,8 +140,8 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends a line to a file of `size` bytes. If the line cannot be written as a whole, nothing is appended:
- * sets errno and returns false. */
+/* Appends a line to a file of `size` bytes. If the whole line cannot be written, appends nothing, sets errno
+ * and returns false. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;

@@ -8,8 +8,8 @@
 /* Reads and runs lines from the terminal, until the session ends. */
 void line_prompt(struct session *session);
 
-/* Finds the candidates for the last word of a line and calls `emit` with each of them. A candidate is a
- * whole word. If `files` is true, the paths of files are candidates, too, where a command takes a file. */
+/* Finds the candidates for the last word of a line and calls `emit` with each of them. A candidate is a whole
+ * word. If `files` is true and the word can be the name of a file, the paths of files are also candidates. */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 

@@ -41,8 +41,8 @@ static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SI
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* If a command continues on the next line after a backslash, the lines that have been typed so far. NULL if
- * there is no such command. */
+/* The lines typed so far of a command that continues on the next line after a backslash. NULL if there is no
+ * such command. */
 static char *unfinished;
 
 static bool is_joined;  /* The running command was typed on several lines. */
@@ -115,8 +115,8 @@ static void leave_warn(struct session *session)
         return;
     has_warned = true;
     session->quit = false;
-    session_note(session, "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them, "
-                          "and 'quit' or ^D again leaves without saving");
+    session_note(session, "the changes to the row are not saved; 'save FILE' or 'row > FILE.csv' saves them; "
+                          "to leave without saving, enter 'quit' or press ^D once more");
 }
 
 static void on_line(char *text)

@@ -45,7 +45,7 @@ static bool needs(int effect, int other)
 }
 
 /* Lists the active effects that need the row, for the end of a message: ", together with push and placement".
- * If there are none, the text is "". */
+ * If there are none, the string is "". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';

@@ -46,8 +46,9 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
         domq_box_find(d->height, d->thickness, d->width > 0 ? d->width : d->height / 2, row->walls, &box) !=
             DOM_OK)
         return 0;
-    /* In the unit of this function, the moment of inertia about a lower edge is larger by 3 (parallel axis
-     * theorem). It is 1 + 3 = 4 for a solid block, and box.inertia is relative to these 4. */
+    /* box.inertia is the moment of inertia about a lower edge, divided by that of a solid block. In the unit
+     * of this function, the moment about the edge is the moment about the centre plus 3 (parallel axis
+     * theorem), so it is 1 + 3 = 4 for a solid block. */
     return 4 * (double)box.inertia - 3;
 }
 

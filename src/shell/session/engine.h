@@ -21,7 +21,7 @@ struct engine_report {
 struct scene_engine {
     struct domq_engine engine; /* engine.context points to this struct */
     struct engine_row effects; /* the settings of the effects that only the engine has */
-    /* The report, which each run that computes times fills in. NULL if no report is needed, as in studies. */
+    /* Each run that computes times fills in this report. NULL if no report is needed, as in studies. */
     struct engine_report *report;
 };
 
@@ -31,9 +31,12 @@ bool scene_has_engine(const struct scene *scene);
 /* Returns why the engine runs the row, such as "feet is on" or "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
-/* Prepares the engine for a row of `count` dominoes. Sets *problem and returns false if the engine cannot be
- * loaded, for example because it is not installed, if the row is too long for it, or if it cannot compute one
- * of the effects that are on. */
+/*
+ * Prepares the engine for a row of `count` dominoes. Sets *problem and returns false in these cases:
+ * - The engine cannot be loaded, for example because it is not installed.
+ * - The row is too long for the engine.
+ * - The engine cannot compute one of the effects that are on.
+ */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 

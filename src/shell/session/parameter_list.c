@@ -57,8 +57,8 @@ static const char method_help[] =
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
     "changes. 'fall' takes about a hundred times as long, and a study such as 'placement' a thousand times. "
-    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with effects that the "
-    "model lacks, 'effect feet' and 'effect bounce'. Endless trains always use the model.";
+    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'effect feet' or "
+    "'effect bounce', because the model lacks these two effects. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
@@ -130,7 +130,7 @@ const struct parameter session_parameters[] = {
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
     {ENTRY("mass", scene.mass, "kg", "mass of the first domino, 0 if not known; if no masses are known, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ENTRY("density", scene.density, "kg/m^3", "density of the material of the first domino, half as wide as it is tall; 0 if not known",
+    {ENTRY("density", scene.density, "kg/m^3", "density of the material of the first domino; 0 if not known",
          .highest = 1e9),
      .synonyms = "wood weight material", .help = density_help},
     {ENTRY("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),

@@ -12,7 +12,7 @@
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
 
-/* Two names_lists: each lists the words that a parameter accepts as values. parameter_offered omits
+/* Lists the words that a parameter accepts as values (see names_list in names.h). parameter_offered omits
  * synonyms. */
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
@@ -22,7 +22,7 @@ const struct parameter *parameter_find(const char *name);
 
 /* Returns the parameter that has a word as a synonym, or NULL if there is none. If `any` is false, only the
  * first synonym of each parameter counts. If `any` is true, all synonyms count. If several parameters have
- * the synonym, returns the one whose list of synonyms has it nearest to the beginning. */
+ * the synonym, returns the one in whose list the synonym comes earliest. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
 /* Like names_find, but the message also suggests names that have the word as a synonym. */
@@ -89,9 +89,9 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
-/* Lists the parameters in an order that a saved script can use: if it restores the values in this order, no
- * command is rejected because another parameter still has a wrong value. Returns parameter k, counted from 0,
- * or NULL after the last one. */
+/* Lists the parameters in the order in which a saved script must set them. In another order, a command could
+ * be rejected because a parameter that it depends on does not have its saved value yet. Returns parameter k,
+ * counted from 0, or NULL after the last one. */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */

@@ -64,9 +64,10 @@ const struct domq_effect error_effect_lean = {
     .name = "error_lean",
     .synonyms = "plumb upright tilted",
     .adds = "dominoes that are off plumb by random angles",
-    .help = "Each domino leans forwards or backwards by a separate random angle, and rests on its front "
-            "edge. A domino that would fall over by itself gets the largest lean at which it still stands. "
-            "Leans cannot be combined with rounded edges, or with the rigid-body engine.",
+    .help = "Each domino leans forwards or backwards by a separate random angle, as if its floor or its foot "
+            "were not flat. When it falls, it turns about its front edge. A domino that would fall over by "
+            "itself gets the largest lean at which it still stands. This effect cannot be combined with "
+            "rounded edges or with the rigid-body engine.",
     SIZED("rad", "error in each lean", 1.5, 0.005),
 };
 

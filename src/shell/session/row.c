@@ -203,7 +203,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Checks that all dominoes in the ranges exist and have this measurement: the first domino has no gap. */
+/* Checks that all dominoes in the ranges exist and have this measurement. The only measurement that can be
+ * missing is the gap before the first domino. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {

@@ -89,8 +89,8 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* 'change' adds a value that begins with a sign to the current lean. With the '=', it replaces
-             * the lean, even by a negative value. */
+            /* A lean needs the '=', because it can be negative. Without the '=', 'change' would add a
+             * negative value to the current lean. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),

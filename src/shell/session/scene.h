@@ -104,8 +104,8 @@ void listed_free(struct listed_row *row);
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which dominoes are boxes. If all dominoes are boxes, or all are solid,
- * returns 0. */
+/* Returns the height in m above which dominoes are boxes, or 0 if there is no such limit, because all
+ * dominoes are boxes or all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */

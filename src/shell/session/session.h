@@ -38,8 +38,8 @@ struct session {
     const char *command; /* the name of the command that is running, for notes */
     /* with --interruptible: the flag that SIGINT sets, to end only the running command; otherwise NULL */
     volatile sig_atomic_t *interrupt_flag;
-    /* The first error ends the session, except at the prompt. This is set by --bail, and also for -e, -f and
-     * FILE without --keep-going. */
+    /* True if the first error ends the session: with --bail, and for -e, -f and FILE without --keep-going. At
+     * the prompt, the error then ends only the line in which it occurs. */
     bool bail;
     bool quit;
     bool wrote; /* the last command wrote an answer that has rows */
