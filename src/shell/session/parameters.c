@@ -171,8 +171,9 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
 /* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* An effect that is off and that needs another effect comes first, so it is turned off before the other
-     * effect. Effects that are on come last. */
+    /* Effects that are off come first. Among them, those that need another effect come before those that need
+     * none, because an effect cannot be turned off while another effect needs it. Effects that are on come
+     * last. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
     /* A parameter that takes only words, such as 'precision', comes before those that take numbers, because
