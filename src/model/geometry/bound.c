@@ -14,8 +14,8 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * ROUNDOFF * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * ROUNDOFF * Y;
-    /* geometry_contact computes this slope as 1 - r L x / Y. The fraction is at most 1/2 here, so an error of
-     * Y hardly matters. */
+    /* Here geometry_contact computes the slope as 1 - r L x / Y. The fraction is at most 1/2, so a relative
+     * error in Y changes the slope by at most half as much. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + ROUNDOFF * arm;
         b->contact_slope = (of_rLx + rLx * b->Y / Y) / Y + ROUNDOFF;

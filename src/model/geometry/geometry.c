@@ -3,7 +3,8 @@
 
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
-    /* theta_c exceeds its sine, so an angle below this sine needs no arc tangent. */
+    /* If theta_c >= 0 and theta is less than c.x = sin theta_c, then theta is also less than theta_c. The
+     * comparisons below give the same result with c.x instead of theta_c, and no arc tangent is needed. */
     const real theta_c = theta < geometry->c.x ? geometry->c.x : tilt_angle(geometry->c);
     if (!(theta >= geometry->lean) ||
         theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))

@@ -101,20 +101,23 @@ struct geometry {
         real along, down; /* gravity along and into the floor; 0 and 1 on a level floor */
     } g;
     struct {
-        /* h(theta) = h.y cos theta + h.x sin theta, apart from a constant and from rolling. With sharp edges
-         * on a level floor, x = d and y = 1. */
+        /* The energy h(theta) of one domino is h.y cos theta + h.x sin theta + rounded.roll theta, plus a
+         * constant. With sharp edges on a level floor, h.x = d, h.y = 1, and rounded.roll = 0. */
         real x, y;
     } h;
-    /* A bound on the tail of H1 takes the ratio of successive terms to be at least `decay`, and a bound on
-     * the tail of J takes it to be at least decay_J. In a train, `decay` is r^-q theta_1'(theta_inf), the
-     * ratio of H1 far down the train, and decay_J is 0. In a row, joint_make sets both. */
+    /* The tails of sums are bounded by geometric series. The ratio of such a series is taken to be at least
+     * `decay` for H1 and dH, and at least decay_J for J. In a train, `decay` is r^-q theta_1'(theta_inf), the
+     * ratio that successive terms of H1 approach far down the train, and decay_J is 0. In a row, joint_make
+     * sets both. */
     real decay, decay_J;
-    struct tilt c;     /* theta_c (2; a2) */
-    struct tilt inf;   /* theta_inf (40; A16) */
-    struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
-    struct tilt leave; /* theta_leave, only if a follower detaches; in a row, y = -1 if none does */
-    bool detaches;     /* (41; A17) */
-    struct far far;    /* only after far_make */
+    struct tilt c;   /* theta_c (2; a2) */
+    struct tilt inf; /* theta_inf (40; A16) */
+    struct tilt f;   /* theta_f (42; A18) if followers detach, else theta_inf */
+    /* theta_leave. In a train, it is set only if followers detach. In a row, it is pi (so y = -1) if the
+     * follower does not detach. */
+    struct tilt leave;
+    bool detaches;  /* (41; A17) */
+    struct far far; /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
@@ -166,10 +169,10 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns about the smallest tilt of the head that matters at the beginning of a cycle. Two tilts can matter:
- * theta_u, where the head tips over, and the tilt at which a follower that started near pi/2 is no longer
- * near pi/2. Returns the smaller of the two, unless it is 0. (theta_u is 0 if the edges have the radius d/2.
- * The second tilt is 0 if the edges are sharp and r s = 1.)
+ * Returns an estimate of the smallest tilt of the head that matters at the beginning of a cycle. Two tilts
+ * can matter: theta_u, where the head tips over, and the tilt of the head at which a follower that started
+ * near pi/2 is no longer near pi/2. Returns the smaller of the two, or, if one of them is 0, the other one.
+ * (theta_u is 0 if the edges have the radius d/2. The second tilt is 0 if the edges are sharp and r s = 1.)
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -247,16 +250,16 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
     /* A chain multiplies many slopes, so a slope near 1 must not have more than one rounding error. */
     if (2 * rLx <= Y)
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
-    /* The subtraction Y - r L x would cancel digits. So the arm follows from Y^2 - (r L x)^2, which is (1 -
-     * r^2 s^2) - 2 r^2 L d v. */
+    /* Computing the arm as Y - r L x would lose digits by cancellation. So it is computed from
+     * Y^2 - (r L x)^2, which equals (1 - r^2 s^2) - 2 r^2 L d v. */
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
 /*
- * Returns the follower's tilt, by equation (31; A6), corrected: y' = Y y - X x. In a train, X >= 0, so the
- * formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are computed from v'.
- * So they stay the sine and cosine of one angle, even far down a long train.
+ * Returns the follower's tilt, by equation (31; A6) in its corrected form: y' = Y y - X x. In a train,
+ * X >= 0, so the formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are
+ * computed from v', so they stay the sine and cosine of one angle, even far down a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
@@ -264,8 +267,9 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The follower may then lean backwards, too, and
- * the formula x' = Y x + X y gives its sine with the right sign. */
+/* Like tilt_follower, but for a leader that may lean backwards. The follower may then lean backwards, too.
+ * The square root in tilt_follower would lose the sign of the follower's tilt, but the formula x' = Y x + X y
+ * keeps it. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

@@ -43,10 +43,10 @@ struct moving {
 /* The kinds of passes down the chain. Each pass computes J, H1 and dH. */
 enum pass {
     PASS_PLAIN = 0,
-    PASS_ERROR = 1, /* also bounds on the errors; only inside sharp_change.c */
-    /* For a head that falls from upright to theta_c: each follower has started at the tilt that its leader
-     * reaches at the end. So the chain at the start is the chain at the end, shifted by one domino, and only
-     * one chain must be computed. */
+    PASS_ERROR = 1, /* also bounds on the errors; used only inside sharp_change.c */
+    /* For a head that falls from upright to theta_c. At the start, each follower has the tilt that its leader
+     * will have at the end. So the chain at the start is the chain at the end, shifted by one domino, and
+     * only one of the two must be computed. */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* also H2 */
     PASS_PUSHES = 8,            /* also tries to prove that all contacts push */
@@ -94,8 +94,9 @@ struct contact_law {
     /* Finds the contact with a follower that counts as detached only because of rounding. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Tests a contact over the motion of its leader from b to a. One contact that passes proves nothing by
-     * itself. But if every contact of a chain passes, all of them stay closed. */
+    /* Tests one contact while its leader moves from b to a. If every contact of a chain passes this test,
+     * all of them stay closed during the motion. If only some contacts pass, nothing is proved about any
+     * of them. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
     size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);
@@ -109,7 +110,7 @@ struct contact_law {
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
      * Finds J, H1 and H(head) - H(from), and also what `pass` selects (see enum pass; the constants cannot be
-     * combined). With sharp edges, unless `error` is NULL, finds error bounds, too (bound.h). With rounded
+     * combined). With sharp edges, also finds error bounds (bound.h), unless `error` is NULL. With rounded
      * edges, *error is left unchanged.
      * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
      *   computing t here from two close tilts would be inaccurate.

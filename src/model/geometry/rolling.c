@@ -144,7 +144,8 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
     return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
 }
 
-/* Returns the same as apart_next if the follower of b has the tilt of a: this difference is the turn of a. */
+/* Returns what apart_next would return if the follower of b had the tilt of a, as in a pass with PASS_SHIFT.
+ * The difference between the two followers is then the turn from a to its own follower. */
 static struct apart apart_turn(const struct walk *a)
 {
     return (struct apart){.by = a->turn.angle, .t = half_of_tilt(a->turn.tilt)};
@@ -157,9 +158,9 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * Does for rounded edges what pushes_between in sharp_change.c does for sharp edges: tests a contact over the
- * motion of its leader from b to a. Again, the test passes if neither a_k nor c_k decreases down the chain.
- * But with rounded edges, the inertia i changes with the tilt. So a_k has i_k in its denominator, and
+ * Does for rounded edges what pushes_between in sharp_change.c does for sharp edges: tests a contact while
+ * its leader moves from b to a. Again, the test passes if neither a_k nor c_k decreases down the chain. But
+ * with rounded edges, the inertia i changes with the tilt. So a_k has i_k in its denominator, and
  *
  *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / (2 i_k).
  *
@@ -176,9 +177,9 @@ static real least_product(real a, real lo, real hi)
  * The expression in square brackets lies between -2 and 1.16. The first two terms are a weighted mean of y Q
  * and d. If y Q < d/2, then x is large. Since p = x (M - rho_1 turn) / b, p is then large, too.
  *
- * The arm decreases as the tilt increases. The rate of its decrease is the expression above for -curve b, if
- * p replaces p^2 and 1 + p replaces 2 p. The slope and the turn decrease, too. So the values at both ends
- * bound every term.
+ * The arm decreases as the tilt increases. The rate at which it decreases is the expression above for
+ * -curve b, with p in place of p^2 and 1 + p in place of 2 p. The slope and the turn decrease, too. So the
+ * values at both ends bound every term.
  *
  * The condition on a_k is nearly the same as for sharp edges. R i/i_1 takes the place of R, and there is one
  * more term for a foot that rolls down a slope.
@@ -220,11 +221,9 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/*
- * Returns true if rolling_pushes_between proves that the contact passes the test over the motion of the
- * leader from b to a. If the bounds over the whole motion are too wide for this proof, tries both halves of
- * the motion. A motion is halved at most `halvings` times in succession.
- */
+/* Returns true if rolling_pushes_between proves that the contact passes the test of law->pushes while the
+ * leader moves from b to a. If there is no proof for the whole motion, tries both halves of the motion,
+ * because the bounds are tighter there. A motion is halved at most `halvings` times in succession. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))

@@ -23,17 +23,16 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The maximum number of steps of an iteration. If there is a solution, one to four are enough. Only
- * rounded_leave, which may have to bisect, takes about a dozen and is allowed twice as many. */
+/* The maximum number of steps of an iteration. If there is a solution, one to four steps are enough. The
+ * exception is rounded_leave, which may have to bisect. It takes about a dozen steps, and its maximum is
+ * about 2 * TURN_STEPS. */
 enum { TURN_STEPS = 40 };
 
 static const struct turn no_turn = {REAL_NAN, {REAL_NAN, REAL_NAN, REAL_NAN}};
 
-/*
- * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
- * when the cube of a step `by` is negligible. The sine and cosine after this step then follow from their
- * values before it, by Taylor series up to the order by^2.
- */
+/* Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
+ * with a step `by` whose cube is negligible. The sine and cosine are not computed anew after this last step:
+ * they follow from their values before the step by Taylor series, up to the terms with by^2. */
 static struct turn turn_iterate(real l, real c, real G, real turn)
 {
     for (int i = 0; i < TURN_STEPS; i++) {
@@ -123,7 +122,7 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* Returns the angle of a tilt, faster than tilt_angle. The angle must not be less than -pi/3. */
+/* Like tilt_angle, but faster. The angle must not be less than -pi/3. */
 static real tilt_theta(struct tilt t)
 {
     return t.v < (real)0.5 ? asin(t.x) : PI / 2 - asin(t.y);
@@ -453,8 +452,9 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
         const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
         C[k] = two * (k % 2 ? x : y);
         theta[k] = k % 2 ? -two / (real)k : 0;
-        /* The terms of order k in the contact equation give turn[k]. G is their right side, minus the terms
-         * of rho_1 turn cos theta that contain only earlier coefficients of the turn. */
+        /* turn[k] follows from the terms of order k in the contact equation. G is the sum of these terms on
+         * the right side, minus the part of rho_1 turn cos theta on the left side that contains only earlier
+         * coefficients of the turn. */
         real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
              cosines = 0, half = 0;
         for (int j = 1; j < k; j++) {

@@ -48,12 +48,12 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower that detaches later in the cycle. The follower is at
- * theta_1, and `leader`, its leader, is at theta. When the leader reaches theta_leave, the follower detaches
- * at theta_f. At theta_leave the arm a is 0, so Y = r L x. The formula of energy_change_between, applied to
- * the leader's tilts theta_leave and theta, gives the result. Let t be tan((theta_leave - theta) / 2). A
- * subtraction of the two tilts could lose digits, so t is computed from the arm of `leader`, which contains
- * the factor
+ * Returns tan((theta_f - theta_1) / 2) for a follower that detaches later in the cycle. The follower is now
+ * at theta_1, and its leader, the argument `leader`, is at theta. The follower detaches at theta_f, when the
+ * leader reaches theta_leave. The formula of energy_change_between, applied to the leader's tilts theta_leave
+ * and theta, gives the result. In this formula, Y at theta_leave is r L x, because the arm is 0 there. Let t
+ * be tan((theta_leave - theta) / 2). Subtracting the two tilts could lose digits, so t is computed from the
+ * arm of `leader`, which contains the factor
  *
  *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
@@ -90,8 +90,8 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests a contact over the motion of its leader from b to a. If every contact of a chain passes this test,
- * all contacts stay closed. The reason is as follows.
+ * Tests a contact while its leader moves from b to a. If every contact of a chain passes this test, all
+ * contacts stay closed. The reason is as follows.
  *
  * Multiply the torque on each domino by its factor S. (See dynamics/friction.c; without friction, S =
  * theta'.) Add up these products for domino i and all dominoes behind it. In this sum, the contacts between
@@ -134,9 +134,9 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between proves that the contact passes the test over the motion of the leader from b
- * to a. If the bounds over the whole motion are too wide for this proof, tries both halves of the motion. A
- * motion is halved at most `halvings` times in succession. */
+/* Returns true if pushes_between proves that the contact passes the test of law->pushes while the leader
+ * moves from b to a. If there is no proof for the whole motion, tries both halves of the motion, because the
+ * bounds are tighter there. A motion is halved at most `halvings` times in succession. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))

@@ -81,7 +81,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 paper_fuel is exact and increases with s where it is positive. */
+    /* At r = 1 paper_fuel is exact. Where it is positive, it increases with s. So if it is not positive at
+     * hi, no train of the interval has any fuel. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -191,8 +192,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Takes samples of s near the best separation, in smaller and smaller steps. Replaces search_between if no
- * bounds are known. */
+/* Takes samples of s near the best separation, in smaller and smaller steps. Used instead of search_between
+ * if no bounds are known. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -472,8 +473,8 @@ static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
     b->r_max = rmax_at(b->s, c);
     if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
         *found = *smooth || search_kink(b, tol);
-    /* If the refinement has failed, s may lie beyond a jump of r_max. So the search of all separations must
-     * not expect r_max near c->near. */
+    /* If the refinement has failed, s may lie beyond a jump of r_max, where r_max is far from c->near. So
+     * c->near is cleared, and the search over all separations does not look there. */
     c->near = *found ? c->near : 0;
     return c->status;
 }

@@ -14,11 +14,10 @@ static dom_real power_of(dom_real r, dom_real n)
  * equal. */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
-    /*
-     * The user's decimal values of `first`, `height` and r have been rounded. This can change the quotient of
-     * both sides by 2 + n/2 units in the last place, and `slack` allows for this change. `slack` is also
-     * limited to a millionth of ln r, the relative step from one domino to the next.
-     */
+    /* The user's decimal values of `first`, `height` and r have been rounded. This can change the quotient
+     * `first` * r^n / `height` by 2 + n/2 units in the last place, and `slack` allows for this change.
+     * `slack` is at most a millionth of ln r, so it is small compared with the relative step from one domino
+     * to the next, which is at least ln r. */
     real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
     return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
 }

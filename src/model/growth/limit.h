@@ -54,26 +54,25 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 KERNEL enum dom_status root_any(struct margin_context *c, const struct margin_sample *from, real *root,
                                 real *falls);
 
-/*
- * Finds a root for an endless train with sharp edges and without friction. Also tries to prove that it is the
- * first root after *from. If there is no root, *root is the reach. If there is no proof, *found is false.
- * Even then the work may have been useful: if the margin is shown to be positive up to a larger growth, *from
- * is raised to that growth.
- */
+/* Finds a root for an endless train with sharp edges and without friction. Also tries to prove that this root
+ * is the first one after *from. If the margin is positive up to the reach, *root is the reach. If there is no
+ * proof, *found is false. Even then, a part of the proof may have succeeded: if the margin is shown to be
+ * positive up to some growth above *from, *from is raised to that growth. */
 KERNEL enum dom_status root_first(struct margin_context *c, struct margin_sample *from, real *root,
                                   bool *found);
 
-/* Finds a root of the margin between lo and hi, by the highest maximum of H. Without friction, the margin
- * must be >= 0 at lo and negative at hi. With friction, it must have opposite signs. */
+/* Finds a root of the margin between lo and hi. Unlike root_between, makes sure that the maximum of H at the
+ * root is the highest one. Without friction, the margin must be >= 0 at lo and negative at hi. With friction,
+ * the margins at lo and hi must have opposite signs. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct margin_sample *lo,
                                  const struct margin_sample *hi, real *r);
 
 /*
  * Finds the first growth r > from->r at which the margin becomes negative. The train must be endless, with
  * sharp edges and without friction. The margin at from->r is >= 0. If the margin never becomes negative, *r
- * is the reach and *ends is DOM_END_REACH. Two sign changes can be missed if they are closer than SCAN_FINEST
- * in ln r, or if they are less than SCAN_CLOSE below a later root. In a search with very many strips, the
- * first of these distances grows (scan_finest).
+ * is the reach and *ends is DOM_END_REACH. The search can miss two sign changes if the distance between them
+ * in ln r is less than SCAN_FINEST, or if both are less than SCAN_CLOSE below a later root. If c->coarse is
+ * set, or in a search with very many strips, a larger distance takes the place of SCAN_FINEST (scan_finest).
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct margin_sample *from, real *r,
                                         enum dom_end *ends);

@@ -44,14 +44,14 @@ struct margin_context {
         real r, half;
     } last[2];              /* r and tan(tilt / 2) of the last two maxima that were followed */
     struct barrier nearest; /* the barrier at the growth with the smallest |margin_share| so far */
-    /* The smallest |margin_share| so far, or the value with which a search begins. margin_follow derives its
-     * tolerance from it. */
+    /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. A search
+     * begins with the value 1, or with a smaller value if its first margin needs more digits. */
     real share;
     real error; /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
-    /* If `coarse` is positive, a scan divides no strip that is narrower than `coarse` in ln r. The scan then
-     * gives an upper bound on r_max. */
+    /* If `coarse` is positive, a scan does not divide a strip that is already narrower than `coarse` in ln r.
+     * The scan can then miss roots, so its result is only an upper bound on r_max. */
     real coarse;
     real near;     /* r_max from a coarser kernel at a separation close to s, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
@@ -75,8 +75,8 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 /* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
-/* Like margin_sign, but if the margin is positive, `barrier` is not an upper bound. Its relative error is
- * then at most about a thousandth. */
+/* Like margin_sign, but if the margin is positive, `barrier` is not just an upper bound: its relative error
+ * is at most about a thousandth. */
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*

@@ -25,7 +25,7 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The maximum number of bisections between two samples, down to a width of about 2e-6 r. */
+/* The maximum number of bisections between two samples. After so many, the interval is about 2e-6 r wide. */
 #define PROBE_HALVES 17
 
 /*
@@ -118,10 +118,11 @@ static enum dom_status probe_between(struct probe *p, const struct margin_sample
 }
 
 /*
- * Searches for the first sign change after the sample `lo`. Takes the next sample whose number is at least k,
- * and stores it in *hi. Then probe_between searches between `lo` and *hi. It estimates the curvature from a
- * third sample, the one after *hi. So unless the sign has changed at *hi, the search beyond *hi is made
- * first, by recursion. If no sample is taken after *hi, the third sample is `last`, the one before `lo`.
+ * Searches for the first sign change after the sample `lo`. Takes the first sample after `lo` whose number is
+ * at least k, and stores it in *hi. (If a known root comes before this sample, *hi is the root.) Then
+ * probe_between searches between `lo` and *hi. To estimate the curvature, probe_between needs a third sample,
+ * normally the one after *hi. So if the sign has not changed at *hi, this function first calls itself to
+ * search beyond *hi. If no sample is taken after *hi, the third sample is `last`, the one before `lo`.
  */
 static enum dom_status probe_from(struct probe *p, const struct margin_sample *last,
                                   const struct margin_sample *lo, int k, struct margin_sample *hi)

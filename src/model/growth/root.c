@@ -179,8 +179,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* The search for the root ends with a barrier at a growth close to the root. The barrier at the root itself
- * is assumed to exceed this barrier by at most this fraction. */
+/* The last barrier that the search for the root computes is at a growth close to the root. The barrier at the
+ * root itself is assumed to be larger by at most this fraction. */
 #define DOWN_SLACK ((real)8e-3)
 
 /* Returns thickness / height of the flat part of a domino, without the rounded edges. Sharp-edged dominoes
@@ -281,11 +281,10 @@ static real down_near(const struct margin_context *c, real r)
     return fmin(1000 * log(1 / (c->s * r)), (real)1e-2);
 }
 
-/*
- * Tries to show that the margin is positive between `from` and `root`. Goes down from `root`, strip by strip.
- * *down receives the growth down to which this has been shown. If it has not been shown for any strip, *down
- * is `root`. If the margin is positive even at the reach, the caller passes the reach as `root`.
- */
+/* Tries to show that the margin is positive between `from` and `root`, strip by strip, beginning at `root`
+ * and going down. Stores in *down how far it gets: the margin is positive between *down and `root`. If
+ * nothing can be shown, *down is `root`. If the margin is positive even at the reach, the caller passes the
+ * reach as `root`. */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
@@ -326,8 +325,9 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Raises *lo towards the growth `to`. The margin is positive at the initial *lo. A few strips are tried, and
- * *lo is raised as far as they show that the margin stays positive. */
+/* Raises *lo, where the margin is positive, towards the growth `to`. Tries a few strips, one after the other.
+ * If bounds show that the margin is positive over the strip that begins at *lo, the upper end of this strip
+ * becomes the new *lo. */
 static enum dom_status positive_to(struct margin_context *c, struct margin_sample *lo, real to)
 {
     struct margin_sample ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};

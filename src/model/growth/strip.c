@@ -379,12 +379,12 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 
 /*
  * Returns an upper bound on all barriers in the strip. A follower beyond theta_u loses energy, and thus
- * lowers the barrier. Its loss is the integral of w^i theta_i' g(theta_i) over theta. For every train in the
+ * lowers the barrier. Its loss is the integral of w^i theta_i' g(theta_i) over theta. In every train of the
  * strip, this loss is at least the loss at hi divided by `grows`, for two reasons:
- * - theta_i' and w^i are at least their values at hi.
- * - g(theta_i) at hi is at most `grows` times as large as in the other train. The ratio is largest when the
- *   head is upright, because h/g and d theta_i / dr decrease with theta, and `grows` is the largest ratio for
- *   an upright head.
+ * - theta_i' and w^i are at least as large as at hi.
+ * - g(theta_i) at hi is at most `grows` times as large as g(theta_i) in this train. The quotient of these two
+ *   values of g is largest when the head is upright, because h/g and d theta_i / dr decrease with theta. For
+ *   an upright head, no quotient exceeds `grows`.
  *
  * The energy of the head itself rises by at most `most`.
  */

@@ -24,8 +24,9 @@
 struct strip {
     /* Bounds on K over the strip. kinetic_least is a bound only if it is positive. */
     real kinetic_least, kinetic_most;
-    /* The largest factor, over all followers i, by which g(theta_i(0)) increases from lo to hi, where
-     * g = -dh/dtheta. Infinite if a follower has not yet reached theta_u at lo. */
+    /* Let g be -dh/dtheta. For each follower i, g(theta_i(0)) increases by some factor from lo to hi, and
+     * `grows` is the largest of these factors. If a follower has not yet reached theta_u at lo, `grows` is
+     * infinite. */
     real grows;
     /* Upper bound on the energy that the followers behind the last visited one can still lose. `grows` does
      * not cover these followers. */
@@ -50,11 +51,10 @@ struct strip {
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
-/*
- * strip_barrier_most returns an upper bound on all barriers in the strip, from the barrier at hi.
- * strip_barrier_least returns a lower bound, from the barrier at lo. `most` is an upper bound that is already
- * known. `width` is the width of the strip: the difference of ln r, or of s, between hi and lo.
- */
+/* strip_barrier_most takes the barrier at hi and returns an upper bound on all barriers in the strip.
+ * strip_barrier_least takes the barrier at lo and returns a lower bound. `most` is an upper bound that is
+ * already known (barrier_most). `width` is the width of the strip: the difference of ln r, or of s, between
+ * hi and lo. */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);
 
