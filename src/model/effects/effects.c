@@ -73,23 +73,23 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "walls",
             .synonyms = "box hollow boards plywood inertia shell",
             .adds = "the moment of inertia of boxes made of six walls",
-            .help =
-                "Without this effect the moment of inertia is that of a solid block, even if 'q' is "
-                "hollow. In a train, the thickness of the walls is the same fraction of the height for "
-                "every domino. The walls then change only tau, the unit of time, and the friction that "
-                "the floor needs. For the standard domino with thin walls, all times are 2.8 % longer. In "
-                "a row, all dominoes are boxes made of the same boards, whose thickness is THICKNESS "
-                "times the height of the first domino, or a length as in 'effect walls 12 mm'. With "
-                "ABOVE, as in 'effect walls "
-                "12 mm 30 cm', only the dominoes of a row that are taller than ABOVE are boxes, and all "
-                "others are solid. The endless train then consists of solid dominoes. If ABOVE is given "
-                "and the row does not come from a file, masses follow from the volumes of the blocks and "
-                "boxes, and 'q' has no effect. The moments of inertia of boxes, and masses computed from "
-                "a density, take the walls into account. Walls half as thick as the domino make a solid "
-                "block. A domino is half as wide as it is tall, unless a file or 'change' gives its "
-                "width. The moment of inertia about the lower edge is that of a solid block of the same "
-                "mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 "
-                "- 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+            .help = "Without this effect the moment of inertia is that of a solid block, even if 'q' "
+                    "is hollow. In a train, the thickness of the walls is the same fraction of the "
+                    "height for every domino. The walls then change only tau, the unit of time, and "
+                    "the friction that the floor needs. For the standard domino with thin walls, all "
+                    "times are 2.8 % longer. In a row, all dominoes are boxes made of the same "
+                    "boards, whose thickness is THICKNESS times the height of the first domino, or a "
+                    "length as in 'effect walls 12 mm'. With ABOVE, as in 'effect walls 12 mm 30 cm', "
+                    "only the dominoes of a row that are taller than ABOVE are boxes, and all others "
+                    "are solid. The endless train then consists of solid dominoes. If ABOVE is given "
+                    "and the row does not come from a file, masses follow from the volumes of the "
+                    "blocks and boxes, and 'q' has no effect. The moments of inertia of boxes, and "
+                    "masses computed from a density, take the walls into account. Walls half as thick "
+                    "as the domino make a solid block. A domino is half as wide as it is tall, unless "
+                    "a file or 'change' gives its width. The moment of inertia about the lower edge "
+                    "is that of a solid block of the same mass, times 1 + v (1 - u)/(4 (1 - v)), "
+                    "where the hollow has the volume v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - "
+                    "2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "moment of inertia of a box, in closed form",
@@ -148,9 +148,9 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "push'), or with its first domino at the point of tipping over. 'fall' runs the row. "
                     "Domino j leans on domino k = j + 1. Their tilts satisfy h_j sin(theta_j - theta_k) = "
                     "(gap_k + d_k) cos theta_k - d_k. The energy is H = sum m g (h cos theta + d sin "
-                    "theta)/2, the inertia is "
-                    "sum I theta'^2, and the collision is that of the train, computed with these sums. If an "
-                    "upper edge would pass above the next domino, or if a contact would have to pull, the "
+                    "theta)/2, the inertia is sum I theta'^2, and the collision is that of the train, "
+                    "computed with these sums. If an upper edge would pass above the next domino, or if a "
+                    "contact would have to pull, the "
                     "model does not apply, and the output ends with a message.",
             .source =
                 "energy balance and collision of the paper, (19; c1) to (22; c4), for dominoes of any sizes",
