@@ -171,19 +171,20 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
 /* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are off come first. Among them, those that need another effect come before those that need
-     * none, because an effect cannot be turned off while another effect needs it. Effects that are on come
-     * last. */
+    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so the
+     * order is: effects that need more than a row, effects that need only a row, and the others, one of which
+     * is the row. Effects that are on come last. */
+    const unsigned row = 1U << DOM_EFFECT_row;
     if (p->effect)
-        return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
+        return state->scene.effect[p->which].on ? 6 : p->effect->needs & ~row ? 0 : p->effect->needs ? 1 : 2;
     /* A parameter that takes only words, such as 'precision', comes before those that take numbers, because
      * the range of tol depends on the precision. */
-    return !p->words_only ? 4 : p->setting ? 2 : 3;
+    return !p->words_only ? 5 : p->setting ? 3 : 4;
 }
 
 const struct parameter *parameter_in_order(const struct state *state, int k)
 {
-    for (int at = 0; at <= 5; at++)
+    for (int at = 0; at <= 6; at++)
         for (const struct parameter *p = session_parameters; p->name; p++)
             if (rank(state, p) == at && k-- == 0)
                 return p;
