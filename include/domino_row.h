@@ -78,9 +78,9 @@ enum dom_window_of {
     X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
     X(lean, "rad", "lean of each domino")                                                                    \
     X(radius, "", "radius of the edges of each domino; the error is relative to the radius")                 \
-    X(friction, "", "friction between dominoes, equal for all dominoes")                                     \
-    X(slope, "rad", "slope of the floor, equal for all dominoes")                                            \
-    X(floor, "", "friction of the floor, equal for all dominoes")                                            \
+    X(friction, "", "friction between dominoes, the same for all dominoes")                                  \
+    X(slope, "rad", "slope of the floor, the same for all dominoes")                                         \
+    X(floor, "", "friction of the floor, the same for all dominoes")                                         \
     X(push, "rad/s", "push of the first domino")
 
 enum dom_error_of {

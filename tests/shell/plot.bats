@@ -331,7 +331,7 @@ END
 plot growth xrange 0.6 0.2|xrange is 0.6 .. 0.2; its second number must be larger
 plot growth xrange 0.6|the value of 'xrange' is missing
 plot growth xscale log xrange 0 1|xrange must begin above 0
-plot growth xrange 5 6|no point of the chart is within its axes
+plot growth xrange 5 6|no point of the chart is within the ranges of its axes
 plot growth yscale up|use one of: linear, log
 plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the axes of a map have the scales of its grid
 plot growth legend right width 8 cm > a.svg|has no room for a legend on the right

@@ -50,7 +50,7 @@ END
     "$DOMINO" -e "$scene; fall" | grep -q '^The fall ends at domino 2 of 2: .*with more energy, friction would lock the row at a larger tilt\.$'
     "$DOMINO" -e "$scene; fall" | grep -qE '^ +2 .* -$'
     same placement 200 "$(json "$scene; effect placement 1 mm; placement 200" | values rows)"
-    "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'
+    "$DOMINO" -e "$scene; mend" | grep -q '^The search found no change of a single gap'
 }
 
 @test "after a file without a valid row there is no row, and a message says so" {

@@ -27,8 +27,10 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "along the face, where N is the contact force. The lever arms of a contact become a = Y/r - "
                 "L x - mu d on the leader and b = (Y + mu X)/r on the follower. In the sum of the torques, "
                 "domino i has the weight S_i, where S_0 = 1 and S_(i+1) = S_i a_i/b_i. For w = tau^2 omega^2 "
-                "the equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B "
-                "= sum r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision the "
+                "the equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^(-(q+1) i) S_i "
+                "theta_i', B "
+                "= sum r^(-(q+1) i) S_i theta_i'', C = 1/2 sum r^(-q i) S_i (x_i - d y_i). In the collision "
+                "the "
                 "angular velocity is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic energy that "
                 "the train needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
                 "friction: near r s = 1 the force on the struck domino passes on the wrong side of its hinge "
@@ -49,15 +51,16 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "slope",
             .synonyms = "alpha hill incline ramp tilt downhill uphill",
             .adds = "a sloping floor, downhill if ALPHA > 0",
-            .help = "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
-                    "tips over (tan theta_u = d with sharp edges). At separations from 0.2 to 0.4, one "
-                    "degree downhill raises "
-                    "r_max by 4 to 8 %, and one degree uphill lowers it by 3 to 6 %. Tilts are "
-                    "measured from the normal to the floor. The potential energy of a domino is then "
-                    "h(theta) = cos(theta + alpha) + d sin(theta + alpha). This changes H, the fuel P, the "
-                    "barrier and the forces. With friction, C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d "
-                    "cos(theta_i + alpha)). 'fuel paper' cannot be combined with a slope: the paper's closed "
-                    "form of the fuel does not include this effect.",
+            .help =
+                "A domino can stand upright only if |ALPHA| is less than theta_u, the angle at which it "
+                "tips over (tan theta_u = d with sharp edges). At separations from 0.2 to 0.4, one "
+                "degree downhill raises "
+                "r_max by 4 to 8 %, and one degree uphill lowers it by 3 to 6 %. Tilts are "
+                "measured from the normal to the floor. The potential energy of a domino is then "
+                "h(theta) = cos(theta + alpha) + d sin(theta + alpha). This changes H, the fuel P, the "
+                "barrier and the forces. With friction, C = 1/2 sum r^(-q i) S_i (sin(theta_i + alpha) - d "
+                "cos(theta_i + alpha)). 'fuel paper' cannot be combined with a slope: the paper's closed "
+                "form of the fuel does not include this effect.",
             .source = "the potential energy of a block on an inclined plane",
             .plan = "the potential energy, with the tilt increased by alpha",
             .argument = {{.name = "ALPHA",

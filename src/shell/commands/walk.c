@@ -145,10 +145,11 @@ static void say_launch(const struct place *p)
         omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
         p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
-        answer_say(p->answer,
-                   "A(0) = sum r^-(q+1)i S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
-                   "the fraction of the torque that reaches domino i.",
-                   p->is_rounded ? "i(theta_i) " : "");
+        answer_say(
+            p->answer,
+            "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
+            "the fraction of the torque that reaches domino i.",
+            p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
         answer_say(p->answer, "i(theta) is the inertia of a domino about its line of contact with the floor, "
                               "divided by its inertia with sharp edges.");

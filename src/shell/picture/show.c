@@ -182,7 +182,8 @@ bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_
                         chart->look.scale[0] != CHART_SCALE_USUAL ||
                         chart->look.scale[1] != CHART_SCALE_USUAL;
     if (!wrong && !chart_prepare(chart) && chosen)
-        wrong = "no point of the chart is within its axes; change xrange, yrange, xscale or yscale";
+        wrong =
+            "no point of the chart is within the ranges of its axes; change xrange, yrange, xscale or yscale";
     bool shown = wrong ? problem_error(problem, "%s", wrong) : show(a, chart, NULL, interrupt, problem);
     chart_free(chart);
     return shown;
