@@ -145,7 +145,6 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
                                       : no_fuel(query));
 }
 
-/* Writes why the train stops, and at which tilt if this is known. */
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;

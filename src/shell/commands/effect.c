@@ -34,9 +34,9 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work of the main answer without random errors and adds it to *work. If `random` is true, also
- * adds the work of one random row. The work of the engine is not counted. Sets *dominoes to the number of
- * dominoes in the row. */
+/* Adds to *work the work of computing the main answer without random errors. If `random` is true and the
+ * scene has a row, also adds the work of running one row with random errors. If the rigid-body engine runs
+ * the row, adds nothing. Sets *dominoes to the number of dominoes in the row. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {

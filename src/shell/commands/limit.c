@@ -11,7 +11,6 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
     return i < call->count ? call->number[i] : fallback;
 }
 
-/* Returns NULL if some growth is possible. */
 static const char *no_growth(struct domq_limit limit)
 {
     return limit.ends != DOM_END_NONE ? NULL
@@ -65,7 +64,6 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                        : "With a larger growth the train has too little energy to keep falling.");
 }
 
-/* Explains why the limits by the two formulas for the fuel differ or agree. */
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {

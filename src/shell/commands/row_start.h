@@ -6,7 +6,8 @@
 
 #include "commands/rows/falling.h"
 
-/* The result of running a row. The first domino falls by itself, or gets the push of the scene. */
+/* The result of running a row. If 'effect push' is on, the fall starts with this push. If it is off, the
+ * first domino just tips over. */
 struct start {
     size_t count; /* number of dominoes in the row that was run */
     bool falls;   /* true if all dominoes of the row fall */
@@ -33,8 +34,8 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 /* Returns "if its first domino just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 
-/* Writes why a row does not fall, for example "with a push of 3 rad/s, the fall ends at domino 2: it has too
- * little energy to tip over". */
+/* Writes to `text` the reason why a row does not fall, for example "with a push of 3 rad/s, the fall ends at
+ * domino 2: it has too little energy to tip over". Returns `text`. */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 

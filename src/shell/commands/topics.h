@@ -5,7 +5,8 @@
 
 #include "interpreter/command.h"
 
-/* A help topic. Texts that a topic does not have are NULL. */
+/* A help topic. If a topic does not have one of these texts, the pointer to the text is NULL. For example,
+ * `see` is NULL for a parameter. */
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
@@ -43,7 +44,7 @@ void topic_entry(FILE *out, const char *prefix, const char *usage, const char *s
  * `left`. */
 void help_wrapped(FILE *out, const char *text, int left);
 
-/* Formats a text and prints it like help_wrapped with `left` = 0. */
+/* Like help_wrapped with `left` = 0, but takes a format and its arguments, as printf does. */
 void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -29,9 +29,10 @@ struct row_film {
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
-/* Chooses the part of the row that a frame shows. When the domino `head` (counted from 1) is hit, the view
- * begins at this domino. By the time of the next hit, the view has moved on to the next domino. On the way,
- * its size changes exponentially from a size that fits the one domino to a size that fits the other. */
+/* Moves the view along the row with the front of the fall. When the domino `head` (counted from 1) is hit,
+ * this domino is near the middle of the view, and the view has a size that suits it. By the time of the next
+ * hit, the next domino is near the middle, and the size suits this next domino. In between, the size changes
+ * exponentially. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *current = &f->row.stage.domino[head - 1];

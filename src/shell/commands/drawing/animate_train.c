@@ -57,9 +57,10 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns how many cycles a film can show before the dominoes are too large. After n cycles, the head hits a
- * domino that is r^n times as tall as the first head. The function returns the largest n from 1 to `most` for
- * which r^n is at most `grown_most`, or 1 if there is none. */
+/* Returns how many cycles a film can show. Cycle n (counted from 1) ends when the head hits a domino that is
+ * r^n times as tall as the first head. So that this domino is not too large for the picture, r^n is at most
+ * `grown_most`. With r = 1.5 and `grown_most` = 4, for example, a film can show three cycles. The result is
+ * at least 1 and at most `most`. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Films of the train, and the function that makes both these films and films of the row. */
+/* Films of the train, and the function film_make, which makes the films of the train and of the row. */
 #ifndef SHELL_ANIMATE_TRAIN_H
 #define SHELL_ANIMATE_TRAIN_H
 

@@ -117,8 +117,8 @@ struct piece {
     int count;
 };
 
-/* Orders pieces by the thickness of their boards, then by their dominoes, and then by length, with the
- * longest piece first. */
+/* Orders the pieces by the thickness of their boards, then by the number of the domino, and then by length,
+ * with the longest piece first. */
 static int piece_order(const void *one, const void *other)
 {
     const struct piece *a = one, *b = other;

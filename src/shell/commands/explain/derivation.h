@@ -60,8 +60,9 @@ extern const struct derived derived_list[];
 /* A question of the command 'explain', and the quantities that answer it. */
 struct explained {
     const char *name;
-    const char *value; /* the quantity whose value follows the question: "theta", "s" or "H"; NULL for a
-                          question without a value */
+    /* "theta", "s" or "H" if the user can type a value of this quantity after the question, as in
+     * 'explain omega 0.2'. NULL if the question takes no value. */
+    const char *value;
     const char *roots; /* the quantities that answer the question, with blanks between them */
 };
 extern const struct explained explained_list[];

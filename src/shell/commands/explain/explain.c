@@ -127,8 +127,10 @@ enum { VERDICT_TEXT = 160 };
 
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
-/* Runs the row and finds the domino that decides the verdict: the one that stops the row or, if all fall,
- * the weakest one. Writes a sentence about this domino. Fails if the verdict does not depend on an energy. */
+/* Runs the row and finds the domino whose energy decides the verdict. If the row stops, this is the domino at
+ * which it stops. If all dominoes fall, it is the domino with the least energy to spare. Writes a sentence
+ * about the domino to `verdict`. Fails if no energy decides the verdict, for example because a domino is out
+ * of reach, or if the rigid-body engine runs the row. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
                           char verdict[VERDICT_TEXT], struct problem *problem)
 {

@@ -129,8 +129,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     return true;
 }
 
-/* Finds the time of the current row of the file, if necessary from its frame number. The time of a row with
- * neither is NaN. */
+/* Finds the time of the current row of the file. If the row has no time, divides its frame number by the
+ * frame rate. If the row has no frame number either, sets *time to NaN. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;

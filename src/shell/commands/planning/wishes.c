@@ -53,7 +53,9 @@ static const char *least_names(const void *context, int k)
 struct wishes_parsed {
     struct item value[WISHES], board[BOARDS_MOST];
     size_t boards;
-    domq_real board_unit; /* the unit of length after the last board, in m; 1 mm if it has none */
+    /* The unit at the end of the list of boards, in m: 0.01 for '1, 2, 3 cm'. If the list does not end with a
+     * unit of length, 0.001, which stands for mm. */
+    domq_real board_unit;
     bool sizes;
     enum dom_least least;
 };

@@ -177,8 +177,9 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns the distance from the present size of a gap to the nearer end of its window: the sizes at which the
- * row falls if no other gap changes. Returns infinity if the gap has no window. */
+/* Returns by how much a gap must change to reach the nearer end of its window. The window is the range of
+ * sizes of this gap at which the row falls if no other gap changes. Returns infinity if the gap has no
+ * window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));

@@ -44,7 +44,7 @@ struct plot_axis {
     /* Key of the column that belongs to the axis. It gives the unit of the axis, and for an x axis also the
      * values. NULL for a y axis that has no unit. */
     const char *key;
-    const char *label; /* the label without "in" and the unit, which are appended */
+    const char *label; /* without a unit; if the axis has a unit, " in m" or the like is appended */
     bool percent;      /* show the numbers as percentages */
 };
 

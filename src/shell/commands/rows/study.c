@@ -95,8 +95,8 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Finds out how to write a share as a fraction. Returns 100 if the share has at most two decimals, as in "95
- * of 100", and 1000 if it has three. Returns 0 if it has more. */
+/* Returns out of how many rows a share is counted: 100 for 0.95, which is written as "95 of 100", or 1000 for
+ * 0.999, which is written as "999 of 1000". Returns 0 if the share has more than three decimal places. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
