@@ -6,7 +6,7 @@
  * Introduction
  *
  * A train is an endless row of dominoes (J. M. J. van Leeuwen, "Domino Magnification"). Each domino is r
- * times as large as the one before. The falling dominoes lean on each other. The library finds whether a
+ * times as large as the one before. The falling dominoes lean on each other. The library determines whether a
  * train keeps falling, how large r may be, how fast the train runs and which forces act. It answers the same
  * questions about a finite row of dominoes of any sizes. Describe the train, call a function, and check the
  * status:
@@ -346,7 +346,8 @@ struct dom_barrier {
 };
 
 /*
- * Finds whether the train keeps falling. The status is the result:
+ * Determines whether the train keeps falling, and computes the energies that decide this. The status is the
+ * verdict:
  * - DOM_OK: the train keeps falling (margin >= 0). All members are written.
  * - DOM_STOPS: the train stops. All members are written.
  * - DOM_NO_FUEL: a cycle releases no energy. Only theta_m and barrier are computed, and the other members are

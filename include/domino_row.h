@@ -425,8 +425,8 @@ struct dom_wish {
     dom_real walls, boxes_above;
 };
 
-/* A row that meets the requirements of a struct dom_wish, with the dominoes and gaps of a train. If no such
- * row was found, `limit` is not DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
+/* A row, built like a train, that was designed for a struct dom_wish. If no row was found, `limit` is not
+ * DOM_DESIGN_FITS, and all members except `limit` and `needs` are NaN or 0. */
 struct dom_design {
     /* s: the gap of a domino divided by its height, a multiple of 0.001; r: the growth */
     dom_real s, r;

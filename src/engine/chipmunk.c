@@ -60,7 +60,8 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    /* There must be memory for loading the library and for the space that make_first creates. */
+    /* Chipmunk crashes if an allocation fails. So the library is loaded only if there is enough memory for it
+     * and for the space that make_first creates. */
     const bool room = tried || room_take(0);
     if (room && !tried) {
         load();

@@ -14,8 +14,8 @@ struct engine_box {
     double height, thickness, gap, mass;
     /* moment of inertia about the centre, divided by that of a solid box; 0 means a solid box */
     double inertia;
-    /* Radius of the edges of this box. 0 means the radius of struct engine_row times the height. Ignored if
-     * the row has sharp edges. */
+    /* Radius of the edges of this box. If it is 0, the radius is the height of the box multiplied by the
+     * member `radius` of struct engine_row. Ignored if the row has sharp edges. */
     double radius;
 };
 
@@ -74,7 +74,8 @@ struct engine_hit {
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* true if the first box, tipped over its edge, already touches the second box; the row is then not run */
+    /* true if the first box starts from its balance point and already touches the second box there; the row
+     * is then not run */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */

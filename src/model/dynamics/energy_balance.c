@@ -45,8 +45,8 @@ KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fu
 {
     real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact,
          J0 = geometry->upright_inertia * (1 + f->inertia_ratio);
-    /* This is equation (24; c6). Its denominator, r^q J(0) - J(0) + 1, is written as r^q + T (r^q - 1), in
-     * which no digits cancel if r >= 1. */
+    /* This is equation (24; c6). With the inertia ratio T = J(0) - 1, its denominator, r^q J(0) - J(0) + 1,
+     * is written as r^q + T (r^q - 1). In this form, no digits cancel if r >= 1. */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
                            .J0 = J0,

@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The largest number of dominoes that one solution may visit, in all its passes along the chain. In double
- * precision, so many visits take half a second. */
+/* The largest number of visits to dominoes that one solution may make, in all its passes along the chain. In
+ * double precision, this many visits take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {

@@ -18,7 +18,9 @@ KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
     geometry_gravity(geometry, sin(value), cos(value));
     if (geometry->work)
         geometry->work->entered[DOM_EFFECT_slope]++;
-    /* The domino must stand on this slope and on the opposite one, and tip over before it lies flat. */
+    /* An upright domino must not tip over by itself, forwards or backwards, so tan |alpha| must be less than
+     * d. A falling domino must reach its balance point theta_u before it lies flat. This requires
+     * theta_u < 90 degrees, so h.y must be positive. */
     bool stands = tan(fabs(value)) < geometry->d && geometry->h.y > 0;
     return stands ? DOM_OK : DOM_NO_STAND;
 }

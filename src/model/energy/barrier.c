@@ -161,9 +161,10 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to have a single top, that is, a single local maximum. In that case H is
- * concave up to the tilt theta_u, and it decreases above theta_u, because there the head and its followers
- * all lose height (6; b2). The proof that H is concave follows.
+ * Returns true if H is proved to have a single top, that is, a single local maximum. It has a single top if
+ * it is concave up to the tilt theta_u, because above theta_u it decreases: there the head and its followers
+ * all lose height (6; b2). The code below tests a condition under which H is concave up to theta_u. The
+ * condition is derived as follows.
  *
  * Let c = r L / cos theta_c. With rounded edges, let l = 1 - 2 rho. Then (r L + (r + 1) rho) / l takes the
  * place of r L. Since Y_i >= Y_0 = cos theta_c, equations (12; b8) and (14; b10) give
@@ -178,8 +179,8 @@ static bool falls_above_u(const struct geometry *geometry)
  *
  * For every domino, -h'' = h, because h = h.y cos theta + h.x sin theta. The head, which is between 0 and
  * theta_u, has h >= h(0) = h.y. A follower has h >= `least`, the smaller of h(0) and h(theta_f), and
- * theta_j'^2 <= 1. A follower that has detached adds nothing to H''. The code below tests whether the sum of
- * these bounds is negative.
+ * theta_j'^2 <= 1. A follower that has detached adds nothing to H''. So H is concave if the sum of these
+ * bounds is negative.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {

@@ -17,8 +17,8 @@ struct budget {
     double lo, hi;
     /* true during the search for sigma itself, false for the ends of its confidence interval */
     bool of_answer;
-    /* a cache of the latest results; the searches for the ends of the confidence interval try many of the
-     * same values of sigma again */
+    /* A cache of the latest results. It saves time because the searches for sigma and for both ends of its
+     * confidence interval begin with the same values of sigma. */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];

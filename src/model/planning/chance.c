@@ -242,8 +242,9 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
 }
 
 /* Runs all random rows. If `margin` is not NULL, only writes the margins of each random row to this array. If
- * `margin` is NULL, adds to total->fails the probability that a row does not fall, for each random row. If
- * total->by_gap is not NULL, also adds the derivatives of these probabilities. */
+ * `margin` is NULL, computes for each random row the probability that it does not fall, and adds all these
+ * probabilities to total->fails. If total->by_gap is not NULL, also adds their derivatives to total->by_gap
+ * and total->by_size. */
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {

@@ -57,8 +57,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
- * only 32 bits. With a single generator, some of a million rows would have the same seed and would be
- * identical. */
+ * only 32 bits. With a single generator, about a hundred pairs among a million rows would have the same seed
+ * and therefore the same errors. */
 static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
 {
     gsl_rng *const *random = draw->random;

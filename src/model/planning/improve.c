@@ -33,8 +33,8 @@
 #include <string.h>
 
 /* The levels of the search. On each level, the function is computed from `rows` random rows. `width` is the
- * width of the smoothing, in standard deviations of the margin. `values` is the largest number of times that
- * the function is evaluated with its gradient. */
+ * width of the smoothing, in standard deviations of the margin. `values` is the maximum number of evaluations
+ * of the gradient. Evaluations of the function without its gradient are not counted. */
 static const struct level {
     size_t rows;
     double width;

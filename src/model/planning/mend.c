@@ -144,9 +144,8 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
 
 /* ---- The growth ---- */
 
-/* Each step of the search multiplies the growth by GROWTH_STEP. An engine is slow. So with an engine, the
- * search for the first growth at which the row falls takes longer steps, which multiply the growth by
- * GROWTH_STEP_OF_ENGINE. */
+/* Each step of the search multiplies the growth by GROWTH_STEP. Because an engine is slow, the search for the
+ * first growth at which the row falls in an engine multiplies the growth by GROWTH_STEP_OF_ENGINE instead. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 

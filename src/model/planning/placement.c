@@ -20,7 +20,7 @@ struct shared {
     const struct dom_placement *placement;
     bool gaps;         /* true if the rows differ only in their gaps */
     bool causes;       /* true to run each row again for each kind of error, without errors of this kind */
-    atomic_int status; /* the first status of a batch that was not DOM_OK */
+    atomic_int status; /* DOM_OK, or the status of the first batch that failed */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
     /* how many falls ended at each domino (dom_placement_causes), or NULL if not requested */
     atomic_size_t *stops;

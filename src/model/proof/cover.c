@@ -53,8 +53,9 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 
 /*
  * Tries to prove that K - D > 0 for all growths in the strip, and for all tilts from `low` to `high`. Here K
- * stands for the level, even if the level is a constant. Tilts are given as sigma = 2 sin(theta/2). There are
- * three lower bounds on K - D. The proof succeeds if one of them is positive.
+ * is the level of struct level, either the kinetic energy or a constant. Tilts are given as
+ * sigma = 2 sin(theta/2). There are three lower bounds on K - D. The proof succeeds if one of them is
+ * positive.
  *
  * Bound 1 uses the box of all these tilts and growths as a whole. K and D are computed from the corners of
  * the box.

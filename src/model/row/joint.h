@@ -30,9 +30,9 @@ KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
 /*
- * row_make allocates memory and fills in the geometry of the first `count` dominoes. Before the call, row[0]
- * must have valid dynamics and no memory (`flow`). Afterwards, even if row_make fails, the caller must call
- * dynamics_end(&row[0]). row_geometry fills in only the element row[k], from row[0] and row[k - 1].
+ * row_make allocates memory and fills in the geometry of the first `count` dominoes. Before the call,
+ * row[0].dynamics must be valid and row[0].flow must be NULL. Afterwards, even if row_make fails, the caller
+ * must call dynamics_end(&row[0]). row_geometry fills in only the element row[k], from row[0] and row[k - 1].
  */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);

@@ -90,7 +90,8 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds the series for the time, and the duration of the passage if `lasts` is NaN. */
+/* Computes s->series, from which passage_tilt finds the tilt at a given time. Sets s->lasts, the duration of
+ * the passage, to `lasts`. If `lasts` is NaN, computes the duration. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
