@@ -34,10 +34,10 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
                                 real angle_b, real t, real t_error);
 
 /*
- * Let t be the tangent of half the angle between a domino's tilt in one chain and its tilt in another chain.
- * energy_change_between computes the t of the next domino from the t of the current one. The arguments a and
- * b are the current domino in the two chains, and t_error is the error bound on its t. Returns the error
- * bound on the t of the next domino.
+ * Let theta_a and theta_b be the tilts of one domino in two chains, and t = tan((theta_a - theta_b)/2).
+ * energy_change_between computes the t of each follower from the t of its leader. The arguments a and b are
+ * the leader in the two chains, and t_error is the error bound on its t. Returns the error bound on the t of
+ * the follower.
  */
 KERNEL real bound_tan_half(const struct link *a, const struct link *b, const struct bound *bound_a,
                            const struct bound *bound_b, real t, real t_error);

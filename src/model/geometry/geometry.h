@@ -48,7 +48,7 @@ struct far {
  */
 struct far_friction {
     real A[3], B[3], C[3];
-    bool known; /* true if the series down the tail converge */
+    bool known; /* true if A, B and C can be used: the sums over the tail converge */
 };
 
 /*
@@ -98,7 +98,9 @@ struct geometry {
     real rq, rq_1; /* r^q and r^q - 1 */
     real steepest; /* the largest |dh/dtheta|, apart from rolling; sqrt(1 + d^2) with sharp edges */
     struct {
-        real along, down; /* gravity along and into the floor; 0 and 1 on a level floor */
+        /* The components of gravity along the floor and into it, divided by g. On a level floor, `along` is
+         * 0 and `down` is 1. */
+        real along, down;
     } g;
     struct {
         /* The energy h(theta) of one domino is h.y cos theta + h.x sin theta + rounded.roll theta, plus a
@@ -170,9 +172,10 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 
 /*
  * Returns an estimate of the smallest tilt of the head that matters at the beginning of a cycle. Two tilts
- * can matter: theta_u, where the head tips over, and the tilt of the head at which a follower that started
- * near pi/2 is no longer near pi/2. Returns the smaller of the two, or, if one of them is 0, the other one.
- * (theta_u is 0 if the edges have the radius d/2. The second tilt is 0 if the edges are sharp and r s = 1.)
+ * can matter. At theta_u, the head tips over. At the second tilt, a follower that started near pi/2 begins to
+ * turn more slowly than the head. Returns the smaller of the two tilts, or, if one of them is 0, the other
+ * one. (theta_u is 0 if the edges have the radius d/2. The second tilt is 0 if the edges are sharp and
+ * r s = 1.)
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {

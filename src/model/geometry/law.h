@@ -94,9 +94,9 @@ struct contact_law {
     /* Finds the contact with a follower that counts as detached only because of rounding. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Tests one contact while its leader moves from b to a. If every contact of a chain passes this test,
-     * all of them stay closed during the motion. If only some contacts pass, nothing is proved about any
-     * of them. */
+    /* Part of a proof that no contact of a chain opens while the head moves. Tests one contact while its
+     * leader moves from b to a. If every contact of the chain passes its test, all of them stay closed during
+     * the motion. If only some contacts pass, nothing is proved about any of them. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
     size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);

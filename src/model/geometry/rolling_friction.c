@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction between dominoes with rounded edges (rounded.h). rounded_arms gives the lever arms. Since the
- * inertia i changes with the tilt, A contains i theta_i', and B contains i theta_i'' + i' theta_i'^2 / 2. */
+/*
+ * Friction between dominoes with rounded edges (rounded.h). rounded_arms gives the lever arms. With rounded
+ * edges, a domino's inertia i depends on its tilt. So its term in A contains i theta', and its term in B
+ * contains i theta'' + i' theta'^2 / 2. Here i' is the derivative of i with respect to the domino's tilt, and
+ * theta' and theta'' are the derivatives of this tilt with respect to the tilt of the head.
+ */
 #include "geometry/rounded.h"
 
 /*

@@ -180,7 +180,8 @@ static struct walk rounded_at(const struct geometry *geometry, real theta)
 
 /* ---- The chain ---- */
 
-/* Finds out whether a follower leans on the domino and, if so, the turn from the domino to the follower. */
+/* Sets `leads` to true if a follower leans on the domino. If so, also computes the turn from the domino to
+ * the follower. */
 static void rounded_follower(struct walk *k)
 {
     struct link *link = &k->link;
@@ -452,9 +453,8 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
         const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
         C[k] = two * (k % 2 ? x : y);
         theta[k] = k % 2 ? -two / (real)k : 0;
-        /* turn[k] follows from the terms of order k in the contact equation. G is the sum of these terms on
-         * the right side, minus the part of rho_1 turn cos theta on the left side that contains only earlier
-         * coefficients of the turn. */
+        /* The terms of order k in the contact equation (turn_solve) give turn[k]. G is the sum of the terms
+         * on the right side, minus the terms of rho_1 turn cos theta that do not contain turn[k]. */
         real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
              cosines = 0, half = 0;
         for (int j = 1; j < k; j++) {

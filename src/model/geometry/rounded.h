@@ -49,7 +49,7 @@ KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 KERNEL struct arms rounded_arms(const struct link *link);
 KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 
-/* Counts a pass as work for the effect 'edges'. */
+/* Counts one more pass in geometry->work, under the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
 /* Members of struct contact_law, without error bounds. */

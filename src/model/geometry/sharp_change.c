@@ -90,8 +90,9 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests a contact while its leader moves from b to a. If every contact of a chain passes this test, all
- * contacts stay closed. The reason is as follows.
+ * Returns true if bounds prove that a contact meets the conditions derived below during the whole motion of
+ * its leader from b to a. If every contact of a chain meets these conditions, all contacts stay closed. The
+ * reason is as follows.
  *
  * Multiply the torque on each domino by its factor S. (See dynamics/friction.c; without friction, S =
  * theta'.) Add up these products for domino i and all dominoes behind it. In this sum, the contacts between

@@ -69,9 +69,9 @@ static void friction_next(struct friction_link *k)
 }
 
 /*
- * Returns true when the tails of all three sums can be left out. The ratio of one term to the term before it
- * is taken to be at least `decay`. Without friction, the ratio of the terms of C tends to `decay` far down an
- * endless train.
+ * Returns true when the tails of all three sums can be left out. Each tail is bounded by a geometric series.
+ * The ratio of this series is at least `decay`, because without friction the ratio of successive terms of C
+ * tends to `decay` far down an endless train.
  */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {

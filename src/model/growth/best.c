@@ -18,7 +18,7 @@
 #define BEST_PATIENCE 8
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-/* As long as no growth above 1 is found, intervals of s are bisected down to this fraction of s. */
+/* Until an r_max above 1 is found, intervals of s are bisected down to this width, relative to s. */
 #define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
@@ -133,10 +133,10 @@ static real search_finest(const struct search *b)
 
 /*
  * Searches the separations between lo and hi for an r_max above b->r_max. If a train stops at some growth,
- * its r_max is below this growth. So if bounds show that all trains of the interval stop at growth b->r_max,
- * the interval is skipped. The same test is then made at `witness`, a smaller growth at which a train nearby
- * is known to stop. If no such growth is known, `witness` is infinite or b->r_max, and this second test is
- * left out. If the tests fail, the interval is bisected.
+ * its r_max is below this growth. So the interval is skipped if bounds show that all of its trains stop at
+ * the growth b->r_max. It is also skipped if bounds show that all of its trains stop at `witness`, a growth
+ * below b->r_max at which a train with a similar separation is known to stop. If no such growth is known, the
+ * caller passes b->r_max or infinity as `witness`. An interval that is not skipped is bisected.
  */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
@@ -421,8 +421,8 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* In quad precision, the first bracket around the best separation of the double kernel has this half-width,
- * relative to s. The half-width is larger than the error of the double kernel. */
+/* Quad precision first looks for the best separation s within this distance, relative to s, of the separation
+ * that the double kernel found. The distance is larger than the error of the double kernel. */
 #define NEAR_WIDTH ((real)1e-8)
 
 /* The straight line through two points of the curve r_max(s). */

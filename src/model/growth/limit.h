@@ -78,10 +78,10 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct m
                                         enum dom_end *ends);
 
 /*
- * Finds the first sign change of the margin after from->r. If the margin at from->r is >= 0, change->r is the
- * root itself. If the margin is negative there, *change is a sample shortly after the root. If there is no
- * sign change up to the reach, *found is false. If the margin changes sign twice between two samples, both
- * changes can be missed.
+ * Finds the smallest growth above from->r at which the margin changes sign. If the margin is >= 0 at from->r,
+ * sets change->r to this growth. If the margin is negative at from->r, sets *change to a sample slightly
+ * above this growth, where the margin is >= 0. Sets *found to false if the margin does not change sign up to
+ * the reach. If the margin changes sign twice between two samples, both changes can be missed.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct margin_sample *from,
                                     struct margin_sample *change, bool *found);

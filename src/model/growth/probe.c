@@ -25,7 +25,7 @@ static real probe_place(const struct margin_context *c, int k)
     return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
-/* The maximum number of bisections between two samples. After so many, the interval is about 2e-6 r wide. */
+/* The maximum number of bisections between two samples. The last interval is about 2e-6 r wide. */
 #define PROBE_HALVES 17
 
 /*
@@ -75,8 +75,9 @@ static real probe_value(const struct probe *p, const struct margin_sample *sampl
     return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, sample->r)) : value;
 }
 
-/* Returns true if the margin is not curved enough to change sign between the samples lo and hi. A known root
- * p->root does not count. `third` is a sample outside the interval, from which the curvature is estimated. */
+/* Returns true if the margin is not curved enough to change sign between the samples lo and hi. Ignores the
+ * sign change at p->root, if this root is known. The curvature is estimated from lo, hi and `third`, a sample
+ * outside the interval. */
 static bool probe_keeps(const struct probe *p, const struct margin_sample *third,
                         const struct margin_sample *lo, const struct margin_sample *hi)
 {

@@ -210,7 +210,7 @@ static real root_guess(const struct margin_context *c)
     return exp((real)2.4 / (q - (real)0.6) * share * log1p((real)0.4 * u));
 }
 
-/* Returns -d margin / d ln r at the root, approximately. */
+/* Estimates how fast the margin falls at the root: minus its derivative with respect to ln r. */
 static real root_slope(const struct margin_context *c)
 {
     const real u = fmax(root_room(c), (real)0.1);

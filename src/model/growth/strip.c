@@ -88,8 +88,9 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound on the derivative for which strip_advance returns an upper bound. The derivative is
- * smallest at lo, when the leader has its largest tilt. `leader` is this tilt. */
+/* Like strip_advance, but returns a lower bound: on d theta_1 / d ln r if in_r is true, and on d theta_1 / ds
+ * if in_r is false. The derivative is smallest at lo, when the leader has its largest tilt. `leader` is this
+ * tilt. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
