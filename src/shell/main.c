@@ -255,7 +255,7 @@ int main(int argc, char **argv)
         run_sources(argc, argv, &session);
     } else if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
-        /* The user has already seen the errors at a prompt, so they do not affect the exit status. */
+        /* At a prompt, the user has already seen the errors, so they do not affect the exit status. */
         session.errors = 0;
     } else if (!is_over(&session))
         run_file(&session, "-");

@@ -54,7 +54,8 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter that has this word as its first synonym or, failing that, as a value. */
+/* Returns the parameter whose first synonym is this word. If there is none, returns the parameter that
+ * accepts the word as a value, such as q for 'solid'. */
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);

@@ -24,7 +24,8 @@ struct question {
     const char *name; /* the text from question_name, for messages and headings */
 };
 
-/* After an error, the functions below set the reader's problem or *problem and return false. */
+/* If one of the functions below returns false, it has stored the error in *problem or, if it takes a reader,
+ * in *reader->problem. */
 
 bool command_parse(struct reader *reader, struct question *question);
 

@@ -2,7 +2,8 @@
 #include "interpreter/question.h"
 #include <string.h>
 
-/* Copies the state of the query to call->state and makes the assignments after 'with' in the copy. */
+/* Makes call->query a copy of `query` in which the parameters after 'with' have their new values. The state
+ * of the copy is stored in call->state. */
 static bool with_bind(const struct question *q, const struct query *query, struct call *call,
                       struct problem *problem)
 {

@@ -49,7 +49,8 @@ struct reader {
     struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
 };
 
-/* Returns NULL unless the reader is at the cursor. */
+/* Returns the offer in which to record what may be typed, or NULL if the reader is not at the cursor. A '"'
+ * directly before the cursor counts as the cursor. */
 static inline struct offer *reader_offer(const struct reader *r)
 {
     struct offer *o = r->offer;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names in expressions. A name can stand for a parameter, a variable, a 'let' function, a command or the
- * last answer. For one column of an answer, the key of the column follows, as in 'rmax.r' or 'ans.margin'. To
- * resolve a name means to find what it stands for. A sweep resolves the names of its expression once and
- * evaluates the resolved tree at every point. */
+ * last answer. To choose one column of an answer, the user appends a dot and the key of the column, as in
+ * 'rmax.r' or 'ans.margin'. To resolve a name means to find what it stands for. A sweep resolves the names of
+ * its expression once and evaluates the resolved tree at every point. */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
 

@@ -12,9 +12,9 @@
 /* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
 enum { ESCAPE_PIECE = 12 };
 
-/* Writes the first character of a string into `piece`, with an escape sequence if it needs one. The string
- * must not be empty. Returns the length of this character in the string, in bytes. A string that has been
- * escaped can be escaped again without further changes. */
+/* Writes the first character of a string into `piece`, or an escape sequence if the character needs one. The
+ * string must not be empty. Returns the length of this character in the string, in bytes. Escaping an escaped
+ * string again does not change it, because backslashes are not escaped. */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
 bool escape_needed(const char *text);

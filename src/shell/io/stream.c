@@ -28,9 +28,10 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that is waiting to be written to standard output. stdio has already flushed it. `held_error` is errno
- * of the first write that has failed. All of these variables are protected by `held_lock`. Threads wait for
- * this lock. The timer's handler must not wait, because the thread that it interrupts may hold the lock. */
+/* Text that stdio has already flushed, but that has not been written to standard output yet. `held_error` is
+ * the errno of the first write that failed, or 0. All of these variables are protected by `held_lock`.
+ * Threads wait for this lock. The handler of the timer must not wait, because the thread that it interrupts
+ * may hold the lock. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;

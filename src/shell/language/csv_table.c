@@ -23,7 +23,8 @@ static bool is_empty(const char *text)
 
 enum { UNIT = 32 };
 
-/* Copies the unit of a string such as "mm", "(mm)" or "[mm]". Returns false if the string is not a unit. */
+/* Extracts the unit from a string such as "mm", "(mm)" or "[mm]". Returns false if the string is not a
+ * unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");

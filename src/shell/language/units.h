@@ -69,8 +69,8 @@ static inline bool name_start(char c)
     return isalpha((unsigned char)c) || c == '_';
 }
 
-/* Returns the number of letters, digits and '_' at the beginning of a string. These characters are a name if
- * the first of them is not a digit. */
+/* Returns the number of letters, digits and '_' at the beginning of a string. They form a name if the first
+ * of them is not a digit. */
 size_t name_length(const char *text);
 
 /* Copies a name of `length` bytes into the buffer `name`, which has `size` bytes. If the name does not fit,

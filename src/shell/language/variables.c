@@ -20,7 +20,7 @@ static struct body *body_of(char *text)
     return (struct body *)(void *)(text - offsetof(struct body, text));
 }
 
-/* Returns the text of a new body with the reference count 1, or NULL if memory runs out. */
+/* Allocates a body with a reference count of 1. Returns its text, or NULL if memory runs out. */
 static char *body_make(const char *text)
 {
     const size_t size = strlen(text) + 1;

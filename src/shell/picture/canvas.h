@@ -46,7 +46,7 @@ enum { GLYPH = 5 /* the size of a character in UTF-8, including the NUL byte */ 
 struct canvas_cell {
     char glyph[GLYPH]; /* the character, or "" */
     unsigned char dots, ink;
-    int upper, lower; /* colours of the upper and lower half of the cell, or -1 for no colour */
+    int upper, lower; /* colours of the upper and lower halves of the cell, or -1 for no colour */
 };
 
 struct canvas {

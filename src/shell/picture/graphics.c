@@ -111,7 +111,8 @@ void graphics_terminal(FILE *stream, int width, int height, bool stage, char *te
              stage ? 14 : 13, scale);
 }
 
-/* Writes a PNG file in the graphics protocol of kitty: in base64, in pieces of 4096 characters. */
+/* Sends a PNG file to the terminal by kitty's graphics protocol, which requires base64 in chunks of at most
+ * 4096 characters. */
 static bool kitty_write(FILE *png, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -84,8 +84,9 @@ void drawn_corners(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Returns true if a domino, or the silhouette that is drawn in its place, covers a point of the rectangle of
- * the domino. The point is `up` heights above the foot and `back` thicknesses behind the front. */
+/* Returns true if a given point in the rectangle of a domino is covered. A domino covers its whole rectangle,
+ * but a silhouette that is drawn in its place does not. The point is at the distance `up` from the base, as a
+ * fraction of the height, and at the distance `back` from the front, as a fraction of the thickness. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
 /* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
@@ -139,8 +140,10 @@ enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
 struct sheet {
     double width, height, below, above; /* `below` and `above` are margins outside the axes */
     double head, indent;                /* the space above the caption, and the space to its left */
-    double left, right, low, high;      /* the visible part of the stage; low < 0 leaves room for numbers */
-    double dot;                         /* the size of a dot, in the unit of the stage */
+    /* The visible part of the stage. `low` is negative, so that the labels of the dominoes fit below the
+     * ground. */
+    double left, right, low, high;
+    double dot; /* the size of a dot, in the unit of the stage */
 };
 
 extern const struct marks script_marks;
@@ -148,8 +151,8 @@ extern const struct marks script_marks;
 /* Returns the sheet for a stage, with a height between `least` and `most` dots. */
 struct sheet sheet_of(const struct stage *stage, double least, double most);
 
-/* Moves the sheet to another part of the stage. The position `at` is then near the middle of the sheet, and
- * dominoes of the height `tall` fit on it. */
+/* Moves the sheet to another part of the stage, with position `at` near its middle. The visible height
+ * becomes `tall`, which includes the strip for labels below the ground. */
 void sheet_follow(struct sheet *sheet, double at, double tall);
 
 /* Writes the gnuplot terminal setting for a file with this extension. */

@@ -118,7 +118,7 @@ static void label_put(struct canvas *c, int column, int row, const char *text)
     canvas_text(c, from, row, text, INK_TEXT);
 }
 
-/* Draws the vertical scale from the row `top` down, and the ground with the ruler. */
+/* Draws the ground with the ruler, and the vertical scale from the ground up to row `top`. */
 static void ruler_draw(struct grid *g, const struct stage *stage, int top)
 {
     struct canvas *c = &g->canvas;

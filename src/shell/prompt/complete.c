@@ -89,9 +89,9 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* is_unasked passes this callback to emit_values. *context is NULL until there is a candidate. In the end, it
- * is the name of a command if this command is the only candidate. It is "" if the only candidate is not a
- * command, or if there are several candidates. */
+/* is_unasked passes this callback to emit_values, to find out whether the only candidate is a command.
+ * *context begins as NULL. The first candidate sets *context to its name if it is a command, and to "" if it
+ * is not. Every further candidate sets *context to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;

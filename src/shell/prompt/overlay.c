@@ -109,8 +109,8 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow on the line. They are written as in the usage of the command. If
- * there are none, writes "". */
+/* Writes the arguments that may still follow on the line, with brackets around those that are optional. If
+ * there is nothing to show, writes "". */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};

@@ -151,7 +151,8 @@ static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
     if (unfinished) {
-        /* The caret of an error message cannot point into a command of several lines. */
+        /* The width 0 turns off the caret of error messages, because a caret cannot point into a command
+         * that spans several lines. */
         session->source.prompt_width = 0;
         snprintf(text, size, "  ...%s ", mark);
         return text;

@@ -29,8 +29,8 @@ bool effect_complete(const struct scene *scene, int effect, const domq_real *val
  * own this memory. */
 void effect_put(struct scene *scene, int effect, domq_real value, const domq_real *others);
 
-/* Returns true if an effect can be on: all effects that it needs must be on, and the current 'fuel' must not
- * exclude it. Otherwise reports the problem. */
+/* Returns true if an effect can be turned on: all effects that it needs must be on, and the current 'fuel'
+ * must not exclude it. If the effect cannot be turned on, sets *problem and returns false. */
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem);
 
 /* Returns true if the effects can be saved as a script. A saved script names the file of the row. If the path

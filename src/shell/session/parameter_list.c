@@ -77,8 +77,7 @@ static bool precision_check(const struct state *state, domq_real precision, stru
 }
 
 /* The default of tol and its lower bound depend on the precision. If tol has its default, it gets the default
- * of the new precision. Any other tol stays as it is, unless it is below the new lower bound. It is then
- * raised to this bound. */
+ * of the new precision. Any other tol is kept, unless it has to be raised to the new lower bound. */
 static void precision_before(struct state *state, domq_real precision)
 {
     struct domq_compute *compute = &state->scene.compute;

@@ -35,8 +35,9 @@ struct listed_row {
     bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
     bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
-    /* The unknown columns of the file, as lines of csv. The first line has the names of the columns, and each
-     * other line belongs to a domino. Each cell begins with a comma, and each line ends with a NUL byte. */
+    /* The columns of the file that the program does not know, as lines of csv. The first line has the names
+     * of these columns. It is followed by one line for each domino. A comma precedes each cell, and each line
+     * ends with a NUL byte. */
     char *others;
     /* The changed measurements of each domino. If a measurement has not been changed, it is NaN. If nothing
      * has been changed, the pointer is NULL. A changed mass is stored as a factor, because the mass also
