@@ -280,8 +280,8 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)
         return;
-    if (tip->hi <=
-        tip->lo) { /* the domino touches the next one before it tips over, and leans on it at rest */
+    /* the domino touches the next one before it tips over, and leans on it at rest */
+    if (tip->hi <= tip->lo) {
         w->tilt[0] = tip->hi;
         return;
     }
