@@ -288,7 +288,7 @@ struct dom_fuels_error {
 
 struct dom_fuels {
     dom_real exact; /* the potential energy lost in one cycle: H(0) - H(theta_c) */
-    /* the paper's closed form (25; c7), 1 - h(theta_f), which holds only for r = 1 */
+    /* the paper's closed form (25; c7), h(0) - h(theta_f), which holds only for r = 1 */
     dom_real paper;
     struct dom_fuels_error error;
 };

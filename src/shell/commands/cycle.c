@@ -138,11 +138,10 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
             return query_status(query, problem, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
-    return answer_row(a, ROW(used, exact, paper),
-                      used.number > 0 ? has_paper ? NULL
-                                                  : "fuel_paper has no value: the paper's closed form is for "
-                                                    "sharp edges on a level floor"
-                                      : no_fuel(query));
+    const char *reason = has_paper ? NULL
+                                   : "fuel_paper has no value: the paper's closed form is for sharp edges on "
+                                     "a level floor";
+    return answer_row(a, ROW(used, exact, paper), used.number > 0 ? reason : no_fuel(query));
 }
 
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])

@@ -92,7 +92,7 @@ static bool row_times(struct row_film *f)
     const domq_real speed = f->speed = film_speed(f, f->row.end - begins);
     const double step = film->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
-        return problem_no_answer(film->problem, "one domino almost stops, so later times cannot be computed");
+        return row_status(film->query, film->problem, DOM_NO_MARGIN);
     double moving = ceil((f->row.end - begins) / step - 1e-9);
     const double frames = moving + 1 + (film->answer ? 0 : HELD * 100 / film->delay);
     if (frames > FRAMES_MOST)

@@ -55,18 +55,19 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
  * is longer, but the fall ends there. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t last, bool falls)
 {
-    if (falls && last < run->dominoes)
+    if (last >= run->dominoes)
+        return true;
+    if (falls)
         return problem_no_answer(
             &f->problem,
-            "domino %zu was measured in run %g, but the row has only %zu dominoes; enter "
-            "a longer row, for example 'effect row %zu'",
+            "domino %zu was measured in run %g, but the row has only %zu dominoes; enter a longer "
+            "row, for example 'effect row %zu'",
             run->dominoes, run->number, last, run->dominoes);
-    return last >= run->dominoes ||
-           problem_no_answer(
-               &f->problem,
-               "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
-               "shows why; if the row was pushed, enter 'effect push', or fit push as well",
-               run->dominoes, run->number, last);
+    return problem_no_answer(
+        &f->problem,
+        "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
+        "shows why; if the row was pushed, enter 'effect push', or fit push as well",
+        run->dominoes, run->number, last);
 }
 
 static bool hits_compute(struct fit *f, const double *value, const struct fit_run *run, double *computed)
@@ -86,9 +87,8 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
     const size_t last = row.verdict.domino;
     const bool falls = row.verdict.end == DOM_ROW_FALLS, timeless = row.timeless;
     row_run_free(&row);
-    if (timeless)
-        return problem_no_answer(&f->problem, "one domino almost stops, so later times cannot be computed");
-    return done || row_long_enough(f, run, last, falls);
+    return timeless ? row_status(&t.query, &f->problem, DOM_NO_MARGIN)
+                    : done || row_long_enough(f, run, last, falls);
 }
 
 /* ---- Angles ---- */
