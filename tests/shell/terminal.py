@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""terminal.py COLUMNS ROWS ATTRIBUTES COMMAND...: runs a command in a pseudo-terminal of this size, and prints its
-output. If the command asks for the attributes of the terminal, it gets ATTRIBUTES, or no answer if ATTRIBUTES is empty.
-In the output, '<asked>' stands for the question."""
+"""terminal.py COLUMNS ROWS COMMAND...: runs a command in a pseudo-terminal of this size, and prints its output."""
 import fcntl
 import os
 import pty
@@ -11,7 +9,7 @@ import struct
 import sys
 import termios
 
-columns, rows, attributes, command = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3], sys.argv[4:]
+columns, rows, command = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
 ready, go = os.pipe()
 child, terminal = pty.fork()
 if child == 0:
@@ -30,9 +28,5 @@ while True:
     if not piece:
         break
     written += piece
-    if b"\x1b[c" in written:
-        written = written.replace(b"\x1b[c", b"<asked>")
-        if attributes:
-            os.write(terminal, b"\x1b[?" + attributes.encode() + b"c")
 sys.stdout.buffer.write(written.replace(b"\r\n", b"\n"))
 sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))

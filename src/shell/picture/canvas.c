@@ -50,7 +50,7 @@ struct display display_of(FILE *stream)
     static const char *const without_braille[] = {"dumb", "linux", "vt", "cons", NULL};
     const char *term = getenv("TERM"), *all = getenv("COLORTERM");
     struct display display = {.colours = COLOURS_NONE};
-    if (!isatty(fileno(stream)) || !term)
+    if (!terminal_shows(stream) || !term)
         return display;
     display.braille = terminal_utf8() && !term_begins(without_braille);
     if (terminal_colour(stream))

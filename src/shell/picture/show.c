@@ -2,7 +2,6 @@
 #include "picture/show.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "picture/graphics.h"
 #include "picture/picture.h"
 #include <string.h>
 #include <strings.h>
@@ -44,11 +43,6 @@ static bool is_filed(const struct answer *a)
     return a->path && extension_of(a->path)->terminal;
 }
 
-static bool by_gnuplot(const struct answer *a)
-{
-    return is_filed(a) || (!a->path && graphics_of(a->out) != GRAPHICS_NONE && program_exists("gnuplot"));
-}
-
 bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
 {
     int width, height;
@@ -70,7 +64,7 @@ bool picture_ready(const struct answer *a, struct problem *problem)
 
 struct marks picture_marks(const struct answer *a)
 {
-    return by_gnuplot(a) ? script_marks : text_marks(display_of(a->out));
+    return is_filed(a) ? script_marks : text_marks(display_of(a->out));
 }
 
 /* ---- Drawing a chart, or a stage if chart is NULL ---- */
@@ -134,41 +128,27 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     struct picture picture = {.script = a->out};
     struct sheet sheet;
     char terminal[TERMINAL_TEXT];
-    int width = SHEET_WIDTH, height = STAGE_MOST;
-    const bool is_script = a->path && extension_of(a->path)->is_script;
-    if (!a->path)
-        graphics_size(a->out, &width, &height);
-    if (!chart) {
-        int sheet_height = height * SHEET_WIDTH / width;
-        sheet = sheet_of(stage, STAGE_LEAST, sheet_height);
-        height = (int)(sheet.height * width / SHEET_WIDTH);
-    }
-    if (!a->path)
-        graphics_terminal(a->out, width, height, !chart, terminal, sizeof terminal);
-    else if (!chart)
-        sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
-    else
+    const bool is_script = extension_of(a->path)->is_script;
+    if (chart)
         chart_terminal(chart, a->path, terminal, sizeof terminal);
-    FILE *drawing = a->path ? a->out : temporary_open(problem);
+    else {
+        sheet = sheet_of(stage, STAGE_LEAST, STAGE_MOST);
+        sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
+    }
     if (is_script)
         script_head(a, terminal);
-    bool drawn = drawing && (is_script || picture_begin(&picture, drawing, terminal, interrupt, problem));
+    bool drawn = is_script || picture_begin(&picture, a->out, terminal, interrupt, problem);
     if (drawn && !chart)
         stage_script(stage, &sheet, picture.script);
     else if (drawn)
         chart_script(chart, picture.script);
-    drawn = drawn && (is_script || picture_end(&picture, true, problem));
-    if (!a->path && drawing) {
-        drawn = drawn && graphics_write(drawing, a->out);
-        fclose(drawing);
-    }
-    return drawn;
+    return drawn && (is_script || picture_end(&picture, true, problem));
 }
 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    if (by_gnuplot(a))
+    if (is_filed(a))
         return show_drawn(a, chart, stage, interrupt, problem);
     return show_text(a, chart, stage) || problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));
 }

@@ -263,7 +263,7 @@ char **complete_word(const char *text, int start, int end)
     rl_attempted_completion_over = 1;
     candidates.count = 0;
     if (line)
-        complete_line(prompt_session, line, true, candidate_add, NULL);
+        complete_line(prompt_session, line, !prompt_session->run_context.safe, candidate_add, NULL);
     free(line);
     const char *first = candidates.count ? candidates.word[0] : "";
     /* After the '(' of a function, Readline must not append a blank. */
