@@ -400,3 +400,38 @@ END
         same "$line: nothing is written" '(nothing)' "$(ls)"
     done
 }
+
+@test "no nesting overflows the stack" {
+    # 600 lines of nested values, most of them with a wrapper inside another, and each followed by 41+1. A wrapper that is
+    # nested 6,000 deep overflowed the stack; those near the limit must not, either.
+    awk 'BEGIN {
+        n = split("(|sin(|-|not |2^|if(1, |rmax(|(rmax with s |(rmax with q hollow s |(0.1 + 2*", open, "|")
+        split(")|)||||, 1)|)|)|)|)", close_, "|")
+        split("print |let x = |let f(x) = |rmax |rmax with s |set s |assert 0 < |sweep r 1 2 2 : |solve s : rmax = |change 1 height ", command, "|")
+        srand(7)
+        for (line = 0; line < 600; line++) {
+            first = 1 + line % n; second = 1 + int(n*rand())
+            depth = int(10^(0.5 + 3.3*rand()))
+            left = right = ""
+            for (k = 0; k < depth; k++) {
+                i = k % 7 ? first : second
+                left = left open[i]; right = close_[i] right
+            }
+            print command[1 + int(line/n) % 10] left "0.3" right "\n41+1"
+        }
+        for (k = 0; k < 100; k++) {
+            left = right = ""
+            for (i = 0; i < 80; i++) { left = left "sin("; right = right ")" }
+            print "let g" k "(x) = " left (k ? "g" k-1 "(x)" : "x") right "\ng" k "(1)\n41+1"
+        }
+    }' >deep.dom
+    run --separate-stderr bash -c 'ulimit -s 1024; "$DOMINO" --keep-going -f deep.dom'
+    [[ $status == 1 && $stderr == *'nested too deeply'* ]]
+    same 'answers' 700 "$(grep -cx 42 <<<"$output")"
+    # The deepest value that is accepted has its answer.
+    for n in 30 32 34 36 38 40; do
+        printf 'print %s0.3%s\n' "$(printf '(rmax with s %.0s' $(seq "$n"))" "$(printf ')/9%.0s' $(seq "$n"))"
+    done >deep.dom
+    run --separate-stderr bash -c 'ulimit -s 1024; "$DOMINO" --keep-going -f deep.dom'
+    [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]
+}

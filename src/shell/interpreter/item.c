@@ -87,6 +87,7 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     const char *at = p->end;
     r.at = skip_blanks(at + strlen("with"));
     r.stops = ")";
+    r.depth = p->depth + NESTING_WITH;
     r.unresolved = true;
     r.last = false;
     const struct assignment *with = assignments_parse(&r);
@@ -111,7 +112,7 @@ static bool item_resolve(struct reader *r, struct expression_error *error, struc
                                 .error = error,
                                 .with = with_parse,
                                 .context = &inside};
-    return resolve(&resolver, tree) >= 0;
+    return resolve(&resolver, tree);
 }
 
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
@@ -122,7 +123,8 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
                       .arena = r->arena,
                       .no_unit = r->no_unit,
                       .with = with_parse,
-                      .context = r};
+                      .context = r,
+                      .depth = r->depth};
     struct tree *tree = expression_parse(&p);
     *item = (struct item){.argument = a, .value = tree, .at = r->at};
     if (r->offer)

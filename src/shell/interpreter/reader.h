@@ -43,6 +43,7 @@ struct reader {
     /* Additional characters that end a word or value, such as ','. May be NULL. */
     const char *stops;
     const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
+    int depth;           /* the level of the next value, as in struct parse */
     bool unresolved;     /* names in expressions are left to be resolved later */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */

@@ -3,35 +3,33 @@
 #include "session/parameters.h"
 #include <string.h>
 
-/* Limits for the height of trees and for nested function calls. Each level uses stack space, and the whole
- * stack may be as small as 128 kB. */
-enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
+/* Reports an error in a tree. The value of the macro is false. */
+#define fail(r, t, ...) expression_wrong((r)->error, (t)->at, __VA_ARGS__)
 
-/* Reports an error in a tree. The value of the macro is -1. */
-#define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
-
-/* Turns a node into a symbol. Returns 0, which is what the functions below return for a node without
- * children. */
-static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
+/* Turns a node into a symbol. */
+static bool symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
     t->symbol = (int)kind;
     t->refers = refers;
     t->index = index;
-    return 0;
+    return true;
 }
 
-/* The functions below resolve the names in a node of a tree. They return the largest height of the node's
- * children, or 0 if it has none. After an error, they return -1. */
-
-static int children_resolve(struct resolver *r, struct tree *t)
+static bool children_resolve(struct resolver *r, struct tree *t)
 {
-    int most = 0;
-    for (struct tree *child = t->child; child && most >= 0; child = child->next) {
-        int height = resolve(r, child);
-        most = height < 0 || height > most ? height : most;
-    }
-    return most;
+    bool good = true;
+    for (struct tree *child = t->child; child && good; child = child->next)
+        good = resolve(r, child);
+    return good;
+}
+
+/* Goes down by `levels`. The caller goes up again, even after an error. */
+static bool descend(struct resolver *r, const struct tree *t, int levels)
+{
+    r->depth += levels;
+    r->deepest = r->depth > r->deepest ? r->depth : r->deepest;
+    return r->depth <= NESTING_MOST || fail(r, t, NESTED_TOO_DEEPLY);
 }
 
 /* ---- Functions ---- */
@@ -48,8 +46,12 @@ void routine_wrong(struct expression_error *error, const char *at, const struct 
 
 static struct routine *routine_parse(struct resolver *r, const struct tree *t, const struct variable *f)
 {
-    struct parse p = {
-        .text = f->body, .error = r->error, .arena = r->arena, .with = r->with, .context = r->context};
+    struct parse p = {.text = f->body,
+                      .error = r->error,
+                      .arena = r->arena,
+                      .with = r->with,
+                      .context = r->context,
+                      .depth = r->depth};
     struct routine *routine = arena_take(r->arena, sizeof *routine);
     struct tree *body = routine ? expression_parse(&p) : NULL;
     if (!routine)
@@ -61,19 +63,21 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     const struct variable *outer = r->scope;
     *routine = (struct routine){.function = f, .body = body, .is_open = true, .next = r->routines};
     r->routines = routine;
+    const int deepest = r->deepest;
     r->scope = f;
-    r->depth++;
-    routine->height = resolve(r, body);
-    r->depth--;
+    r->deepest = r->depth;
+    const bool good = resolve(r, body);
+    routine->height = r->deepest - r->depth;
+    r->deepest = deepest > r->deepest ? deepest : r->deepest;
     r->scope = outer;
     routine->is_open = false;
-    if (routine->height >= 0)
+    if (good)
         return routine;
     routine_wrong(r->error, t->at, f);
     return NULL;
 }
 
-static int routine_resolve(struct resolver *r, struct tree *t, const struct variable *f)
+static bool routine_resolve(struct resolver *r, struct tree *t, const struct variable *f)
 {
     struct routine *routine = r->routines;
     if (t->count != f->count)
@@ -82,11 +86,15 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
         routine = routine->next;
     if (routine && routine->is_open)
         return fail(r, t, "'%s' uses itself", variable_head(f));
-    int height = children_resolve(r, t);
-    if (height < 0 || (!routine && !(routine = routine_parse(r, t, f))))
-        return -1;
-    symbol(t, SYMBOL_ROUTINE, routine, 0);
-    return height > routine->height ? height : routine->height;
+    if (!children_resolve(r, t))
+        return false;
+    bool good = true;
+    if (routine) { /* the body has been resolved at another level */
+        good = descend(r, t, routine->height);
+        r->depth -= routine->height;
+    } else
+        routine = routine_parse(r, t, f);
+    return good && routine && symbol(t, SYMBOL_ROUTINE, routine, 0);
 }
 
 /* ---- Commands and their keys ---- */
@@ -100,20 +108,20 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     snprintf(what, sizeof what, "key of %s", c->name);
     const bool is_ans = strcmp(t->name, "ans") == 0;
     if (!is_ans && t->key && c->slow_column && strcmp(t->key, c->slow_column) == 0)
-        return fail(
-            r, t,
-            "%s.%s is not available in expressions, because it takes a long time to compute; enter '%s', "
-            "and then 'ans.%s'",
-            c->name, t->key, c->name, t->key);
+        return fail(r, t,
+                    "%s.%s is not available in expressions, because it takes a long time to compute; enter "
+                    "'%s', and then 'ans.%s'",
+                    c->name, t->key, c->name, t->key) -
+               1;
     int index = t->key ? names_find(is_ans ? answer_keys : command_keys, c, what, t->key, message)
                        : command_principal(c);
     if (index < 0)
-        return fail(r, t, "%s", message);
+        return fail(r, t, "%s", message) - 1;
     t->value = expression_unit(c->columns[index].unit);
     return index;
 }
 
-static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
+static bool command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     int fewest, most = command_arity(c, &fewest);
     if (!c->principal)
@@ -128,13 +136,10 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");
     int index = column_resolve(r, t, c);
-    if (index < 0)
-        return -1;
-    symbol(t, SYMBOL_COMMAND, c, index);
-    return children_resolve(r, t);
+    return index >= 0 && symbol(t, SYMBOL_COMMAND, c, index) && children_resolve(r, t);
 }
 
-static int ans_resolve(struct resolver *r, struct tree *t)
+static bool ans_resolve(struct resolver *r, struct tree *t)
 {
     const struct command *c = r->ans->command;
     if (r->ans->printed && !t->key)
@@ -142,12 +147,12 @@ static int ans_resolve(struct resolver *r, struct tree *t)
     if (!c)
         return fail(r, t, "there is no earlier answer");
     int index = column_resolve(r, t, c);
-    return index < 0 ? -1 : symbol(t, SYMBOL_ANS, c, index);
+    return index >= 0 && symbol(t, SYMBOL_ANS, c, index);
 }
 
 /* ---- Names ---- */
 
-static int unknown(struct resolver *r, const struct tree *t)
+static bool unknown(struct resolver *r, const struct tree *t)
 {
     const char *close = names_closest(value_names, r->state, t->name);
     const struct parameter *suggested = parameter_by_synonym(t->name, !close);
@@ -159,7 +164,7 @@ static int unknown(struct resolver *r, const struct tree *t)
                 t->name, close);
 }
 
-static int name_resolve(struct resolver *r, struct tree *t)
+static bool name_resolve(struct resolver *r, struct tree *t)
 {
     bool is_bare = t->count == 0 && !t->key;
     for (int i = 0; is_bare && r->scope && i < r->scope->count; i++)
@@ -171,7 +176,7 @@ static int name_resolve(struct resolver *r, struct tree *t)
     if (v && is_bare) {
         t->kind = TREE_NUMBER;
         t->value = v->value;
-        return 0;
+        return true;
     }
     const struct parameter *p = is_bare ? parameter_find(t->name) : NULL;
     if (p && parameter_is_number(p)) {
@@ -184,23 +189,21 @@ static int name_resolve(struct resolver *r, struct tree *t)
     return c ? command_resolve(r, t, c) : unknown(r, t);
 }
 
-static int with_resolve(struct resolver *r, struct tree *t)
+static bool with_resolve(struct resolver *r, struct tree *t)
 {
-    int most = children_resolve(r, t);
-    for (const struct assignment *a = t->refers; a && most >= 0; a = a->next)
-        if (a->item.value) {
-            int height = resolve(r, (struct tree *)a->item.value);
-            most = height < 0 || height > most ? height : most;
-        }
-    return most;
+    bool good = descend(r, t, NESTING_WITH) && children_resolve(r, t);
+    for (const struct assignment *a = t->refers; a && good; a = a->next)
+        good = !a->item.value || resolve(r, (struct tree *)a->item.value);
+    r->depth -= NESTING_WITH;
+    return good;
 }
 
-int resolve(struct resolver *r, struct tree *t)
+bool resolve(struct resolver *r, struct tree *t)
 {
-    int height = t->kind == TREE_NAME                                 ? name_resolve(r, t)
-                 : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
-                                                                      : children_resolve(r, t);
-    if (height >= HEIGHT_MAX || r->depth > DEPTH_MAX)
-        return fail(r, t, "the expression is nested too deeply");
-    return height < 0 ? -1 : height + 1;
+    bool good =
+        descend(r, t, 1) && (t->kind == TREE_NAME                                 ? name_resolve(r, t)
+                             : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
+                                                                                  : children_resolve(r, t));
+    r->depth--;
+    return good;
 }

@@ -43,7 +43,7 @@ enum symbol {
 struct routine {
     const struct variable *function;
     const struct tree *body;
-    int height; /* the height of the body's tree */
+    int height; /* the number of nested levels in the body, including those of the functions that it uses */
     /* true while the names of the body are being resolved, to detect a function that uses itself */
     bool is_open;
     struct routine *next;
@@ -59,12 +59,12 @@ struct resolver {
     void *context;                /* for `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    int depth; /* the nesting depth of the function whose body is being resolved */
+    int depth;   /* the level of the node that is being resolved, counted up to NESTING_MOST */
+    int deepest; /* the largest level so far */
 };
 
-/* Resolves all names of a tree. Returns the height of the tree. On failure, sets *resolver->error and returns
- * -1. */
-int resolve(struct resolver *resolver, struct tree *tree);
+/* Resolves all names of a tree. On failure, sets *resolver->error and returns false. */
+bool resolve(struct resolver *resolver, struct tree *tree);
 
 /* Adds the name of a 'let' function to the message of an error that has occurred in its body. `at` is the
  * place where the function is called. */

@@ -19,6 +19,15 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
+/*
+ * How deeply values may be nested. Parsing, resolving and evaluating are recursive, and all of them count in
+ * the same levels. A parenthesis, a sign, an operator and a call take one level each. A function that 'let'
+ * defines adds the levels of its body. A "with" needs more stack than the others, so it counts as several
+ * levels. At the deepest nesting, the stack holds 250 kB.
+ */
+enum { NESTING_MOST = 200, NESTING_WITH = 4 };
+#define NESTED_TOO_DEEPLY "the expression is nested too deeply"
+
 /* The parser makes a TREE_NAME for each name that is not built in. Another part of the program then resolves
  * the name and replaces the kind by TREE_NUMBER or TREE_SYMBOL. A tree can only be evaluated when all its
  * names have been resolved. */
@@ -99,8 +108,10 @@ struct parse {
      * parse->end. Returns a tree for the value and its "with", or NULL after an error. If the pointer `with`
      * itself is NULL, the parser does not accept "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
-    void *context;     /* for `with` */
-    int depth, nested; /* the current depth of recursion, and the number of open parentheses */
+    void *context; /* for `with` */
+    /* The level of the next value, counted up to NESTING_MOST. The caller sets the level of the first one. */
+    int depth;
+    int nested; /* the number of open parentheses */
     int nodes;
 };
 

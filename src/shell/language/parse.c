@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 100, NODES_MAX = 1000000, NAME_SIZE = 32 };
+enum { NODES_MAX = 1000000, NAME_SIZE = 32 };
 
 /* Reports a syntax error at p->end. The value of the macro is NULL. */
 #define parse_fail(p, ...) (expression_report((p)->error, (p)->end, false, __VA_ARGS__), (struct tree *)NULL)
@@ -259,8 +259,8 @@ static const struct op *op_at(const struct parse *p, const char *at)
 static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
-    if (++p->depth > DEPTH_MAX)
-        return parse_fail(p, "the expression is nested too deeply");
+    if (++p->depth > NESTING_MOST)
+        return parse_fail(p, NESTED_TOO_DEEPLY);
     struct tree *t;
     if (*at == '-' || *at == '+') {
         p->end = skip_blanks(at + 1);
@@ -323,6 +323,6 @@ struct tree *expression_parse(struct parse *p)
 {
     p->end = p->text;
     p->error->message[0] = '\0';
-    p->depth = p->nested = p->nodes = 0;
+    p->nested = p->nodes = 0;
     return parse_chain(p, LEVEL_OR);
 }

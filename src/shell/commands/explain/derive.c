@@ -52,7 +52,7 @@ static bool library_value(struct derivation *d, const char *expression, domq_rea
     struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena, .error = &error};
     struct quantity result;
     struct tree *tree = expression_parse(&parse);
-    if (!tree || resolve(&resolver, tree) < 0)
+    if (!tree || !resolve(&resolver, tree))
         return problem_error(d->problem, "%s: %s", expression, error.message);
     *value = DOMQ_NAN;
     if (query_evaluate(&d->query, tree, &result, &error, d->problem))
