@@ -76,6 +76,68 @@ harmless() { # FILE
     [[ $stderr == *'a safe session cannot do'* ]]
 }
 
+# Texts that a program could run, or could show as something else.
+hostile_texts=('`touch P1`' "'.system(\"touch P1\").'" "'; system 'touch P1" '".system("touch P1")."' '!touch P1' '|touch P1' '$(touch P1)'
+    '; touch P1;' "'''" "'@GPVAL_TERM" "it's @GPVAL_TERM" '@A @@B' '\\' '\n\101\"' '{/Symbol a}_b^c' '%s%n%d' '# x' '<&>' '\input{x}$y$~#^^41' 'é θ 你好')
+
+# Types a text as it stands between double quotes.
+typed() { printf '"%s"' "${1//\"/\"\"}"; }
+
+# Prints the texts of an svg, a line each.
+svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g'; }
+
+@test "a text in a picture is shown as it is typed, and gnuplot never runs it: in every format, and when a .gp is drawn" {
+    local text all
+    for text in "${hostile_texts[@]}"; do
+        all="title $(typed "$text") xlabel $(typed "$text") ylabel $(typed "$text")"
+        "$DOMINO" -e "plot omega $all > a.svg; plot omega $all > a.gp"
+        svg_texts a.svg >texts
+        same "$text: texts" 3 "$(grep -cxF -- "$text" texts)"
+        gnuplot a.gp
+        same "$text: a.gp" %PDF- "$(head -c 5 a.pdf)"
+        "$DOMINO" -e "plot omega title $(typed "$text") > a.tex; plot growth title $(typed "$text") > a.png" \
+            -e "set r 1.4; effect row 4; plan title $(typed "$text") > plan.gp; plan title $(typed "$text") > plan.svg"
+        svg_texts plan.svg >texts
+        grep -qxF -- "$text" texts || same plan "$text" "$(cat texts)"
+        gnuplot plan.gp
+        same "$text: plan.gp" %PDF- "$(head -c 5 plan.pdf)"
+        same "$text" 'a.gp a.pdf a.png a.svg a.tex plan.gp plan.pdf plan.svg texts' "$(ls | paste -sd ' ' -)"
+    done
+}
+
+@test "every byte in a title makes a picture, and is shown as itself or as an escape sequence" {
+    local byte text
+    for byte in {1..9} {11..255}; do
+        text=$(printf '\\x%02x' "$byte")
+        printf 'plot omega title %s > %d.gp\n' "$(typed "a$(printf "$text")b")" "$byte"
+    done >all.dom
+    "$DOMINO" all.dom
+    # All scripts are drawn in one process, which ends at the first error.
+    for byte in *.gp; do
+        sed "s/^set terminal .*/set terminal svg/; s/^set output .*/set output '${byte%.gp}.svg'/" "$byte"
+        echo reset
+    done | gnuplot
+    for byte in {1..9} {11..255}; do
+        text=$(printf '\\x%02x' "$byte")
+        [ "$byte" -ge 32 ] && [ "$byte" -le 126 ] && text=$(printf "$text")
+        svg_texts "$byte.svg" | grep -qxF -- "a${text}b" || same "byte $byte" "a${text}b" "$(svg_texts "$byte.svg")"
+    done
+    # In TeX, too, no byte is a command.
+    "$DOMINO" -e 'plot omega title "\a{b}$c$d%e#f_g^h~i&j|k<l>m" > a.tex'
+    grep -qF '{\textbackslash{}a\{b\}\$c\$d\%e\#f\_g\^{}h\~{}i\&j\textbar{}k\textless{}l\textgreater{}m}' a.tex
+}
+
+@test "the name of a file is a name, not a command, for gnuplot too" {
+    local name
+    for name in '|touch P1;' '`touch P1`' "'.system('touch P1').'" '"' '~' '!x' '-' '|cat>P1' '%d' ' a ' '$HOME' 'a\b' '<x'; do
+        "$DOMINO" -e "draw > $(typed "$name.gp"); plot growth > $(typed "$name.svg"); animate $(typed "$name.gif") 1"
+        gnuplot - <"./$name.gp"
+        same "$name" %PDF- "$(head -c 5 "./$name.pdf")"
+        same "$name" "$(printf '%s\n' "$name".{gif,gp,pdf,svg} | LC_ALL=C sort)" "$(LC_ALL=C ls)"
+        rm -f -- ./*
+    done
+}
+
 @test "completion offers no name with control characters" {
     touch row.csv $'r\e[31m' $'r\u009b' $'r\u202e' $'r\nx'
     same files row.csv "$("$DOMINO" -e 'complete source r')"

@@ -250,10 +250,12 @@ END
         (cd alone && gnuplot "$script") || same "$script" 'a script' 'an error'
         same "$script" '%PDF' "$(head -c 4 "alone/${script%.gp}.pdf")"
     done
+    # Every text is in single quotes, in which gnuplot substitutes nothing.
+    same 'double quotes' '(nothing)' "$(sed "s/'[^']*'//g; s/\.\"\\\\\(n\|047\)\"\.//g" ./*.gp | grep '["`]')"
     # The curves of the script agree with the data.
     close 'r_max of solid dominoes' "$(csv 'plot growth' | awk -F, 'NR == 11 { print $2 }')" \
         "$(sed -n '/^\$curve0/,/^END/p' growth.gp | awk 'NR == 11 { print $2 }')" 1e-8
-    grep -q "^set output 'it''s.pdf'" "it's.gp"
+    grep -qF "set output './'.'it'.\"\\047\".'s.pdf'" "it's.gp"
     run -1 "$DOMINO" -e 'plot growth >> growth.gp'
     grep -q 'can hold only one picture' <<<"$output"
     # Other commands have no picture.

@@ -4,6 +4,7 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
+#include "picture/picture.h"
 #include <math.h>
 #include <string.h>
 
@@ -94,25 +95,33 @@ static double letter_of(const struct chart *c)
     return 1.024 / columns_of(c);
 }
 
-/* Breaks a text into lines of similar length, each with at most `most` characters. Writes them to `script`,
- * escaped for a double-quoted gnuplot string. Returns the number of lines. */
-static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
+/* Breaks a text into lines of similar length, each with at most `most` characters. For TeX, escapes the
+ * characters that are commands. Returns the number of lines. */
+static int lines_make(const struct chart *chart, const char *text, int most, char lines[ROOM])
 {
     enum { LETTER = 20 /* the maximum length of an escaped character */ };
-    int lines = 0, at = 0, all = utf8_columns(text), columns = all / (all / most + 1) + 8;
-    char piece[ESCAPE_PIECE];
-    script[0] = '\0';
+    char shown[ROOM], piece[ESCAPE_PIECE];
+    int count = 0, at = 0, all = utf8_columns(escape_text(text, shown, sizeof shown)),
+        columns = all / (all / most + 1) + 8;
+    text = shown;
+    lines[0] = '\0';
     while (*text && at + LETTER < ROOM) {
         size_t n = line_break(text, columns < most ? columns : most);
-        at += snprintf(script + at, (size_t)(ROOM - at), "%s", lines++ ? "\\n" : "");
-        for (size_t i = 0; i < n && at + LETTER < ROOM; i++) {
-            const char plain[] = {text[i], '\0'};
-            for (const char *c = chart->tex ? escape_tex(text[i], piece) : plain; *c; c++)
-                at += snprintf(script + at, (size_t)(ROOM - at), strchr("\"\\", *c) ? "\\%c" : "%c", *c);
-        }
+        at += snprintf(lines + at, (size_t)(ROOM - at), "%s", count++ ? "\n" : "");
+        for (size_t i = 0; i < n && at + LETTER < ROOM; i++)
+            at += snprintf(lines + at, (size_t)(ROOM - at), "%s",
+                           chart->tex ? escape_tex(text[i], piece) : (char[]){text[i], '\0'});
         text += n + (text[n] == ' ');
     }
-    return lines;
+    return count;
+}
+
+/* Writes a command with a text, such as "set label TEXT noenhanced ...". */
+static void text_script(FILE *out, const char *before, const char *text)
+{
+    fputs(before, out);
+    gnuplot_text(out, text);
+    fputs(" noenhanced", out);
 }
 
 static void axis_script(FILE *out, const struct chart_axis *a, const char *name, int most)
@@ -121,8 +130,11 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
     if (a->logarithmic)
         fprintf(out, "set logscale %s\n", name);
     fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
-    for (int k = 0; k < ticks.count; k++)
-        fprintf(out, "%s'%s' %.12g", k ? ", " : "", ticks.text[k], ticks.at[k]);
+    for (int k = 0; k < ticks.count; k++) {
+        fputs(k ? ", " : "", out);
+        gnuplot_text(out, ticks.text[k]);
+        fprintf(out, " %.12g", ticks.at[k]);
+    }
     fprintf(out, ")\n");
 }
 
@@ -150,24 +162,26 @@ static void legend_script(const struct chart *c, FILE *out)
  * beside the axis would be cut off. */
 static void texts_script(const struct chart *c, FILE *out)
 {
-    char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];
+    char title[ROOM], note[ROOM], both[2 * ROOM], x[ROOM], y[ROOM], shades[ROOM];
     const int most = columns_of(c);
     int lines = lines_make(c, c->title, most, title) + lines_make(c, c->note, most, note),
         above = event_rows(c, letter_of(c));
     int left = lines_make(c, c->y.label, most, y),
         right = c->map.value ? lines_make(c, c->map.label, most, shades) : 0;
-    fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
-            above + left + 0.1);
+    text_script(out, "set label ", y);
+    fprintf(out, " at screen 0.02, graph 1 left offset 0,%g\n", above + left + 0.1);
     if (right && utf8_columns(c->y.label) + utf8_columns(c->map.label) > columns_of(c) - 4)
         above += left; /* the two labels do not fit side by side */
     above += left > right ? left : right;
-    if (right)
-        fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", shades,
-                above + 0.1);
+    if (right) {
+        text_script(out, "set label ", shades);
+        fprintf(out, " at screen 0.98, graph 1 right offset 0,%g\n", above + 0.1);
+    }
     lines_make(c, c->x.label, most, x);
-    fprintf(out,
-            "set xlabel \"%s\" noenhanced\nset title \"%s%s%s\" noenhanced offset 0,%g\nset tmargin %g\n", x,
-            title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
+    text_script(out, "set xlabel ", x);
+    snprintf(both, sizeof both, "%s%s%s", title, *note ? "\n" : "", note);
+    text_script(out, "\nset title ", both);
+    fprintf(out, " offset 0,%g\nset tmargin %g\n", above + 0.2, above + lines + 1.6);
 }
 
 static void events_script(const struct chart *c, FILE *out)
@@ -177,10 +191,10 @@ static void events_script(const struct chart *c, FILE *out)
         double x = c->event[k].x;
         char name[ROOM];
         lines_make(c, c->event[k].name, columns_of(c), name);
-        fprintf(out,
-                "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n"
-                "set label \"%s\" noenhanced at graph %.6g, graph 1 left offset 0,%g\n",
-                x, x, name, spot.from, 0.6 + spot.row);
+        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n", x,
+                x);
+        text_script(out, "set label ", name);
+        fprintf(out, " at graph %.6g, graph 1 left offset 0,%g\n", spot.from, 0.6 + spot.row);
     }
 }
 
@@ -267,7 +281,8 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     if (styles[curve->kind].size > 0)
         fprintf(out, " pt %d ps %g", points[curve->ink], point * small * styles[curve->kind].size);
     lines_make(c, curve->title, legend_columns(c, columns_of(c)), title);
-    fprintf(out, " title \"%s\"", title);
+    fputs(" title ", out);
+    gnuplot_text(out, title);
 }
 
 void chart_script(const struct chart *c, FILE *out)

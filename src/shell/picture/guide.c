@@ -67,10 +67,9 @@ struct page {
 
 static void text_put(const struct page *p, double x, const char *align, int size, bool bold, const char *text)
 {
-    fprintf(p->script, "set label \"");
-    for (const char *c = text; *c; c++)
-        fprintf(p->script, strchr("\"\\", *c) ? "\\%c" : "%c", *c);
-    fprintf(p->script, "\" at screen %.6g,%.6g %s font 'sans%s,%d' noenhanced front\n", x / SHEET_WIDTH,
+    fputs("set label ", p->script);
+    gnuplot_text(p->script, text);
+    fprintf(p->script, " at screen %.6g,%.6g %s font 'sans%s,%d' noenhanced front\n", x / SHEET_WIDTH,
             1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
 }
 

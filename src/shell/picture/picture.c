@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/picture.h"
 #include "domino_quad.h"
+#include "io/escape.h"
 #include "io/io.h"
 #include "io/system.h"
 #include "io/terminal.h"
@@ -113,6 +114,43 @@ bool gnuplot_ready(struct problem *problem)
     return program_exists("gnuplot") ||
            problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
                                   "gnuplot-nox', or enter 'set output csv' for the data");
+}
+
+/* A quote is written as "\047", in a string of its own. Within single quotes, gnuplot reads '' as a quote,
+ * but not at the beginning of a string; and after "'" it would expand macros such as @NAME in the next
+ * string. */
+static void quoted(FILE *script, const char *text, size_t length, bool escapes)
+{
+    char piece[ESCAPE_PIECE];
+    putc('\'', script);
+    for (const char *end = text + length; text < end;) {
+        if (*text == '\n' || *text == '\'') {
+            fputs(*text++ == '\n' ? "'.\"\\n\".'" : "'.\"\\047\".'", script);
+        } else if (escapes) {
+            text += escape_next(text, piece);
+            fputs(piece, script);
+        } else {
+            putc(*text++, script);
+        }
+    }
+    putc('\'', script);
+}
+
+void gnuplot_text_part(FILE *script, const char *text, size_t length)
+{
+    quoted(script, text, length, true);
+}
+
+void gnuplot_text(FILE *script, const char *text)
+{
+    quoted(script, text, strlen(text), true);
+}
+
+void gnuplot_output(FILE *script, const char *name)
+{
+    fputs("set output './'.", script);
+    quoted(script, name, strlen(name), false); /* a control character belongs to the name */
+    putc('\n', script);
 }
 
 bool picture_begin(struct picture *p, FILE *out, const char *terminal, const volatile sig_atomic_t *interrupt,

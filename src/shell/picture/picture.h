@@ -20,6 +20,16 @@ bool gnuplot_ready(struct problem *problem);
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
+/* Writes the first `length` bytes of a text as a gnuplot string. Every text in a script must go through this
+ * function: gnuplot runs commands between backticks, but not in single quotes. Each '\n' begins a new line of
+ * the picture. Other control characters and bytes that are not UTF-8 are escaped (see escape.h). */
+void gnuplot_text_part(FILE *script, const char *text, size_t length);
+void gnuplot_text(FILE *script, const char *text);
+
+/* Writes the command that makes gnuplot draw into a file in its working directory. A plain name could be a
+ * command: gnuplot runs a name that begins with '|'. */
+void gnuplot_output(FILE *script, const char *name);
+
 /* Ends a picture. Draws it if the script is complete (`whole`). Otherwise discards it and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 

@@ -3,6 +3,7 @@
 #include "io/terminal.h"
 #include "language/names.h"
 #include "picture/picture.h"
+#include <limits.h>
 #include <string.h>
 #include <strings.h>
 
@@ -111,14 +112,14 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
 void script_head(const struct answer *a, const char *terminal)
 {
     const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
-    const int length = (int)(strrchr(name, '.') - name);
-    fprintf(a->out,
-            "# A picture and its data, written by the program domino. 'gnuplot %s' draws %.*s.pdf.\nset "
-            "encoding utf8\nset terminal %s\nset output '",
-            name, length, name, terminal);
-    for (int i = 0; i < length; i++) /* gnuplot reads '' within single quotes as one quote */
-        fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
-    fprintf(a->out, ".pdf'\n");
+    char pdf[NAME_MAX + 1];
+    snprintf(pdf, sizeof pdf, "%.*s.pdf", (int)(strrchr(name, '.') - name), name);
+    fprintf(
+        a->out,
+        "# A picture and its data, written by the program domino. gnuplot draws it into a .pdf file of the "
+        "same name.\nset encoding utf8\nset terminal %s\n",
+        terminal);
+    gnuplot_output(a->out, pdf);
 }
 
 /* Draws a picture with gnuplot. If the file is a gnuplot script, writes only the script. */

@@ -2,6 +2,7 @@
 /* Writes a stage, to scale, as a gnuplot script. */
 #include "answer/wrap.h"
 #include "language/text.h"
+#include "picture/picture.h"
 #include "picture/stage.h"
 #include <math.h>
 #include <stdlib.h>
@@ -103,6 +104,7 @@ static void tics_script(FILE *script, char axis, double from, double to, double 
 static void axes_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
     struct axis_unit unit = stage_unit(stage, v->right - v->left);
+    char ruler[160];
     fprintf(script,
             "set lmargin at screen %.8g\nset rmargin at screen %.8g\nset bmargin at screen %.8g\n"
             "set tmargin at screen %.8g\nset xrange [%.10g:%.10g]\nset yrange [%.10g:%.10g]\n"
@@ -116,12 +118,17 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
     /* The y axis has no tic at 0, because its unit is written there. */
     tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size);
-    fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
-            (MARGIN_LEFT - 12) / v->width, 0.0, SMALL + 1);
+    fputs("set label ", script);
+    gnuplot_text(script, unit.name);
+    fprintf(script, " at screen %.8g, first %.10g right font ',%d'\n", (MARGIN_LEFT - 12) / v->width, 0.0,
+            SMALL + 1);
     fprintf(script, "set arrow from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,
             v->right);
-    fprintf(script, "set label '%s [%s]' at screen %.8g,%.8g center font ',%d'\n", stage->ruler, unit.name,
-            (MARGIN_LEFT + ACROSS / 2.0) / v->width, (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
+    snprintf(ruler, sizeof ruler, "%s [%s]", stage->ruler, unit.name);
+    fputs("set label ", script);
+    gnuplot_text(script, ruler);
+    fprintf(script, " at screen %.8g,%.8g center font ',%d'\n", (MARGIN_LEFT + ACROSS / 2.0) / v->width,
+            (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
 /* Writes text into the caption, starting at line `line`. */
@@ -129,10 +136,9 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
 {
     for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {
         n = line_break(text, CAPTION_COLUMNS);
-        fprintf(script, "set label \"");
-        for (size_t i = 0; i < n; i++)
-            fprintf(script, strchr("\"\\", text[i]) ? "\\%c" : "%c", text[i]);
-        fprintf(script, "\" at screen %.8g,%.8g left font ',%d' noenhanced front\n", v->indent / v->width,
+        fputs("set label ", script);
+        gnuplot_text_part(script, text, n);
+        fprintf(script, " at screen %.8g,%.8g left font ',%d' noenhanced front\n", v->indent / v->width,
                 1 - (v->head + 16.0 + LINE * line) / v->height, FONT);
     }
 }
@@ -170,7 +176,9 @@ static bool label_put(struct labels *l, double x, double height, bool upright, c
     if (l->count == LABELS)
         return false;
     l->taken[l->count++] = candidate;
-    fprintf(l->script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", text, x, height * dot,
+    fputs("set label ", l->script);
+    gnuplot_text(l->script, text);
+    fprintf(l->script, " at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", x, height * dot,
             upright ? "left rotate by 90" : "center", SMALL, colour);
     return true;
 }
