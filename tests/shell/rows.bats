@@ -53,25 +53,6 @@ END
     "$DOMINO" -e "$scene; mend" | grep -q '^The search found no change of a single gap'
 }
 
-@test "after a file without a valid row there is no row, and a message says so" {
-    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 20\n' | file good.csv
-    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7\n' | file short.csv
-    wrong 'effect row typo.csv' "cannot read 'typo\.csv': No such file or directory$"
-    wrong 'effect row 5; effect row typo.csv' '; the earlier row \(N = 5\) is now off$'
-    wrong 'effect row good.csv; effect row short.csv' 'short\.csv:3:1: too few cells.*; the earlier row \(good\.csv\) is now off$'
-    wrong 'effect row good.csv; effect push 3; effect placement 1 mm; effect row typo.csv' \
-        '\(good\.csv\) is now off, together with push$'
-    for before in 'effect row 5' 'effect row good.csv; effect push 3'; do
-        run --separate-stderr "$DOMINO" --keep-going -e "$before; effect row typo.csv; verdict; save"
-        grep -q 'verdict: there is no row;' <<<"$stderr" || same "$before" 'no row' "$stderr"
-    done
-    same 'the next one is fine' 'all fall' \
-        "$(json 'effect row 5; effect push 3; effect row typo.csv; set r 1; effect row good.csv; effect push 9; verdict' 2>&1 | values verdict)"
-    # A valid file replaces the previous row without such a message.
-    run --separate-stderr "$DOMINO" -e 'effect row 5; effect row good.csv; row'
-    [ "$status" -eq 0 ] && [ -z "$stderr" ]
-}
-
 @test "sentences say 'both' for two, do not round digits before the point, and write m g s with blanks" {
     local push='set s 0.05; set r 1; effect row 3; effect push 1000'
     [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last one lies flat '* ]]

@@ -73,15 +73,6 @@ bool terminal_utf8(void)
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
-bool terminal_decimal_comma(void)
-{
-    locale_t locale = newlocale(LC_NUMERIC_MASK, "", (locale_t)0);
-    bool comma = locale && *nl_langinfo_l(RADIXCHAR, locale) == ',';
-    if (locale)
-        freelocale(locale);
-    return comma;
-}
-
 int utf8_columns(const char *text)
 {
     int columns = 0;

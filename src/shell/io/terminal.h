@@ -28,9 +28,6 @@ void terminal_pass(const FILE *from, const FILE *to);
 /* Returns true if the character set of the locale is UTF-8. */
 bool terminal_utf8(void);
 
-/* Returns true if the locale uses a comma as the decimal separator. */
-bool terminal_decimal_comma(void);
-
 /* Returns the number of terminal columns of a UTF-8 text. Wide characters count as one column. */
 int utf8_columns(const char *text);
 

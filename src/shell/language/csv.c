@@ -68,7 +68,6 @@ bool csv_load(struct csv_file *file, FILE *in)
 static void advance(struct csv_file *file)
 {
     char c = *file->next++;
-    file->after_blank = isspace((unsigned char)c);
     file->at.line += c == '\n';
     file->at.column = c == '\n' ? 1 : file->at.column + (((unsigned char)*file->next & 0xc0) != 0x80);
 }
@@ -82,16 +81,16 @@ static void skip_cell_blanks(struct csv_file *file)
 
 static bool at_end(const struct csv_file *file)
 {
-    return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
+    return *file->next == '\0' || *file->next == '\n';
 }
 
-/* Reads a cell. Also skips the separator after the cell or, if there is none, the rest of the line. Sets
- * *more to true if another cell follows. */
+/* Reads a cell. Also skips the separator or the end of the line after the cell. Sets *more to true if another
+ * cell follows. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);
     const struct csv_place open = file->at;
-    bool quoted = *file->next == '"', closed = false, line = true;
+    bool quoted = *file->next == '"', closed = false;
     if (quoted) {
         advance(file);
         skip_cell_blanks(file);
@@ -114,25 +113,51 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
         return csv_wrong(file, open, "this '\"' is never closed; write another '\"' at the end of the cell");
     if (*more && *file->next != file->separator)
         return csv_wrong(file, file->at, "a %s is missing after the closing '\"'", csv_separator_name(file));
-    for (; line && *file->next; advance(file)) /* this skips a comment */
-        line = !*more && *file->next != '\n';
+    if (*file->next)
+        advance(file);
     while (to > cell->text && isspace((unsigned char)to[-1]))
         to--;
     *to = '\0';
     return true;
 }
 
+/* Returns true if the line contains the separator c outside quotes. A tab after a comma only sets the cells
+ * apart for a reader. */
+static bool line_has(const char *line, char c)
+{
+    bool is_quoted = false;
+    for (const char *at = line; *at && (*at != '\n' || is_quoted); at++) {
+        is_quoted ^= *at == '"';
+        if (*at == c && !is_quoted && !(c == '\t' && at > line && at[-1] == ','))
+            return true;
+    }
+    return false;
+}
+
 /* Finds the separator of cells. If the line is of the form "sep=;", skips the line. */
 static void separator_find(struct csv_file *file)
 {
-    const char *name = file->next + (*file->next == '"'), *tab = text_end(file->next, "\t\n");
+    const char *name = file->next + (*file->next == '"');
     bool named = strncasecmp(name, "sep=", 4) == 0 && name[4] && strchr(",;\t", name[4]);
-    /* A tab directly between two names is a separator, even if there are commas. */
-    bool tabs = *tab == '\t' && tab > file->next && tab[-1] != ',' && !strchr(" \t,#\n", tab[1]);
-    bool commas = *text_end(file->next, ",\n") == ',' && !tabs;
-    file->separator = *(named ? name + 4 : *text_end(file->next, ";\n") == ';' ? ";" : commas ? "," : "\t");
-    while (named && *file->next && *file->next != '\n')
+    file->separator = named                        ? name[4]
+                      : line_has(file->next, ';')  ? ';'
+                      : line_has(file->next, '\t') ? '\t'
+                                                   : ',';
+    while (named && !at_end(file))
         advance(file);
+}
+
+/* If a comment begins here, skips the line. In the line with the names of the columns, a '#' that is a whole
+ * cell is the name of a column. */
+static bool comment_skip(struct csv_file *file)
+{
+    const char *c = skip_blanks(file->next);
+    bool is_name = !file->separator && *c == '#' && strchr(",;\t", c[1]) && c[1];
+    if (*c != '#' || is_name)
+        return false;
+    while (!at_end(file))
+        advance(file);
+    return true;
 }
 
 bool csv_read(struct csv_file *file, struct csv_record *record)
@@ -140,7 +165,7 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
     bool empty = true, good = true;
     while (good && empty && *file->next) {
         const char *begin = file->next;
-        if (!file->separator && !strchr("\n#", *skip_blanks(begin)))
+        if (!comment_skip(file) && !file->separator && *skip_blanks(begin) != '\n')
             separator_find(file);
         *record = (struct csv_record){.at = file->at};
         for (bool more = true; good && more;) {
@@ -166,7 +191,17 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-/* Inside parentheses, a comma is not a decimal comma, but separates the arguments of a function. */
+static bool mark_wrong(struct csv_file *file, struct csv_place at, const char *number, size_t before,
+                       char mark)
+{
+    const int whole = (int)before;
+    const char *part = number + before + 1;
+    return csv_wrong(file, at,
+                     "'%.*s%c%.3s' can be read as %.*s.%.3s or as %.*s%.3s; write %.*s.%.3s0 or %.*s%.3s",
+                     whole, number, mark, part, whole, number, part, whole, number, part, whole, number, part,
+                     whole, number, part);
+}
+
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;
@@ -175,39 +210,25 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
         while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
             before++;
         depth += (*c == '(') - (*c == ')');
-        bool comma = *c == ',' && depth == 0 && after > 0;
-        if (!comma && (*c != '.' || before + after == 0))
+        /* Inside parentheses, a comma separates the arguments of a function. */
+        const bool is_comma = *c == ',' && depth == 0 && after > 0;
+        if (!is_comma && (*c != '.' || before + after == 0))
             continue;
-        const char *end = c + 1 + after;
+        const char *end = c + 1 + after, *number = c - before;
         if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
             return csv_wrong(
                 file, at,
                 "this number has more than one decimal mark; write it without thousands separators");
-        struct csv_mark *mark = comma ? &file->comma : &file->point;
-        bool is_clear =
-            before < 1 || before > 3 || *(c - before) == '0' || after != 3 || *end == 'e' || *end == 'E';
-        mark->is_used = true;
-        mark->is_clear = mark->is_clear || is_clear;
-        if (!is_clear && mark->at.line == 0) {
-            mark->at = at;
-            name_copy(c - before, before, mark->before, sizeof mark->before);
-            name_copy(c + 1, after, mark->after, sizeof mark->after);
-        }
+        /* The mark may set thousands apart. */
+        const bool is_doubtful =
+            before >= 1 && before <= 3 && *number != '0' && after == 3 && (*end | 0x20) != 'e';
+        file->has_comma = file->has_comma || (is_comma && file->separator != ',');
+        if (is_doubtful && (is_comma ? file->separator == ',' : file->has_comma))
+            return mark_wrong(file, at, number, before, *c);
         *c = '.';
         c += after;
     }
     return true;
-}
-
-bool csv_marks_check(struct csv_file *file)
-{
-    bool decimal = file->comma.is_clear || file->locale_comma || file->separator == ';';
-    bool comma = file->comma.at.line > 0 && (!decimal || file->point.is_used);
-    const struct csv_mark *m = comma ? &file->comma : &file->point;
-    const char *a = m->before, *b = m->after;
-    return (!comma && (m->at.line == 0 || !file->comma.is_used)) ||
-           csv_wrong(file, m->at, "'%s%c%s' can be read as %s.%s or as %s%s; write %s.%s0 or %s%s", a,
-                     comma ? ',' : '.', b, a, b, a, b, a, b, a, b);
 }
 
 void csv_write(FILE *out, const char *text, const char *quoted)

@@ -14,9 +14,10 @@ struct csv_cell csv_cell(const struct csv_table *csv, int k)
     return i >= 0 && i < csv->row.cells ? csv->row.cell[i] : (struct csv_cell){.text = "", .at = csv->row.at};
 }
 
+/* A dash may stand for an empty cell: "-", an en dash, an em dash or a minus sign. */
 static bool is_empty(const char *text)
 {
-    return *text == '\0' || strcmp(text, "-") == 0;
+    return names_index("|-|\u2013|\u2014|\u2212", '|', text) >= 0;
 }
 
 /* ---- Units ---- */
@@ -77,37 +78,91 @@ static bool units_read(struct csv_table *csv)
 
 /* ---- The first line ---- */
 
+/* What files call their columns: first the name of the column, then its other names in English, German, Dutch
+ * and French, without accents. */
+static const char *const column_words[] = {
+    "height,length,hohe,hoehe,lange,laenge,hoogte,lengte,hauteur,longueur,hauteurs",
+    "thickness,depth,thick,dicke,starke,staerke,tiefe,dikte,diepte,epaisseur,profondeur",
+    "gap,spacing,distance,separation,abstand,lucke,luecke,afstand,tussenruimte,ecart,espacement,intervalle",
+    "mass,weight,masse,gewicht,massa,poids",
+    "density,dichte,dichtheid,densite",
+    "width,breite,breedte,largeur",
+    "radius,rounding,rayon,straal",
+    "lean,plumb,tilt,neigung,helling,inclinaison",
+    "relative,relativ,relatief,relatif",
+    "domino,#,nr,nr.,no,no.,number,domino #,domino nr,domino no,domino no.,nummer,stein,steen,numero",
+    "time,t,times,hit,zeit,tijd,temps",
+    "angle,theta,tilt,rotation,thetar,winkel,hoek",
+    "speed,velocity,v,geschwindigkeit,snelheid,vitesse",
+    "frame,frames,frame number,step,bild,beeld,image",
+    "rate,frame rate,framerate,fps",
+    "run,trial,video,versuch,proef,essai",
+    "error,errors,sigma,uncertainty,time error,angle error,speed error,fehler,fout,erreur",
+};
+
+/* Copies a name in lower case, without accents, and with one blank between words. */
+static void name_fold(const char *text, size_t length, char name[NAMES_SHOWN])
+{
+    /* the letters from U+00C0 to U+00FF without their accents */
+    static const char plain[] = "aaaaaaaceeeeiiiidnooooo*ouuuuytsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
+    size_t n = 0;
+    for (const char *c = text; c < text + length && n + 1 < NAMES_SHOWN; c++) {
+        const unsigned char next = (unsigned char)c[1];
+        const bool is_accent = (*c == '\xcc' && next >= 0x80) || (*c == '\xcd' && next < 0xb0);
+        const bool is_letter = *c == '\xc3' && next >= 0x80 && next < 0xc0;
+        const bool is_blank = isspace((unsigned char)*c) || *c == '_';
+        if (!is_accent && !(is_blank && (n == 0 || name[n - 1] == ' ')))
+            name[n++] = (char)(is_letter ? plain[next - 0x80] : is_blank ? ' ' : tolower((unsigned char)*c));
+        c += is_accent || is_letter;
+    }
+    while (n > 0 && strchr(" /", name[n - 1]))
+        n--;
+    name[n] = '\0';
+}
+
 static const char *column_names(const void *context, int k)
 {
     const struct csv_kind *kind = context;
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Splits the heading of a column into a name and a unit. Copies the name in lower case and returns the unit.
- * The unit follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height mm". */
+/* Splits the heading of a column into a name and a unit. Folds the name and returns the unit. The unit
+ * follows a bracket or a comma, as in "height (mm)", or it is the last word, as in "height in mm", or it
+ * follows a
+ * '/', as in "height/mm". */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
     size_t length = strcspn(text, "([,"), word = strlen(text);
-    while (word > 0 && text[word - 1] != ' ' && text[word - 1] != '_')
+    while (word > 0 && !isspace((unsigned char)text[word - 1]) && text[word - 1] != '_')
         word--;
     if (text[length] == '\0' && word > 0 && unit_copy(text + word, last))
         length = word;
-    const char *unit = text + length + strspn(text + length, " \t,");
-    while (length > 0 && strchr(" \t_", text[length - 1]))
-        length--;
-    name_copy(text, length, name, NAMES_SHOWN);
-    for (char *c = name; *c; c++)
-        *c = (char)tolower((unsigned char)*c);
+    else if (text[length] == '\0' && unit_copy(text + strcspn(text, "/") + (strchr(text, '/') != NULL), last))
+        length = strcspn(text, "/");
+    const char *unit = text + length + strspn(text + length, " \t\n,/");
+    name_fold(text, length, name);
+    size_t n = strlen(name);
+    if (n > 3 && strcmp(name + n - 3, " in") == 0)
+        name[n - 3] = '\0';
     return unit;
+}
+
+/* Returns true if a file may call the column by this name. */
+static bool column_has(const struct csv_column *column, const char *name)
+{
+    bool found = strcmp(column->name, name) == 0;
+    for (size_t i = 0; i < sizeof column_words / sizeof *column_words && !found; i++)
+        found = names_index(column_words[i], ',', column->name) == 0 &&
+                names_index(column_words[i], ',', name) > 0;
+    return found;
 }
 
 /* Returns kind->columns if there is no column with this name. */
 static int column_find(const struct csv_kind *kind, const char *name)
 {
     int k = 0;
-    while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
-           names_index(kind->column[k].synonyms, ',', name) < 0)
+    while (k < kind->columns && !column_has(&kind->column[k], name))
         k++;
     return k;
 }
@@ -126,13 +181,38 @@ static bool kind_fits(const struct csv_table *csv, const struct csv_kind *kind)
     return fits;
 }
 
+/* Reports that a required column is missing. Lists the columns of the file, and what each of them could be.
+ */
+static bool column_missing(struct csv_table *csv, const char *missing)
+{
+    const struct csv_kind *kind = csv->kind;
+    char found[320] = "", absent[128] = "", name[NAMES_SHOWN];
+    for (int k = 0; k < kind->columns; k++)
+        if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
+            text_add(absent, sizeof absent, "%s%s", *absent ? " or " : "", kind->column[k].name);
+    for (int i = 0; i < csv->head.cells; i++) {
+        name_split(csv->head.cell[i].text, name);
+        const int k = column_find(kind, name);
+        const char *close = k == kind->columns ? names_closest(column_names, kind, name) : NULL;
+        text_add(found, sizeof found, "%s'%.24s' (%s%s)", i ? ", " : "", names_shown(csv->head.cell[i].text),
+                 k == kind->columns ? "could be " : "",
+                 k < kind->columns ? kind->column[k].name
+                 : close           ? close
+                                   : absent);
+    }
+    return csv_wrong(&csv->file, csv->head.at,
+                     "the column '%s' is missing; the first line must name %s; found: %s", missing,
+                     kind->names, found);
+}
+
 static bool name_read(struct csv_table *csv, int i, const char *text)
 {
     const struct csv_kind *kind = csv->kind;
     const struct csv_place at = csv->head.cell[i].at;
     char name[NAMES_SHOWN];
     const char *unit = name_split(text, name), *close = NULL;
-    bool note = names_index(",note,notes,comment,comments,remark", ',', name) >= 0;
+    bool note =
+        names_index(",note,notes,comment,comments,remark,notiz,bemerkung,opmerking,remarque", ',', name) >= 0;
     const int k = column_find(kind, name);
     csv->other[i] = k == kind->columns;
     if (isdigit((unsigned char)*text) || *text == '.')
@@ -192,19 +272,15 @@ static bool head_read(struct csv_table *csv)
             CSV_OTHERS_MOST);
     for (int k = 0; k < kind->columns && good; k++)
         if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
-            return csv_wrong(&csv->file, csv->head.at,
-                             "the column '%s' is missing; the first line must name %s", kind->column[k].name,
-                             kind->names);
+            return column_missing(csv, kind->column[k].name);
     return good && (csv->is_read_ahead || units_read(csv));
 }
 
-struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma)
+struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind)
 {
     struct csv_table *csv = malloc(sizeof *csv);
     if (csv) {
-        *csv = (struct csv_table){.file = {.at = {1, 1}, .after_blank = true, .locale_comma = locale_comma},
-                                  .path = path,
-                                  .kind = kind};
+        *csv = (struct csv_table){.file = {.at = {1, 1}}, .path = path, .kind = kind};
         (void)(csv_load(&csv->file, in) && head_read(csv)); /* after an error, csv->file holds the problem */
     }
     return csv;
@@ -369,7 +445,7 @@ bool csv_next(struct csv_table *csv)
                 "the file has no %s; each line after the first must describe one %s, and the first line must "
                 "name %s",
                 kind->items, kind->item, kind->names);
-        return !*csv->file.problem.text && csv_marks_check(&csv->file) && false;
+        return false;
     }
     if (csv->rows == kind->rows_most)
         return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, which is the maximum",

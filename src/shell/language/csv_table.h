@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Tables in csv files.
- * - The first line names the columns, in any order. Upper and lower case make no difference.
- * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm".
- *   The second line may also give them.
- * - A cell is an expression. A cell that contains only a '-' counts as empty. If a cell has a unit, the unit
+ * - The first line names the columns, in any order, in English, German, Dutch or French. Case and accents
+ * make no difference.
+ * - The first line may give units: "height (mm)", "height [mm]", "height, mm", "height mm", "height_mm",
+ *   "height/mm" or "height in mm". The second line may also give them.
+ * - A cell is an expression. A cell that contains only a dash counts as empty. If a cell has a unit, the unit
  *   of the column does not apply to the cell.
  * - A file means the same in every session. It cannot use variables, and angles without a unit are in
  *   radians.
@@ -32,7 +33,6 @@ enum {
 /* A column that a kind of table may have. */
 struct csv_column {
     const char *name;
-    const char *synonyms; /* synonyms separated by commas, such as "spacing,distance"; may be NULL */
     unsigned traits;
     const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
     const char *units;      /* for messages: a list of the units that a file may use */
@@ -88,7 +88,7 @@ struct csv_table {
 
 /* Reads a file and interprets the first line of its table. The table then owns the path. If there is an
  * error in the file, the table holds the problem. If memory runs out, returns NULL and sets errno. */
-struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
+struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind);
 
 /* Frees a table, which may be NULL. */
 void csv_close(struct csv_table *csv);

@@ -44,26 +44,6 @@ static bool needs(int effect, int other)
     return effect_at(effect)->needs >> other & 1;
 }
 
-/* Lists the active effects that need the row, for the end of a message: ", together with push and placement".
- * If there are none, the string is "". */
-static void row_needed(const struct scene *scene, char *text, size_t size)
-{
-    text[0] = '\0';
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        if (scene->effect[k].on && needs(k, DOM_EFFECT_row))
-            text_add(text, size, "%s%s", *text ? " and " : ", together with ", effect_at(k)->name);
-}
-
-/* Turns off the row and all effects that need it. */
-static void row_drop(struct scene *scene)
-{
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        if (k == DOM_EFFECT_row || needs(k, DOM_EFFECT_row))
-            scene->effect[k] = (struct effect_state){.on = false};
-    listed_free(&scene->listed);
-    effects_apply(scene);
-}
-
 static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
                      struct listed_row *row, struct problem *problem)
 {
@@ -93,24 +73,16 @@ bool scene_row_load(struct scene *scene, const char *name, const struct run_cont
                     struct problem *problem)
 {
     struct listed_row file = {.domino = NULL};
-    struct problem in_file = {.kind = PROBLEM_NONE};
-    char needed[256];
-    bool earlier = scene->effect[DOM_EFFECT_row].on;
     if (run_context->safe)
-        problem_error(&in_file,
-                      "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
-                      names_shown(name));
-    else if (row_read(scene, name, run_context, &file, &in_file)) {
-        listed_free(&scene->listed);
-        scene->listed = file;
-        scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
-        return true;
-    }
-    row_needed(scene, needed, sizeof needed);
-    problem_error(problem, earlier ? "%s; the earlier row (%s%s) is now off%s" : "%s", in_file.text,
-                  scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row), needed);
-    row_drop(scene);
-    return false;
+        return problem_error(
+            problem, "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
+            names_shown(name));
+    if (!row_read(scene, name, run_context, &file, problem))
+        return false;
+    listed_free(&scene->listed);
+    scene->listed = file;
+    scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
+    return true;
 }
 
 bool effect_check_needs(const struct scene *scene, int effect, struct problem *problem)

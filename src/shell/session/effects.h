@@ -42,9 +42,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
  * 'change' commands. `folder` is the directory of the script, or NULL. */
 void effect_save(const struct scene *scene, int effect, const char *folder, FILE *out);
 
-/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem, turns off the earlier
- * row, if there is one, and returns false. The earlier row must not stay on, because the user would take
- * later answers about the earlier row for answers about the row of the file. */
+/* Turns on the effect 'row' with the dominoes of a file. On failure, sets *problem, changes nothing and
+ * returns false. */
 bool scene_row_load(struct scene *scene, const char *name, const struct run_context *run_context,
                     struct problem *problem);
 

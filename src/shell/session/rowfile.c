@@ -2,7 +2,6 @@
 #define _GNU_SOURCE /* asprintf */
 #include "session/rowfile.h"
 #include "io/io.h"
-#include "io/terminal.h"
 #include "language/names.h"
 #include "language/quad.h"
 #include <errno.h>
@@ -45,7 +44,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
     standard = standard && strcmp(name, "-") == 0;
     char *path = path_beside(run_context, name);
     FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
-    struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
+    struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
     if (!csv)
         problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
     if (in && !standard)
@@ -68,21 +67,20 @@ enum { DENSITY = ROW_MEASURES, RELATIVE, DOMINO, KINDS };
 
 /* The limits of a mass are close to those of float, the lowest precision. */
 static const struct csv_column columns[KINDS] = {
-    [MEASURE_HEIGHT] = {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
-    [MEASURE_THICKNESS] = {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11,
-                           "more than 0, up to 1e11 m"},
-    [MEASURE_GAP] = {"gap", "spacing,distance", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9, "0 .. 1e9 m"},
-    [MEASURE_MASS] = {"mass", "weight", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
+    [MEASURE_HEIGHT] = {"height", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
+    [MEASURE_THICKNESS] = {"thickness", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
+    [MEASURE_GAP] = {"gap", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9, "0 .. 1e9 m"},
+    [MEASURE_MASS] = {"mass", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
                       "1e-40 .. 1e38 kg"},
-    [MEASURE_RADIUS] = {"radius", NULL, 0, LENGTH, 0, 1e9, "0 .. 1e9 m"},
-    [MEASURE_LEAN] = {"lean", "plumb,tilt", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
-    [MEASURE_WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
-    [DENSITY] = {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3",
-                 WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
-    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by the mass of the first domino", 1e-40, 1e38,
+    [MEASURE_RADIUS] = {"radius", 0, LENGTH, 0, 1e9, "0 .. 1e9 m"},
+    [MEASURE_LEAN] = {"lean", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
+    [MEASURE_WIDTH] = {"width", 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    [DENSITY] = {"density", 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3", WEIGHT "'density (g/cm^3)'",
+                 CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
+    [RELATIVE] = {"relative", 0, PLAIN "the mass divided by the mass of the first domino", 1e-40, 1e38,
                   "1e-40 .. 1e38"},
-    [DOMINO] = {"domino", "nr,no,no.,number", 0,
-                PLAIN "the number of the domino (the program ignores this column)", 1, 1e6, "1 .. 1e6"},
+    [DOMINO] = {"domino", 0, PLAIN "the number of the domino (the program ignores this column)", 1, 1e6,
+                "1 .. 1e6"},
 };
 
 const struct csv_kind rowfile_kind = {

@@ -12,39 +12,37 @@
 
 #define GAP_COLUMN(traits)                                                                                   \
     {                                                                                                        \
-        "gap", "spacing,distance,separation", traits, CSV_LENGTH, "write a length such as 9 mm",             \
-            CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"                                                     \
+        "gap", traits, CSV_LENGTH, "write a length such as 9 mm", CSV_ABOVE_0, 1e9,                          \
+            "more than 0, up to 1e9 m"                                                                       \
     }
-#define ERROR_COLUMN(of, unit, highest, range)                                                               \
+#define ERROR_COLUMN(unit, highest, range)                                                                   \
     {                                                                                                        \
-        "error", "errors,sigma,uncertainty," of " error", CSV_EMPTY, unit, CSV_ABOVE_0, highest,             \
-            "more than 0, up to " range                                                                      \
+        "error", CSV_EMPTY, unit, CSV_ABOVE_0, highest, "more than 0, up to " range                          \
     }
 
 /* The columns of files with hits or angles. TIMED_COLUMNS and ERROR are in both kinds of files, ANGLE_AT only
  * in files with angles. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
-    [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \
-    [TIME_AT] = {"time", "t,times,hit", CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"},             \
-    [FRAME] = {"frame", "frames,frame number,step", CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},         \
-    [RATE] = {"rate", "frame rate,framerate,fps", 0, FRAMES, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9"},    \
-    [RUN] = {"run", "trial,video", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"}, [GAP] = GAP_COLUMN(0)
+    [DOMINO] = {"domino", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},                           \
+    [TIME_AT] = {"time", CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"},                            \
+    [FRAME] = {"frame", CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},                                     \
+    [RATE] = {"rate", 0, FRAMES, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9"},                                \
+    [RUN] = {"run", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"}, [GAP] = GAP_COLUMN(0)
 
 static const struct csv_column hit_columns[] = {
     TIMED_COLUMNS(CSV_REQUIRED),
-    [ERROR] = ERROR_COLUMN("time", TIME, 1e9, "1e9 s"),
+    [ERROR] = ERROR_COLUMN(TIME, 1e9, "1e9 s"),
 };
 static const struct csv_column angle_columns[] = {
     TIMED_COLUMNS(0),
-    [ERROR] = ERROR_COLUMN("angle", ANGLE, 10, "10 rad"),
-    [ANGLE_AT] = {"angle", "theta,tilt,rotation,\u03b8,\u03b8r", CSV_REQUIRED | CSV_EMPTY, ANGLE, -10, 10,
-                  "-10 .. 10 rad"},
+    [ERROR] = ERROR_COLUMN(ANGLE, 10, "10 rad"),
+    [ANGLE_AT] = {"angle", CSV_REQUIRED | CSV_EMPTY, ANGLE, -10, 10, "-10 .. 10 rad"},
 };
 static const struct csv_column speed_columns[] = {
     GAP_COLUMN(CSV_REQUIRED),
-    {"speed", "velocity,v", CSV_REQUIRED, SPEED, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
-    ERROR_COLUMN("speed", SPEED, 3e8, "3e8 m/s"),
+    {"speed", CSV_REQUIRED, SPEED, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
+    ERROR_COLUMN(SPEED, 3e8, "3e8 m/s"),
 };
 
 #define COUNT_OF(array) (int)(sizeof(array) / sizeof *(array))

@@ -186,19 +186,19 @@ _Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST,
 #define TEXT   CSV_REQUIRED, NULL, NULL, NULL, BLOCKS, 0, 0, NULL
 
 static const struct csv_column pool_columns[FIELDS] = {
-    {"sigma", NULL, NUMBER, 1e9, "0 .. 1e9 m"},
-    {"heights", NULL, NUMBER, 1, "0 .. 1"},
-    {"seed", NULL, NUMBER, 1e38, "0 .. 1e38"},
-    {"scene", NULL, TEXT},
-    {"dominoes", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
-    {"of", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
-    {"first", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
-    {"rows", NULL, COUNT, 1, BLOCK_ROWS, "1 .. 100"},
-    {"fall", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
-    {"unknown", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
-    {"stops", NULL, TEXT},
-    {"errors", NULL, TEXT},
-    {"without", NULL, TEXT},
+    {"sigma", NUMBER, 1e9, "0 .. 1e9 m"},
+    {"heights", NUMBER, 1, "0 .. 1"},
+    {"seed", NUMBER, 1e38, "0 .. 1e38"},
+    {"scene", TEXT},
+    {"dominoes", COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"of", COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"first", COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"rows", COUNT, 1, BLOCK_ROWS, "1 .. 100"},
+    {"fall", COUNT, 0, BLOCK_ROWS, "0 .. 100"},
+    {"unknown", COUNT, 0, BLOCK_ROWS, "0 .. 100"},
+    {"stops", TEXT},
+    {"errors", TEXT},
+    {"without", TEXT},
 };
 
 static const struct csv_kind pool_kind = {
