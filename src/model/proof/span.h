@@ -34,23 +34,27 @@ _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to d
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
 
+/* The real numbers from lo to hi. If a bound is infinite, all real numbers on that side belong to the
+ * interval, but infinity does not. */
 struct span {
     double lo, hi;
 };
 
 /*
- * Let z be the rounded result of an operation. The function up(z) returns a double above every real number
- * that rounds to z, and down(z) returns a double below them all. The term DBL_MIN is needed if z is so small
- * that it has lost digits (underflow).
+ * Let z be the rounded result of an operation. The function up(z) returns a double at or above every real
+ * number that rounds to z, and down(z) returns a double at or below them all. The term DBL_MIN is needed if z
+ * is so small that it has lost digits (underflow). Numbers that round to -infinity are at most -DBL_MAX.
  */
 static inline double up(double z)
 {
-    return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
+    return PROOF_BOUND(ROUND_UP, z < -DBL_MAX ? -DBL_MAX : z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN),
+                       z);
 }
 
 static inline double down(double z)
 {
-    return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
+    return PROOF_BOUND(ROUND_DOWN, z > DBL_MAX ? DBL_MAX : z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN),
+                       z);
 }
 
 /*
@@ -104,28 +108,42 @@ static inline struct span span_negate(struct span a)
     return (struct span){-a.hi, -a.lo};
 }
 
+/* The product and the quotient of two bounds. 0 times an infinite bound is 0, since the bound stands for real
+ * numbers; so is 0 divided by a bound. `over` is for b >= 0, where a zero of either sign stands for the
+ * positive numbers near 0. */
+static inline double times(double a, double b)
+{
+    return a == 0 || b == 0 ? 0 : a * b;
+}
+
+static inline double over(double a, double b)
+{
+    return a == 0 ? 0 : a / least_0(b);
+}
+
 /* Returns k * a, for k >= 0. */
 static inline struct span span_scale(struct span k, struct span a)
 {
-    return (struct span){down(a.lo * (a.lo < 0 ? k.hi : k.lo)), up(a.hi * (a.hi < 0 ? k.lo : k.hi))};
+    return (struct span){down(times(a.lo, a.lo < 0 ? k.hi : k.lo)), up(times(a.hi, a.hi < 0 ? k.lo : k.hi))};
 }
 
-/* Returns a / k, for k > 0. */
+/* Returns a / k, for k > 0. The lower bound of k may be 0 or, because of rounding, negative. */
 static inline struct span span_over(struct span a, struct span k)
 {
-    return (struct span){down(a.lo / (a.lo < 0 ? k.lo : k.hi)), up(a.hi / (a.hi < 0 ? k.hi : k.lo))};
+    return (struct span){down(over(a.lo, a.lo < 0 ? k.lo : k.hi)), up(over(a.hi, a.hi < 0 ? k.hi : k.lo))};
 }
 
 static inline struct span span_mul(struct span a, struct span b)
 {
-    double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
+    double p = times(a.lo, b.lo), q = times(a.lo, b.hi), r = times(a.hi, b.lo), s = times(a.hi, b.hi);
     return (struct span){down(smaller(smaller(p, q), smaller(r, s))), up(larger(larger(p, q), larger(r, s)))};
 }
 
-/* Returns the square of a, for a >= 0. */
+/* Returns the square of a number that is known to be >= 0, although a.lo may be negative because of
+ * rounding. */
 static inline struct span span_square(struct span a)
 {
-    return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
+    return (struct span){down(least_0(a.lo) * least_0(a.lo)), up(a.hi * a.hi)};
 }
 
 /* Returns the square root of a number that is known to be >= 0. The lower bound a.lo may still be negative,
