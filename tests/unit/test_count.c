@@ -84,3 +84,16 @@ TEST(known_numbers)
     assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count, NULL), DOM_BAD_HEIGHT);
     assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_HEIGHT);
 }
+
+/* Checks a number of dominoes that no integer type of 64 bits can hold. With sanitizers, a cast to such a
+ * type ends the program. */
+TEST(more_dominoes_than_an_integer_holds)
+{
+    struct domq_count count;
+    if (domq_arithmetic(DOM_QUAD)->bits < 113)
+        return;
+    const domq_real r = 1 + (domq_real)1 / 10000000000000 / 1000000000000; /* 1 + 1e-25 */
+    assert_status(ask_count_find(DOM_QUAD, 1, 2, r, &count, NULL), DOM_OK);
+    assert_near("dominoes", count.dominoes, 0.6931471805599453e25, 1e-8);
+    assert_near("the last", count.last, 2, 1e-8);
+}

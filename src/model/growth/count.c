@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/real.h"
 
-/* Returns r^n for an integer n >= 0, computed in dom_real, with about n rounding errors. */
-static dom_real power_of(dom_real r, dom_real n)
+/* Returns r^n for an integer n >= 0, computed in dom_real, with about n rounding errors. n may be too large
+ * for any integer type. */
+static dom_real power_of(dom_real r, real n)
 {
     dom_real power = 1;
-    for (uint64_t left = (uint64_t)n; left > 0; left /= 2, r *= r)
-        power *= left % 2 ? r : 1;
+    for (real half; n > 0; n = half, r *= r) {
+        half = floor(n / 2);
+        power *= n > 2 * half ? r : 1;
+    }
     return power;
 }
 
@@ -19,7 +22,7 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
      * `slack` is at most a millionth of ln r, so it is small compared with the relative step from one domino
      * to the next, which is at least ln r. */
     real slack = fmin(ROUNDOFF * (4 + n), (real)1e-6 * ln_r);
-    return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
+    return (dom_real)first * power_of((dom_real)r, n) >= (dom_real)height * (1 - (dom_real)slack);
 }
 
 KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_,

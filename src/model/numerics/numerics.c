@@ -302,8 +302,7 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
 
 /* ---- Chebyshev series ---- */
 
-/* Returns the sum of the series at x, by Clenshaw's recurrence. */
-static real series_at(const real *series, int n, real x)
+KERNEL real series_at(const real *series, int n, real x)
 {
     real b = 0, before = 0;
     for (int k = n - 1; k > 0; k--) {
@@ -314,9 +313,7 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
- * more. Its constant term is chosen so that the result equals `start` at x = -1. */
-static void series_integral(const real *series, int n, real half, real start, real *integral)
+KERNEL void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;
     for (int k = 1; k <= n; k++) {

@@ -53,6 +53,13 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
 
+/* Returns the sum of the first n terms of a Chebyshev series at x, by Clenshaw's recurrence. */
+KERNEL real series_at(const real *series, int n, real x);
+
+/* Integrates a Chebyshev series of n terms and multiplies the integral by `half`. The result has one term
+ * more. Its constant term is chosen so that the result equals `start` at x = -1. */
+KERNEL void series_integral(const real *series, int n, real half, real start, real *integral);
+
 enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
 
 /* The integral of a function with a peak, from lo to any x <= hi. It is stored as a Chebyshev series in the
