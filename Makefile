@@ -51,7 +51,7 @@ PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslc
 # <domino.h>, and once with the types of <domino_quad.h>, which the kernels in float and quad use.
 TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/dispatch/dispatch.c \
            $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
-DOUBLE  := src/model/texts.c src/model/numerics/quiet.c src/model/dispatch/bridge.c \
+DOUBLE  := src/model/texts.c src/model/numerics/quiet.c src/model/numerics/interrupt.c src/model/dispatch/bridge.c \
            $(wildcard $(patsubst %,src/model/%/*.c,compare proof))
 QUAD    := $(addprefix src/model/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
@@ -247,6 +247,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 
 # This test can make allocations and threads fail.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+# This test counts the checks for an interrupt.
+$(B)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
 # The library starts no threads, so the thread pool of the shell runs its tasks.
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: numbers.
@@ -351,7 +353,7 @@ SANITIZED := $(patsubst %,tests/shell/%.bats,prompt complete draw escape express
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
 	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof search sweep)' COVER=--coverage \
-	  CC=gcc CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
+	  CC=gcc CFLAGS='-O1 -g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 	@tests/coverage $(B)/sanitize 95
 
 valgrind: all
@@ -370,7 +372,7 @@ FUZZ_SECONDS ?= 600
 FUZZ         := fuzz_line fuzz_grammar fuzz_csv
 FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
                 -print_final_stats=1
-FUZZ_FLAGS   := -O1 -g1 -Wno-double-promotion -fsanitize=address,undefined -fno-sanitize-recover=all
+FUZZ_FLAGS   := -O1 -g1 -Wno-double-promotion -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 fuzz: | $(FIRST)
 	$(Q)$(MAKE) --no-print-directory B=$(B)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' \
 	  $(FUZZ:%=$(B)/fuzz/%)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Answers the same question about many trains, so that slow languages such as Python need no loop. */
+#include "numerics/interrupt.h"
 #include "numerics/real.h"
 
 typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,
@@ -59,7 +60,7 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
         return DOM_NO_METHOD;
     bool interrupted = false;
     for (size_t k = 0; k < count; k++) {
-        interrupted = interrupted || (compute && dom_raised(compute->interrupt));
+        interrupted = interrupted || (compute && dom_interrupted(compute->interrupt));
         void *answer = (char *)answers + k * questions[question].size;
         statuses[k] = interrupted ? DOM_INTERRUPTED
                       : questions[question].train

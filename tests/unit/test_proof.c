@@ -30,7 +30,7 @@ static bool raised_by_count(const volatile sig_atomic_t *flag)
     return passes && *passes >= raise_at;
 }
 
-#define dom_raised raised_by_count
+#define dom_interrupted raised_by_count
 
 /* NOLINTBEGIN(bugprone-suspicious-include): the sources themselves, with the switch. */
 #include "proof/chain.c"

@@ -70,9 +70,9 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
         return c->status;
     /* A maximum may lie before the first sample if no sample is above H(0). */
     double middle = top > 0 ? top * step : step / 2;
-    while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
+    while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0 && c->status == DOM_OK)
         middle /= 2;
-    if (top == 0 && -gsl_depth(middle, c) <= 0)
+    if (c->status != DOM_OK || (top == 0 && -gsl_depth(middle, c) <= 0))
         return c->status;
     return gsl_polish(c, fmax(0, (top - 1) * step), middle, (top + 1) * step, b);
 }
@@ -97,7 +97,9 @@ static enum dom_status gsl_barrier_find(const struct request *train, struct dom_
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
     struct barrier b;
+    dom_quiet_begin();
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
+    dom_quiet_end();
     if (status != DOM_OK || train->errors)
         return status != DOM_OK ? status : DOM_NO_METHOD;
     if (!(c.kinetic > 0))
@@ -164,6 +166,21 @@ static double gsl_slowness(double theta, void *context)
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
+static enum dom_status gsl_integral(struct gsl_context *c, dom_real *duration)
+{
+    gsl_integration_workspace *space = gsl_integration_workspace_alloc(GSL_INTERVALS);
+    if (!space)
+        return DOM_NO_MEMORY;
+    gsl_function f = {gsl_slowness, c};
+    double value = 0, estimate = 0, tol = fmax((double)c->train->tol, 50 * REAL_EPSILON);
+    int code = gsl_integration_qags(&f, 0, tilt_angle(c->geometry.c), 0, tol, GSL_INTERVALS, space, &value,
+                                    &estimate);
+    gsl_integration_workspace_free(space);
+    if (c->status == DOM_OK && code == GSL_SUCCESS)
+        *duration = value;
+    return c->status != DOM_OK ? c->status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
+}
+
 static enum dom_status gsl_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     if (train->errors)
@@ -171,22 +188,14 @@ static enum dom_status gsl_cycle_duration(const struct request *train, struct do
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
     struct barrier b;
-    enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
-    if (status != DOM_OK || c.kinetic < b.height)
-        return status != DOM_OK ? status : DOM_STOPS;
-    gsl_integration_workspace *space = gsl_integration_workspace_alloc(GSL_INTERVALS);
-    if (!space)
-        return DOM_NO_MEMORY;
-    gsl_function f = {gsl_slowness, &c};
     dom_quiet_begin();
-    double value = 0, estimate = 0, tol = fmax((double)train->tol, 50 * REAL_EPSILON);
-    int code = gsl_integration_qags(&f, 0, tilt_angle(c.geometry.c), 0, tol, GSL_INTERVALS, space, &value,
-                                    &estimate);
+    enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
+    if (status == DOM_OK && c.kinetic < b.height)
+        status = DOM_STOPS;
+    if (status == DOM_OK)
+        status = gsl_integral(&c, &duration->value);
     dom_quiet_end();
-    gsl_integration_workspace_free(space);
-    if (c.status == DOM_OK && code == GSL_SUCCESS)
-        duration->value = value;
-    return c.status != DOM_OK ? c.status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
+    return status;
 }
 
 const struct kernel dom__kernel_gsl = {

@@ -31,7 +31,7 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
     double slope = 1, weight = 1, inertia = 1;
     size_t n = 0;
     for (; weight > p->tol / 8 && n < PAPER_LINKS_MAX && p->status == DOM_OK; n++) {
-        if (n % 1024 == 0 && dom_raised(p->train->interrupt))
+        if (n % 1024 == 0 && dom_interrupted(p->train->interrupt))
             p->status = DOM_INTERRUPTED;
         sums.H += weight * (cos(theta) + p->d * sin(theta));
         sums.J += inertia * slope * slope;

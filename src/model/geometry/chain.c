@@ -121,7 +121,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     const struct link *k = &walk.link;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
+        if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)

@@ -4,6 +4,7 @@
 #define DOM_REQUEST_H
 
 #include "numerics/api.h"
+#include "numerics/interrupt.h"
 #include <string.h>
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;

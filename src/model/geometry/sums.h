@@ -92,9 +92,9 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
  * domino. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
-    if (i % 4096 != 0)
+    if (i % CHECK_EVERY != 0)
         return DOM_OK;
-    if (dom_raised(geometry->interrupt))
+    if (dom_interrupted(geometry->interrupt))
         return DOM_INTERRUPTED;
     if (geometry->effort && *geometry->effort + i > geometry->effort_most)
         return DOM_TOO_LONG;

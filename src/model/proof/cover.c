@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "proof/cover.h"
 #include "domino.h"
+#include "numerics/interrupt.h"
 
 #include <stdlib.h>
 
@@ -25,7 +26,7 @@ void proof_end(struct proof *proof)
 
 bool proof_interrupted(const struct proof *proof)
 {
-    return dom_raised(proof->interrupt);
+    return dom_interrupted(proof->interrupt);
 }
 
 static struct climb climb_of(struct proof *proof, const struct upright *upright, double low, double high,

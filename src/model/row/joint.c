@@ -156,6 +156,8 @@ KERNEL enum dom_status row_make(const struct row_request *request, size_t count,
 {
     enum dom_status status = DOM_OK;
     for (size_t k = 0; k < count && status == DOM_OK; k++) {
+        if (k % CHECK_EVERY == 0 && dom_interrupted(request->interrupt))
+            return DOM_INTERRUPTED;
         status = row_geometry(request, k, row);
         if (status == DOM_OK && k == 0) /* all joints share the memory that dynamics_begin allocates */
             status = dynamics_begin(row);
@@ -225,6 +227,8 @@ KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
 {
     enum dom_status status = settings_check(row);
     for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
+        if (k % CHECK_EVERY == 0 && dom_interrupted(row->interrupt))
+            return DOM_INTERRUPTED;
         status = row_domino_check(row, k);
         if (status != DOM_OK)
             *wrong = k + 1;

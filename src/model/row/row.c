@@ -288,7 +288,7 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     real before = run->carried;
     const size_t moving = run->moving;
     *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
-    if (dom_raised(run->request->interrupt))
+    if (dom_interrupted(run->request->interrupt))
         return DOM_INTERRUPTED;
     enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
     if (status != DOM_OK)
@@ -326,7 +326,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         enum dom_status status = DOM_OK;
         if (steady_repeats(&steady, run, k, &fall)) {
             more = !visit || visit(&fall, context);
-            if (dom_raised(run->request->interrupt))
+            if (dom_interrupted(run->request->interrupt))
                 return DOM_INTERRUPTED;
             continue;
         }

@@ -241,7 +241,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
         struct start at;
         s->geometry[k].n = run->moving;
         run->verdict.domino = k + 1;
-        if (dom_raised(s->request.interrupt))
+        if (dom_interrupted(s->request.interrupt))
             return DOM_INTERRUPTED;
         s->off_at_end = 0;
         if (!head_certain(s, run, k, &at))

@@ -99,6 +99,8 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
         const bool listed = scene->listed.domino;
         char message[LEAN_MESSAGE];
         domq_real level[2];
+        if (dom_raised(scene->compute.interrupt))
+            return problem_status(problem, scene, DOM_INTERRUPTED);
         domq_lean_limits(domino, 0, row->rho, level);
         if (row->alpha != 0 && !(quad(fabs)(row->alpha) < level[1]))
             return problem_no_stand(problem, scene, listed ? k + 1 : 0, level[1]);
