@@ -227,3 +227,21 @@ END
         done
     done
 }
+
+@test "any file name that exists is one" {
+    local name here=$PWD
+    printf 'height (mm),thickness (mm),gap (mm)\n48,7,-\n50,7,20\n' >3d.CSV
+    "$DOMINO" -e 'effect row 3d.CSV; row' >plain
+    for name in 'row#1.csv' 'row#2' '5.csv' 'a=b' 'a>b.csv' '-x.csv' '(1).csv' 's' 'rmax' '2.5m' '2024-05-01' 'é' 'x"y'; do
+        cp -- 3d.CSV "./$name"
+        same_file plain <("$DOMINO" -e "effect row $name; row")
+        printf 'effect row %s\nrow\n' "$name" >script.dom
+        same_file plain <(cd / && "$DOMINO" "$here/script.dom")
+    done
+    for name in 'a b.csv' 'a;b.csv' '#1.csv' '> .csv' 'with' 'off' '12'; do
+        cp -- 3d.CSV "./$name"
+        same_file plain <("$DOMINO" -e "effect row \"$name\"; row")
+    done
+    same 'a number is the number of dominoes' 12 "$(json 'effect row 12; row' | wc -l)"
+    same 'a safe session does not look' "$(cd / && "$DOMINO" --safe -e 'effect row 2.5m' 2>&1)" "$("$DOMINO" --safe -e 'effect row 2.5m' 2>&1)"
+}

@@ -2,18 +2,24 @@
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "session/parameters.h"
+#include "session/rowfile.h"
 #include <ctype.h>
 #include <limits.h>
 #include <string.h>
+#include <strings.h>
 
 /* ---- Parameters and topics ---- */
 
-/* Returns true if a word looks like the path of a file rather than the beginning of an expression. */
-static bool is_path(const struct state *state, const char *word)
+/* Returns true if the next word looks like the path of a file rather than the beginning of an expression. The
+ * name of any file that exists is a path, unless it is a number. */
+static bool is_path(const struct reader *r)
 {
-    size_t length = strlen(word);
-    return strchr("\"./~", *word) || (length > 4 && strcmp(word + length - 4, ".csv") == 0) ||
-           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(state, word));
+    char word[PATH_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
+    const size_t length = strlen(word);
+    return strchr("\"./~", *word) || (length > 4 && strcasecmp(word + length - 4, ".csv") == 0) ||
+           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(r->query->state, word)) ||
+           (word[strspn(word, "0123456789")] && csv_exists(r->query->run_context, word));
 }
 
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
@@ -54,7 +60,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
                          : too_many(r, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);
-    if (value->or_file && is_path(r->query->state, word) && names_exact(parameter_words, p, word) < 0) {
+    if (value->or_file && names_exact(parameter_words, p, word) < 0 && is_path(r)) {
         *item = (struct item){.at = r->at};
         item->word = read_file(r);
         return item->word != NULL;

@@ -24,6 +24,14 @@ static char *path_beside(const struct run_context *run_context, const char *name
     return strdup(name);
 }
 
+bool csv_exists(const struct run_context *run_context, const char *name)
+{
+    char *path = run_context->safe ? NULL : path_beside(run_context, name);
+    bool exists = path && access(path, F_OK) == 0;
+    free(path);
+    return exists;
+}
+
 bool csv_end(struct csv_table *csv, struct problem *problem)
 {
     bool good = csv && *csv->file.problem.text == '\0';

@@ -13,6 +13,9 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
                             const char *name, bool standard, const struct csv_kind *kind,
                             struct problem *problem);
 
+/* Returns true if csv_named would find a file of this name. In a safe session, always returns false. */
+bool csv_exists(const struct run_context *run_context, const char *name);
+
 /* Closes a table after it has been read. Returns true if there was no error. Otherwise copies the error from
  * the table to *problem and returns false. If `csv` is NULL, only returns false. */
 bool csv_end(struct csv_table *csv, struct problem *problem);
