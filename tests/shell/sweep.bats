@@ -316,3 +316,26 @@ END
     wrong 'sweep r 1 2 3 : rmax,' "the answer after ',' is missing"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }
+
+@test "the unit in a head is that of every cell below it" {
+    heads() { "$DOMINO" -n -e "$1" | sed -n 2p | xargs; }
+    same 'a column that the first point does not have' 'rad s rad/s J J J J J J J' "$(heads 'set mass 10 g; sweep friction 0, 0.2 : goto 0.1')"
+    same 'without masses' 'mgh/2' "$(heads 'sweep friction 0, 0.2 : goto 0.1' | awk '{ print $NF }')"
+    same 'one number' J "$(heads 'set mass 10 g; sweep friction 0, 0.2 : why.kinetic, rmax')"
+    same 'a mass of its own' 'g J' "$(heads 'sweep mass 0, 10 g : why.kinetic with mass 10 g, rmax')"
+    # Every command that can be swept: where the masses are known at one point only, no column mixes the two units.
+    local command masses head
+    for command in $("$DOMINO" -e complete) 'goto 0.1' 'energy 0.1' 'chain 0.1' 'omega 0.1' 'count 3'; do
+        for masses in '0, 10 g' '10 g, 0'; do
+            run --separate-stderr "$DOMINO" -n --keep-going -e "set output json; set tol 0.01; effect row 3; effect push 3; sweep mass $masses : $command"
+            [ "$status" = 0 ] && [[ $output == *'"kinetic":'* ]] || continue
+            head=$(grep -o '"kinetic":[^,]*' <<<"$output" | cut -d : -f 2 | awk '{ print ($1 == "null") }' | sort -u | paste -sd ' ')
+            case $command in
+            launch | barrier | energy* | steps) same "$command: never in J" 0 "$head" ;;
+            *) same "$command: values at one of the points" '0 1' "$head" ;;
+            esac
+        done
+    done
+    [[ $("$DOMINO" -n -e 'sweep mass 0, 10 g : why') == *'fuel is in J here, but in mgh/2 at the first point.' ]]
+    [[ $("$DOMINO" -n -e 'sweep s 0.4 0.6 2 : if(s > 0.5, 1 m, 2), rmax') == *'is in m here, but a plain number at the first point.' ]]
+}

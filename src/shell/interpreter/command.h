@@ -105,6 +105,10 @@ struct command {
      * 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep' accepts no
      * such command. */
     const char *sweep_refusal;
+    /* For a command whose energies are in J if masses are known: returns true if they are known in this
+     * scene. If they are not, the unit is "mgh/2". NULL if the units of the columns do not depend on the
+     * scene. */
+    bool (*in_joules)(const struct scene *scene);
     bool train; /* the answer is about the endless train */
     enum {
         WRITES_DATA,
@@ -161,6 +165,9 @@ const struct command *command_find(const char *name);
 
 /* Returns true for 'print'. Messages do not mention 'print', because the user can omit it. */
 bool command_is_print(const struct command *command);
+
+/* Returns the unit that a column of the command's answer has in this scene. */
+const char *command_unit(const struct command *command, int column, const struct scene *scene);
 
 /* Returns the index of the command's principal column. The command must have one. */
 int command_principal(const struct command *command);

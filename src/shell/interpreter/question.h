@@ -69,6 +69,10 @@ bool question_ask(const struct question *question, const struct query *query, st
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
+/* Like question_value. Also stores the unit of the number, as text for the head of a column. */
+bool question_measure(const struct question *question, const struct query *query, struct quantity *value,
+                      char unit[UNIT_TEXT], struct problem *problem);
+
 /* Returns true if the answer to the question is one number. Otherwise reports a problem that lists the keys
  * from which the user can choose. */
 bool question_needs_number(const struct question *question, struct problem *problem);

@@ -81,12 +81,19 @@ bool question_needs_number(const struct question *q, struct problem *problem)
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,
                     struct problem *problem)
 {
+    return question_measure(q, query, value, (char[UNIT_TEXT]){""}, problem);
+}
+
+bool question_measure(const struct question *q, const struct query *query, struct quantity *value,
+                      char unit[UNIT_TEXT], struct problem *problem)
+{
     struct cell kept[ANSWER_CELLS];
     const struct command *c = q->command;
     struct answer answer = answer_kept(query, c, kept);
     if (!question_ask(q, query, &answer, problem))
         return false;
     *value = answer.value;
+    unit_write(*value, " ", unit);
     if (answer.is_value)
         return true;
     if (!question_needs_number(q, problem))
@@ -101,5 +108,8 @@ bool question_value(const struct question *q, const struct query *query, struct 
                                  c->name);
     *value = expression_unit(c->columns[q->key].unit);
     value->value *= cell.number;
+    for (const struct column *column = answer.columns; column->key; column++)
+        if (strcmp(column->key, key) == 0)
+            snprintf(unit, UNIT_TEXT, "%s", column->unit);
     return true;
 }

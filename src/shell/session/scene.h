@@ -119,6 +119,12 @@ domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_rea
 /* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
 domq_real scene_mass(const struct scene *scene);
 
+/* Returns true if the mass of the first domino of the train is known. */
+static inline bool scene_has_mass(const struct scene *scene)
+{
+    return scene_mass(scene) > 0;
+}
+
 /* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 

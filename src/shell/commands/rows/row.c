@@ -347,6 +347,7 @@ static bool run_change(const struct query *query, struct answer *a, struct probl
 
 const struct command row_commands[] = {
     {.name = "fall",
+     .in_joules = scene_has_masses,
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
      .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
@@ -358,6 +359,7 @@ const struct command row_commands[] = {
      .holds = "all dominoes fall",
      ANSWER(fall)},
     {.name = "verdict",
+     .in_joules = scene_has_masses,
      .shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and which domino is weakest",

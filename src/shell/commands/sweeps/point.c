@@ -6,19 +6,40 @@
 
 /* ---- Columns ---- */
 
-static bool column_add(struct sweep_columns *c, int *n, struct column column, const char *key)
+static bool column_add(struct sweep_columns *c, int *n, struct column column, const char *key, bool is_fixed)
 {
     if (*n + 1 >= ANSWER_COLUMNS)
         return false;
+    c->is_fixed[*n] = is_fixed;
     c->column[*n] = column;
     c->key[(*n)++] = key;
     c->column[*n].key = NULL;
     return true;
 }
 
-/* Makes a column for each question in a list. To find the unit of an expression, evaluates it with the
- * parameters of the session. */
-static void list_columns(struct sweeper *w)
+/* Returns true if the unit of a column may change from point to point. */
+static bool unit_varies(const struct question *q, int column)
+{
+    return command_is_print(q->command) ||
+           (q->command->in_joules && strcmp(q->command->columns[column].unit, "mgh/2") == 0);
+}
+
+/* Returns the unit of a column of the answer to a question. */
+static const char *unit_at(const struct question *q, int column, const struct query *at)
+{
+    struct call call;
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    if (!unit_varies(q, column))
+        return q->command->columns[column].unit;
+    bool good = question_bind(q, at, &call, &ignored);
+    const char *unit = command_unit(q->command, column, good ? call.query.scene : at->scene);
+    arena_free(&call.given.memory);
+    return unit;
+}
+
+/* Makes a column for each question in a list. To find the unit of an expression, evaluates it at the first
+ * point or, if it has no value there, with the parameters of the session. */
+static void list_columns(struct sweeper *w, const struct query *at)
 {
     struct sweep_columns *c = &w->columns;
     int n = 0;
@@ -27,12 +48,13 @@ static void list_columns(struct sweeper *w)
         struct problem ignored = {.kind = PROBLEM_NONE};
         struct quantity value = {.value = 0};
         const char *unit;
-        if (q->key >= 0) {
-            unit = q->command->columns[q->key].unit;
-        } else {
-            question_value(q, w->query, &value, &ignored);
-            unit = unit_write(value, " ", c->unit[n]);
-        }
+        if (q->key >= 0)
+            unit = unit_at(q, q->key, at);
+        else if (question_measure(q, at, &value, c->unit[n], &ignored) ||
+                 question_measure(q, w->query, &value, c->unit[n], &ignored))
+            unit = c->unit[n];
+        else
+            unit = "";
         c->answer[n] = (struct column){q->name, unit, "", 0};
     }
 }
@@ -54,8 +76,35 @@ static bool is_replaced(const struct question *q)
     return false;
 }
 
+void point_values(struct sweeper *w, size_t k)
+{
+    for (int i = w->grid->axes - 1; i >= 0; i--) {
+        const struct axis *axis = &w->grid->axis[i];
+        w->assigned[i] = (struct assigned){axis->parameter, axis_value(axis, k % axis->count), NULL};
+        w->value[i] = axis_cell(axis, w->assigned[i].value);
+        k /= axis->count;
+    }
+}
+
+/* Makes *at the query at point k. */
+static bool point_query(struct sweeper *w, size_t k, struct state *state, struct query *at,
+                        struct problem *problem)
+{
+    point_values(w, k);
+    bool good = query_with(w->query, w->assigned, w->grid->axes, state, at, problem);
+    at->run_context = &w->run_context;
+    state->settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
+    return good;
+}
+
 bool sweeper_columns(struct sweeper *w, struct problem *problem)
 {
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct state state;
+    struct query at;
+    const bool is_list = w->question->next;
+    if (!point_query(w, 0, &state, &at, &ignored))
+        at = *w->query;
     const struct question *q = &w->question->question;
     struct sweep_columns *c = &w->columns;
     const char *repeated = q->command->echo && !is_replaced(q) ? q->command->echo : "";
@@ -63,24 +112,31 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
     int n = 0, renamed = 0;
     for (int i = 0; i < w->grid->axes; i++) {
         const struct parameter *p = w->grid->axis[i].parameter;
-        fits = fits && column_add(c, &n, (struct column){p->name, p->value->unit, "", 0}, NULL);
+        fits = fits && column_add(c, &n, (struct column){p->name, p->value->unit, "", 0}, NULL, false);
     }
-    if (w->question->next)
-        list_columns(w);
-    for (const struct column *from = answered_columns(w); from->key; from++) {
+    if (is_list)
+        list_columns(w, &at);
+    const struct column *const columns = answered_columns(w);
+    const struct point_question *asked = w->question;
+    for (const struct column *from = columns; from->key; from++) {
         struct column column = *from;
+        const int k = is_list ? asked->question.key : (int)(from - columns);
+        const bool is_fixed = unit_varies(&asked->question, k) && (is_list || !command_is_print(q->command));
+        if (is_fixed && !is_list)
+            column.unit = unit_at(q, k, &at);
+        asked = is_list ? asked->next : asked;
         bool is_parameter = false;
         for (int i = 0; i < w->grid->axes; i++)
             is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
         const bool is_slow =
-            !w->question->next && q->command->slow_column && strcmp(q->command->slow_column, from->key) == 0;
+            !is_list && q->command->slow_column && strcmp(q->command->slow_column, from->key) == 0;
         if (is_slow || (is_parameter && strcmp(repeated, from->key) == 0))
             continue;
         if (is_parameter) {
             snprintf(c->renamed[renamed], sizeof *c->renamed, "%s.%s", q->command->name, from->key);
             column.key = c->renamed[renamed++];
         }
-        fits = fits && column_add(c, &n, column, from->key);
+        fits = fits && column_add(c, &n, column, from->key, is_fixed);
     }
     return fits || problem_error(
                        problem, "a row of this sweep would have more than %d columns; sweep fewer parameters",
@@ -118,12 +174,14 @@ static int column_find(const struct column *columns, const char *key)
 }
 
 /* A callback that receives a row of the answer at a point and writes it as a row of the sweep. The columns of
- * the answer and their units may differ from point to point. */
+ * the answer and their units may differ from point to point. A cell whose unit is not that of its column
+ * stays empty. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
     struct sweep_columns *c = &w->columns;
     struct cell row[ANSWER_COLUMNS];
+    char other[SWEEP_REASON];
     const int values = w->grid->axes;
     memcpy(row, w->value, (size_t)values * sizeof *row);
     for (int j = values; c->column[j].key; j++) {
@@ -131,8 +189,17 @@ static void row_take(struct answer *a, const struct cell *cells, const char *rea
         row[j] = (struct cell){.kind = CELL_NONE};
         if (i < 0)
             continue;
+        const char *unit = a->columns[i].unit, *head = c->column[j].unit;
+        if (!c->is_fixed[j])
+            c->column[j].unit = unit;
+        else if (cells[i].kind != CELL_NONE && strcmp(unit, head) != 0) {
+            if (!reason)
+                snprintf(other, sizeof other, "%s is %s%s here, but %s%s at the first point", c->column[j].key,
+                         *unit ? "in " : "a plain number", unit, *head ? "in " : "a plain number", head);
+            reason = reason ? reason : other;
+            continue;
+        }
         row[j] = cells[i];
-        c->column[j].unit = a->columns[i].unit;
     }
     if (!w->to && !w->answered)
         memcpy(w->sample, row, sizeof row);
@@ -142,28 +209,23 @@ static void row_take(struct answer *a, const struct cell *cells, const char *rea
 
 /* ---- Points ---- */
 
-void point_values(struct sweeper *w, size_t k)
-{
-    for (int i = w->grid->axes - 1; i >= 0; i--) {
-        const struct axis *axis = &w->grid->axis[i];
-        w->assigned[i] = (struct assigned){axis->parameter, axis_value(axis, k % axis->count), NULL};
-        w->value[i] = axis_cell(axis, w->assigned[i].value);
-        k /= axis->count;
-    }
-}
-
 /* Asks all questions of a list at one point and writes the answers as one row. If a question has no answer at
  * this point, its cell is empty. If a question fails with an error, sets w->problem and returns false. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
-    char reason[sizeof w->reason] = "";
+    struct column columns[ANSWER_COLUMNS];
+    char reason[sizeof w->reason] = "", unit[ANSWER_COLUMNS][UNIT_TEXT];
     int n = 0;
+    memcpy(columns, w->columns.answer, sizeof columns);
+    a->columns = columns;
     for (const struct point_question *q = w->question; q; q = q->next, n++) {
         struct quantity value;
         cells[n] = (struct cell){.kind = CELL_NONE};
         problem_begin(&w->problem, w->command);
-        if (question_value(&q->question, at, &value, &w->problem))
+        if (unit_varies(&q->question, q->question.key))
+            columns[n].unit = strcpy(unit[n], "");
+        if (question_measure(&q->question, at, &value, unit[n], &w->problem))
             cells[n] = cell_bound(value.value, DOMQ_NAN);
         else if (w->problem.kind != PROBLEM_NO_ANSWER)
             return false;
@@ -180,13 +242,10 @@ static bool point_answer(struct sweeper *w, size_t k)
     struct state state;
     struct query at;
     struct answer a = w->answer;
-    point_values(w, k);
     w->answered = false;
     w->reason[0] = '\0';
     problem_begin(&w->problem, w->command);
-    bool is_assigned = query_with(w->query, w->assigned, w->grid->axes, &state, &at, &w->problem);
-    at.run_context = &w->run_context;
-    state.settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
+    bool is_assigned = point_query(w, k, &state, &at, &w->problem);
     if (w->styled) {
         struct answer_style style = state_style(&state);
         style.digits = a.style.digits; /* otherwise the width of a column would change from point to point */

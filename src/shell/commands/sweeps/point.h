@@ -25,6 +25,9 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key in the answer; NULL for a parameter of the grid */
+    /* The unit may change from point to point. All cells have the unit of the first point; others are empty.
+     */
+    bool is_fixed[ANSWER_COLUMNS];
     /* new names, such as "rmax.s", for columns of the answer whose key is also the name of a parameter of the
      * grid */
     char renamed[ASSIGNED_MAX][40];
