@@ -76,7 +76,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 # ---- Dependencies, but only those that the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
-DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
+DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils poppler-utils jq python3 python3-numpy python3-pandas
 $(foreach goal,quick unit hard sessions sanitize race,$(eval DEPS_$(goal) := $(DEPS_test)))
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_valgrind := valgrind libc6-dbg

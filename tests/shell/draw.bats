@@ -257,11 +257,35 @@ END
         for k in $numbers; do
             grep -qx "$k" texts || same "$row" "domino $k" "$(cat texts)"
         done
+        same "$row: numbers" "$numbers" "$(sed -n '/^tape/,$p' texts | grep -xE '[0-9]+' | sort -n | paste -sd ' ' -)"
     done <<'END'
+effect row 20|Too small for labels: domino 1 (4.8 cm), 3 to 13 (10.8 cm to 6.23 m).|2 14 15 16 17 18 19 20
 effect row 14|Too small for labels: domino 1 (4.8 cm), 3 to 6 (10.8 cm to 36.5 cm).|2 7 8 9 10 11 12 13 14
 set r 1.3; effect row 14|Too small for labels: domino 1 (4.8 cm), 3 and 4 (8.11 cm and 10.5 cm).|2 5 6 7 8 9 10 11 12 13 14
 set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
 END
+}
+
+@test "draw: in a pdf, no word is cut off or written over another one" {
+    "$DOMINO" -e 'draw 0.3 > tilt.pdf; draw 0.3 forces > forces.pdf; effect row 12; draw > row12.pdf; plan > plan.pdf
+        effect row 20; draw > row20.pdf; plot fall > fall.pdf'
+    for picture in tilt forces row12 row20 plan fall; do
+        pdftotext -bbox "$picture.pdf" words.xml
+        python3 - <<'END' || same "$picture" 'words apart, on the page' 'others'
+import re
+pages = re.split("<page ", open("words.xml").read())[1:]
+for page in pages:
+    width, height = map(float, re.findall(r'(?:width|height)="([\d.]+)"', page)[:2])
+    boxes = [([float(x) for x in m[:4]], m[4]) for m in
+             re.findall(r'xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)<', page)]
+    assert len(boxes) > 10
+    for i, ((left, top, right, bottom), word) in enumerate(boxes):
+        assert left >= 0 and top >= 0 and right <= width and bottom <= height, word
+        # The boxes are as tall as the font, which leaves room above and below the letters.
+        for (l, t, r, b), other in boxes[:i]:
+            assert not (left < r - 1 and l < right - 1 and top < b - 5 and t < bottom - 5), (word, other)
+END
+    done
 }
 
 @test "rows that cannot be drawn give a one-line error that says what works" {

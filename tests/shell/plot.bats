@@ -303,7 +303,7 @@ END
     same order "$("$DOMINO" -e 'plot growth width 9 cm paper > c.svg' && cat c.svg)" "$("$DOMINO" -e 'plot growth paper width 9 cm > c.svg' && cat c.svg)"
     same data "$(csv 'plot growth')" "$(csv 'plot growth title "x" width 8 cm')"
     "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
-    "$DOMINO" -e 'plot growth width 8 cm > d.gp' && grep -q '^set terminal pdfcairo size 8cm' d.gp
+    for width in '8 cm' 8 '80 mm'; do "$DOMINO" -e "plot growth width $width > d.gp" && grep -q '^set terminal pdfcairo size 8cm' d.gp; done
     all_fail <<END
 plot growth width 2 cm > a.svg|width is 2 cm; it must be in the range 6 .. 30 cm
 plot growth font 40 > a.svg|font is 40; it must be in the range 5 .. 30 points

@@ -52,8 +52,8 @@ enum {
     SIZE = 11,  /* the font size of a table */
     DRAWING_LEAST = 190,
     DRAWING_MOST = 400,
-    NOTE = 108,     /* the width of the note above a table, in characters */
-    LEAST_LINES = 5 /* a table begins on a page only if this many of its lines fit */
+    DOMINOES_LEAST = 110, /* a drawing is not made smaller than this, not counting the text around it */
+    NOTE = 108            /* the width of the note above a table, in characters */
 };
 
 struct page {
@@ -96,10 +96,10 @@ static void page_begin(struct page *p)
     p->y += LINE + SPACE;
 }
 
-/* Returns true if the page has no room for `lines` more lines. */
-static bool page_is_full(const struct page *p, size_t lines)
+/* Returns true if the page has no room for something of this height. */
+static bool page_is_full(const struct page *p, double height)
 {
-    return p->is_cut && p->y + LINE * (double)lines > PAGE - SIDE;
+    return p->is_cut && p->y + height > PAGE - SIDE;
 }
 
 static void head_put(struct page *p, const struct guide_table *table, const double *right)
@@ -109,16 +109,25 @@ static void head_put(struct page *p, const struct guide_table *table, const doub
     p->y += LINE;
 }
 
-static void note_put(struct page *p, const char *note)
+/* Writes a note in lines, if `p` is not NULL. Returns the number of lines. */
+static int note_put(struct page *p, const char *note)
 {
+    int lines = 0;
     char line[2 * NOTE];
-    for (size_t n; *note; note += n + strspn(note + n, " ")) {
+    for (size_t n; *note; note += n + strspn(note + n, " "), lines++) {
         n = line_break(note, NOTE);
+        if (!p)
+            continue;
         snprintf(line, sizeof line, "%.*s", (int)n, note);
         text_put(p, SIDE, "left", SIZE - 1, false, line);
         p->y += LINE;
     }
-    p->y += 2;
+    return lines;
+}
+
+static double table_height(const struct guide_table *table)
+{
+    return LINE * (double)(table->count + 2 + (size_t)note_put(NULL, table->note)) + 2 * SPACE + 4;
 }
 
 static void table_put(struct page *p, const struct guide_table *table)
@@ -131,15 +140,17 @@ static void table_put(struct page *p, const struct guide_table *table)
     const double each = fmin(1.5 * letter, wide / letters);
     for (int k = 0; k < columns; k++)
         right[k] = (k > 0 ? right[k - 1] : SIDE) + each * ((double)column_width(table, k) + (k > 0 ? 2 : 0));
-    if (page_is_full(p, LEAST_LINES + 4))
+    /* A table is broken only if it is longer than a page. */
+    if (page_is_full(p, fmin(table_height(table), PAGE / 2.0)))
         page_begin(p);
     p->y += SPACE;
     text_put(p, SIDE, "left", SIZE + 2, true, table->title);
     p->y += LINE + 2;
-    note_put(p, table->note);
+    (void)note_put(p, table->note);
+    p->y += 2;
     head_put(p, table, right);
     for (size_t i = 0; i < table->count; i++) {
-        if (page_is_full(p, 1)) {
+        if (page_is_full(p, LINE)) {
             page_begin(p);
             head_put(p, table, right);
         }
@@ -151,18 +162,16 @@ static void table_put(struct page *p, const struct guide_table *table)
     p->y += SPACE;
 }
 
-/* Sets up the first page. The tables begin below the drawing. */
-static struct page page_first(const struct guide *guide, bool is_cut)
+/* Sets up the first page with a drawing of at most `most` dots. The tables begin below the drawing. */
+static struct page page_with(const struct guide *guide, bool is_cut, double most)
 {
     struct page p = {.guide = guide, .number = 1, .is_cut = is_cut};
     struct sheet *v = &p.sheet;
-    *v = sheet_of(guide->stage, DRAWING_LEAST, DRAWING_MOST);
+    *v = sheet_of(guide->stage, DRAWING_LEAST, most);
     const double drawing = v->height - v->above - v->below;
     double lines = 0;
-    for (int i = 0; i < guide->tables; i++) {
-        const size_t of_note = strlen(guide->table[i].note) / NOTE;
-        lines += LINE * (double)(guide->table[i].count + 3 + of_note) + 2 * SPACE + 4;
-    }
+    for (int i = 0; i < guide->tables; i++)
+        lines += table_height(&guide->table[i]);
     v->indent = SIDE;
     v->head = SIDE / 2.0 + (guide->title ? TITLE : 0);
     v->above += v->head;
@@ -170,6 +179,19 @@ static struct page page_first(const struct guide *guide, bool is_cut)
     v->height = is_cut ? PAGE : ceil(p.y + lines + SIDE);
     v->below = v->height - v->above - drawing;
     return p;
+}
+
+/* Sets up the first page. The drawing becomes smaller if one more table then fits below it. */
+static struct page page_first(const struct guide *guide, bool is_cut)
+{
+    const struct page p = page_with(guide, is_cut, DRAWING_MOST);
+    const double drawing = p.sheet.height - p.sheet.above - p.sheet.below;
+    double excess = p.y - (PAGE - SIDE), shrink = 0;
+    for (int i = 0; i < guide->tables; i++) {
+        excess += table_height(&guide->table[i]);
+        shrink = excess > 0 && drawing - excess >= DOMINOES_LEAST ? excess : shrink;
+    }
+    return is_cut && shrink > 0 ? page_with(guide, is_cut, DRAWING_MOST - shrink) : p;
 }
 
 static void guide_script(const struct guide *guide, struct page *p, FILE *script)
@@ -189,7 +211,7 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
 static void guide_terminal(const struct sheet *v, const char *extension, char *terminal, size_t size)
 {
     if (strcmp(extension, ".pdf") == 0)
-        snprintf(terminal, size, "pdfcairo size 21cm,29.7cm font 'sans,14' fontscale 0.75 enhanced");
+        snprintf(terminal, size, "pdfcairo size 21cm,29.7cm font 'sans,14' fontscale 0.68 enhanced");
     else if (strcmp(extension, ".png") == 0)
         snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,14' fontscale 1.25 linewidth 2 enhanced",
                  2 * v->width, 2 * v->height);

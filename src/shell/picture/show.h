@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws a command's picture to the destination of its answer. A terminal shows the picture in characters. In a
- * file, the extension determines the format. */
+/* Draws a command's picture to the destination of its answer. A terminal shows the picture in characters. In
+ * a file, the extension determines the format. */
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 

@@ -74,7 +74,7 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 {
     const char *extension = strrchr(path, '.');
     if (strcasecmp(extension, ".pdf") == 0)
-        snprintf(terminal, size, "pdfcairo size %.3fcm,%.3fcm font 'sans,%d' fontscale 0.67 enhanced",
+        snprintf(terminal, size, "pdfcairo size %.3fcm,%.3fcm font 'sans,%d' fontscale 0.51 enhanced",
                  v->width / 40, v->height / 40, FONT);
     else if (strcasecmp(extension, ".png") == 0)
         snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,%d' fontscale %.3g linewidth 2 enhanced",
@@ -159,28 +159,44 @@ struct labels {
     int count;
 };
 
-/* Writes a label at the position x on the ruler. `height` is the distance in dots from the ground to the
- * centre of the label. If `upright` is true, the label is turned by 90 degrees, and `height` is the distance
- * to its lower end. If the label would overlap another one, writes nothing and returns false. */
-static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
-                      const char *text)
+/* A label at the position x on the ruler. `height` is the distance in dots from the ground to the centre of
+ * the label. If `upright` is true, the label is turned by 90 degrees, and `height` is the distance to its
+ * lower end. */
+struct label {
+    double x, height;
+    bool upright;
+    const char *colour, *text;
+};
+
+static struct box label_box(const struct labels *l, const struct label *label)
 {
-    double dot = l->sheet->dot, length = (double)strlen(text) * LETTER + 4;
-    struct box candidate = {x / dot, height, length, SMALL};
-    if (upright)
-        candidate = (struct box){x / dot, height + length / 2 - 2, 1.25 * SMALL, length};
+    const double at = label->x / l->sheet->dot, length = (double)strlen(label->text) * LETTER + 4;
+    return label->upright ? (struct box){at, label->height + length / 2 - 2, 1.25 * SMALL, length}
+                          : (struct box){at, label->height, length, SMALL};
+}
+
+/* Returns true if the label would not overlap another one. */
+static bool label_fits(const struct labels *l, const struct label *label)
+{
+    const struct box candidate = label_box(l, label);
     for (int i = 0; i < l->count; i++)
         if (2 * fabs(candidate.x - l->taken[i].x) < candidate.wide + l->taken[i].wide &&
             2 * fabs(candidate.y - l->taken[i].y) < candidate.high + l->taken[i].high)
             return false;
-    if (l->count == LABELS)
-        return false;
-    l->taken[l->count++] = candidate;
+    return l->count < LABELS;
+}
+
+/* Writes a label, unless it does not fit. */
+static void label_put(struct labels *l, const struct label *label)
+{
+    if (!label_fits(l, label))
+        return;
+    l->taken[l->count++] = label_box(l, label);
     fputs("set label ", l->script);
-    gnuplot_text(l->script, text);
-    fprintf(l->script, " at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", x, height * dot,
-            upright ? "left rotate by 90" : "center", SMALL, colour);
-    return true;
+    gnuplot_text(l->script, label->text);
+    fprintf(l->script, " at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", label->x,
+            label->height * l->sheet->dot, label->upright ? "left rotate by 90" : "center", SMALL,
+            label->colour);
 }
 
 /* The colours also differ in lightness, for grey print and colour-blind people. */
@@ -227,22 +243,25 @@ static bool height_repeats(const struct stage *stage, size_t k)
 }
 
 /* Writes the number of a domino below it, and its height above it. If the previous domino has the same
- * height, the height is not repeated. Returns false if one of the two does not fit. */
+ * height, the height is not repeated. If one of the two does not fit, writes neither and returns false,
+ * except for marked dominoes. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
     const struct sheet *v = l->sheet;
-    double middle = d->foot - d->thickness / 2;
-    char text[64];
-    bool number = drawn_name(d, text) && middle >= v->left && middle <= v->right &&
-                  label_put(l, middle, -STRIP / 2.0, false, colour_of(d), text);
-    if (!is_sized(stage, k))
-        return number || stage->row;
-    if (height_repeats(stage, k))
-        return number;
-    bool height = height_text(stage, v, k, text) &&
-                  label_put(l, middle, d->height / v->dot + 5, true, colour_of(d), text);
-    return number && height;
+    const double middle = d->foot - d->thickness / 2;
+    char name[64], text[64] = "";
+    const struct label number = {middle, -STRIP / 2.0, false, colour_of(d), name},
+                       height = {middle, d->height / v->dot + 5, true, colour_of(d), text};
+    const bool has_height = is_sized(stage, k) && !height_repeats(stage, k);
+    bool fits = drawn_name(d, name) && middle >= v->left && middle <= v->right && label_fits(l, &number);
+    if (has_height)
+        fits = height_text(stage, v, k, text) && label_fits(l, &height) && fits;
+    if ((fits || drawn_marked(d)) && *name)
+        label_put(l, &number);
+    if ((fits || drawn_marked(d)) && *text)
+        label_put(l, &height);
+    return fits || (stage->row && !is_sized(stage, k));
 }
 
 /* Writes the size of the gap before domino k into the gap, if there is room. */
@@ -252,8 +271,10 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
     double gap = (double)stage->row[k].gap, dot = l->sheet->dot;
     struct measured text = measured(stage->row[k].gap, "m", 3);
     bool upright = gap <= ((double)strlen(text.text) * LETTER + 4) * dot;
+    const struct label label = {d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050",
+                                text.text};
     if (k > 0 && gap > 1.4 * SMALL * dot)
-        (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
+        label_put(l, &label);
 }
 
 /* Writes a line with the heights of the unlabelled dominoes, unless the line would be too long. */

@@ -140,7 +140,8 @@ static void errors_words(const struct domq_random_error *error, char *text, size
     }
 }
 
-static void caption_write(struct plan *p)
+/* `mark` says how the tables mark a value. */
+static void caption_write(struct plan *p, const char *mark)
 {
     char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
     struct stage *stage = &p->row.stage;
@@ -167,11 +168,11 @@ static void caption_write(struct plan *p)
                      " To see how likely the row is to fall, turn on random errors, for example with 'effect "
                      "placement 2 mm'.");
     if (p->windows.count > 1 && at < (int)room)
-        snprintf(text + at, room - (size_t)at,
-                 " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "
-                 "domino "
-                 "%zu.",
-                 critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
+        snprintf(
+            text + at, room - (size_t)at,
+            " What matters most (%s in the tables): the place of domino %zu, the height of domino %zu and "
+            "the thickness of domino %zu.",
+            mark, critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
 }
 
 /* ---- The answer ---- */
@@ -211,7 +212,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         answer_leave_out(a, "lean");
     p.guide.title = title ? *title : NULL;
     p.guide.stage = &p.row.stage;
-    caption_write(&p);
+    caption_write(&p, is_drawn ? "bold" : "!");
     bool good = true;
     if (!people && !is_drawn)
         plan_rows(&p, a);
@@ -227,7 +228,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
                problem_status(problem, query->scene, DOM_NO_MEMORY);
         for (int i = 0; i < p.guide.tables; i++)
             guide_text(&p.guide.table[i], a);
-        answer_say(a, "\n! marks what matters most. 'plan > hall.pdf' draws this guide for printing.");
+        answer_say(a, "\n'plan > hall.pdf' draws this guide for printing.");
     }
     plan_free(&p);
     return good;

@@ -34,6 +34,15 @@ static void window_put(struct guide_line *line, int at, const struct plan *p, en
         line->bold[at + i] = p->windows.critical[kind] == k + 1;
 }
 
+/* A box is empty inside if its thickness is more than this above that of two walls, in m. */
+#define THIN ((domq_real)1 / 5000)
+
+static bool is_box(const struct plan *p, size_t k)
+{
+    const struct domq_row *row = &p->row.run.scene.row;
+    return row->walls > 0 && p->row.run.scene.domino[k].height > row->boxes_above;
+}
+
 static struct guide_table *table_add(struct plan *p, const char *title, const char *note, size_t count)
 {
     struct guide_table *table = &p->guide.table[p->guide.tables++];
@@ -82,13 +91,15 @@ bool plan_tape_table(struct plan *p)
 bool plan_size_table(struct plan *p, bool has_masses)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    struct guide_table *table = table_add(
-        p, "For the workshop: the sizes of the dominoes",
-        has_masses ? "In mm and kg. If only one height or thickness changes, and stays between 'least' and "
-                     "'most', all dominoes still fall."
-                   : "Lengths are in mm, and masses are divided by the mass of domino 1. If only one height "
-                     "or thickness changes, and stays between 'least' and 'most', all dominoes still fall.",
-        scene->row.count);
+    const bool has_boxes = scene->row.walls > 0;
+    snprintf(p->sizes, sizeof p->sizes,
+             "%s If only one height or thickness changes, and stays between 'least' and 'most', all dominoes "
+             "still fall.%s",
+             has_masses ? "In mm and kg."
+                        : "Lengths are in mm, and masses are divided by the mass of domino 1.",
+             has_boxes ? " 'any': as thin as the boards allow." : "");
+    struct guide_table *table =
+        table_add(p, "For the workshop: the sizes of the dominoes", p->sizes, scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",
                                 "most",   "width",     has_masses ? "mass" : "relative"};
@@ -101,6 +112,8 @@ bool plan_size_table(struct plan *p, bool has_masses)
         snprintf(line->cell[0], GUIDE_CELL, "%zu", k + 1);
         window_put(line, 1, p, DOM_WINDOW_HEIGHT, k, d->height);
         window_put(line, 4, p, DOM_WINDOW_THICKNESS, k, d->thickness);
+        if (is_box(p, k) && plan_window(p, DOM_WINDOW_THICKNESS, k)->low < 2 * scene->row.walls + THIN)
+            snprintf(line->cell[5], GUIDE_CELL, "any");
         mm(line->cell[7], d->width, 0);
         snprintf(line->cell[8], GUIDE_CELL, "%.4g",
                  (double)(has_masses ? d->mass : d->mass / scene->domino[0].mass));

@@ -16,6 +16,7 @@ struct plan {
     struct domq_study study;
     struct domq_random_error error[DOM_ERROR_COUNT];
     struct guide guide;
+    char sizes[320]; /* the note above the table of sizes */
 };
 
 /* Returns the window for the place, the height or the thickness of domino k, counted from 0. As long as only

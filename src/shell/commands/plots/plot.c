@@ -267,7 +267,8 @@ const struct command plot_commands[] = {
          "change. 'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' "
          "and 'ylabel' take a text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its "
          "label names. 'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or "
-         "'off'. For a file, 'width' and 'height' take 6 to 30 cm, 'font' takes points, and 'family' takes "
+         "'off'. For a file, 'width' and 'height' take 6 to 30 cm (the unit may be left out), 'font' takes "
+         "points, and 'family' takes "
          "the name of a font. These words can come in any order. They must come before the grid of a sweep "
          "or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",

@@ -120,9 +120,11 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
         const double least = is_font ? FONT_LEAST : SIZE_LEAST, most = MOST;
         if (!p->item[k][0].argument)
             continue;
-        if (!item_bind(&p->item[k][0], text, query, NULL, &value, problem))
+        struct quantity quantity;
+        if (!item_bind(&p->item[k][0], text, query, &quantity, &value, problem))
             return false;
-        *number[k] = (double)value * (is_font ? 1 : 100);
+        /* A length without a unit is in cm. */
+        *number[k] = (double)value * (is_font || quantity_is_number(quantity) ? 1 : 100);
         if (!(*number[k] >= least * (1 - 1e-12) && *number[k] <= most * (1 + 1e-12)))
             return problem_error(problem, "%s is %.6g%s; it must be in the range %g .. %g%s", words[k].name,
                                  *number[k], is_font ? "" : " cm", least, most, is_font ? " points" : " cm");
