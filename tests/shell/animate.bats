@@ -136,11 +136,17 @@ END
     same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
         "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
             'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
-    # With 'tower' the row of the last count falls towards a tower. The data are the same as without the
-    # tower.
+    # With 'tower' the last domino of the row that the last count found topples the tower, which falls like a
+    # domino of its height.
     "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
     "$BATS_TEST_DIRNAME/gif" b.gif >said
-    same tower "$(csv 'effect row 8; animate a.gif rate 5')" "$(csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d)"
+    csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d >tower
+    same tower "$(csv 'effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
+        change 9 width 50 cm; change 9 gap 40 cm; animate a.gif rate 5')" "$(cat tower)"
+    same 'the tower falls last, and lies' '9 1.57' "$(tail -n 1 tower | cut -d, -f 2,3 | tr , ' ' | cut -c 1-6)"
+    same 'hollow dominoes' "$(csv 'set q hollow; effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
+        change 9 width 50 cm; change 9 gap 40 cm; change 9 mass +23.0188 %; animate a.gif rate 5' | cut -c 1-4)" \
+        "$(csv 'set q hollow; count 1 m; animate a.gif tower rate 5' | sed 1,2d | cut -c 1-4)"
     wrong 'animate a.gif tower' "'tower' works only if the last answer was a count"
     wrong 'count 5 m; animate a.gif tower 4' "'4' is one argument too many"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \

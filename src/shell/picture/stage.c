@@ -49,13 +49,13 @@ _Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "OUTLINE is too small for a silhou
 
 static int silhouette_outline(const struct drawn *k, const struct point *half, struct point outline[OUTLINE])
 {
-    double middle = (k->corner[0].x + k->corner[3].x) / 2;
+    const struct point up = direction(k->theta), middle = along(k->corner[0], -k->thickness / 2, up.y, -up.x);
     int n = 0;
-    for (int i = 0; i < SILHOUETTE; i++)
-        outline[n++] =
-            (struct point){middle + half[i].x * k->thickness, k->corner[0].y + half[i].y * k->height};
-    for (int i = SILHOUETTE - 1; i-- > 0;)
-        outline[n++] = (struct point){2 * middle - outline[i].x, outline[i].y};
+    for (int i = 1 - SILHOUETTE; i < SILHOUETTE; i++) {
+        const struct point *of = &half[SILHOUETTE - 1 - abs(i)];
+        const struct point axis = along(middle, of->y * k->height, up.x, up.y);
+        outline[n++] = along(axis, (i < 0 ? of->x : -of->x) * k->thickness, up.y, -up.x);
+    }
     return n;
 }
 

@@ -26,7 +26,6 @@ struct row_film {
     domq_real *time; /* time of each frame, in s */
     domq_real speed; /* seconds of the fall that are shown in one second of the film */
     bool follows;
-    size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
 /* Moves the view along the row with the front of the fall. When the domino `head` (counted from 1) is hit,
@@ -65,13 +64,11 @@ static bool row_frame(const struct domq_moment *m, void *context)
     else
         falling_row_summary(&f->row, more);
     if (!over && f->speed != 1)
-        snprintf(speed, sizeof speed, " (shown at %.30s times real speed)", measured(f->speed, "", 3).text);
+        snprintf(speed, sizeof speed, " (%.30s times real speed)", measured(f->speed, "", 3).text);
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
-    f->row.stage.count += f->towers;
     movie_frame(&f->film.movie, &f->row.stage);
-    f->row.stage.count -= f->towers;
     return true;
 }
 
@@ -114,14 +111,13 @@ static bool row_watch(struct film *film)
     return status == DOM_OK || row_status(film->query, film->problem, status);
 }
 
-/* If `tower` > 0, the row falls towards a tower of this height. */
-static bool animate_row(const struct film *film, double tower)
+static bool animate_row(const struct film *film)
 {
-    struct row_film f = {.film = *film, .towers = tower > 0};
+    struct row_film f = {.film = *film};
     char verdict[SENTENCE];
     struct stage *stage = &f.row.stage;
     f.film.delay = (int)quad(round)(100 / film->options->value[DRAW_RATE]);
-    if (!falling_row_make(film->query, film->problem, script_marks, &f.row))
+    if (!falling_row_make(film->query, film->problem, script_marks, film->options->tower, &f.row))
         return false;
     if (film->answer) {
         struct column *column = answer_columns(film->answer, film->answer->columns);
@@ -134,10 +130,8 @@ static bool animate_row(const struct film *film, double tower)
      * second line. */
     falling_row_verdict(&f.row, verdict);
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
-    bool done = !f.towers || tower_film(&f.row, tower) ||
-                problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
     f.follows = stage->top > FOLLOWED * falling_row_smallest(&f.row);
-    done = done && row_times(&f) && film_make(&f.film, stage, row_watch);
+    bool done = row_times(&f) && film_make(&f.film, stage, row_watch);
     free(f.time);
     falling_row_free(&f.row);
     return done;
@@ -172,11 +166,11 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (options->tower) {
-        struct state state;
-        struct query changed;
-        double height;
-        film.query = &changed;
-        return tower_query(query, &state, &changed, &height, problem) && animate_row(&film, height);
+        struct tower tower;
+        film.query = &tower.query;
+        const bool good = tower_make(query, &tower, problem) && animate_row(&film);
+        tower_free(&tower);
+        return good;
     }
-    return row ? animate_row(&film, 0) : animate_train(&film);
+    return row ? animate_row(&film) : animate_train(&film);
 }

@@ -126,21 +126,20 @@ static bool moment_show(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* If `tower` > 0, adds a tower of this height. */
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
-                     const struct draw_options *options, double tower)
+                     const struct draw_options *options)
 {
     struct falling_row row;
     domq_real time = 0;
     a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
-    if (!falling_row_make(query, problem, picture_marks(a), &row))
+    if (!falling_row_make(query, problem, picture_marks(a), options->tower && answer_for_people(a), &row))
         return false;
     bool good = draw_at(options) ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
     if (good && draw_at(options))
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
-    if (good && tower > 0 && answer_for_people(a) && !tower_add(&row, tower))
+    if (good && row.has_tower && !tower_zoom(&row))
         status = DOM_NO_MEMORY;
     if (status != DOM_OK) {
         good = row_status(query, problem, status);
@@ -236,13 +235,12 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     if (!picture_ready(a, problem))
         return false;
     if (options->tower) {
-        struct state state;
-        struct query changed;
-        double height;
-        return tower_query(query, &state, &changed, &height, problem) &&
-               draw_row(&changed, a, problem, options, height);
+        struct tower tower;
+        const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, options);
+        tower_free(&tower);
+        return good;
     }
-    return row && !train ? draw_row(query, a, problem, options, 0) : draw_train(query, a, problem, options);
+    return row && !train ? draw_row(query, a, problem, options) : draw_train(query, a, problem, options);
 }
 
 const struct command draw_commands[] = {

@@ -2,6 +2,8 @@
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
 #include "language/quad.h"
+#include "language/text.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +22,7 @@ static enum part part_of(const struct falling_row *row, size_t k, size_t head, b
     const struct domq_verdict *v = &row->run.verdict;
     if (v->end != DOM_ROW_FALLS && k + 1 == v->domino)
         return ENDS;
-    if (row->stage.count > 1 && k + 1 == v->weakest && isfinite(v->spare))
+    if (row->dominoes > 1 && k + 1 == v->weakest && isfinite(v->spare))
         return WEAKEST;
     return !has_moved ? STANDS : k + 1 == head ? HEAD : FALLS;
 }
@@ -43,9 +45,11 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
         at += k > 0 ? (double)domino->gap : 0;
         d->foot = at + (moment ? row->slid[k] : 0) + d->thickness;
         at += d->thickness;
+        if (k >= row->dominoes)
+            d->number = NUMBER_TOWER;
         drawn_corners(d);
     }
-    row->stage.row = moment ? NULL : row->run.scene.domino;
+    row->stage.row = moment || row->has_tower ? NULL : row->run.scene.domino;
 }
 
 void falling_row_reach(struct falling_row *row, bool lying)
@@ -60,30 +64,31 @@ void falling_row_reach(struct falling_row *row, bool lying)
 double falling_row_smallest(const struct falling_row *row)
 {
     double smallest = HUGE_VAL;
-    for (size_t k = 0; k < row->stage.count; k++)
+    for (size_t k = 0; k < row->dominoes; k++)
         smallest = fmin(smallest, row->stage.domino[k].height);
     return smallest;
 }
 
-static double tallest(const struct falling_row *row)
+static double tallest(const struct falling_row *row, size_t count)
 {
     double most = 0;
-    for (size_t k = 0; k < row->stage.count; k++)
+    for (size_t k = 0; k < count; k++)
         most = fmax(most, row->stage.domino[k].height);
     return most;
 }
 
-bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
                       struct falling_row *row)
 {
     const domq_real ever = (domq_real)HUGE_VAL;
-    *row = (struct falling_row){.marks = marks, .end = (double)NAN};
+    *row = (struct falling_row){.marks = marks, .end = (double)NAN, .has_tower = has_tower};
     if (!row_run(query, problem, true, &row->run))
         return false;
     size_t count = row->run.scene.row.count;
     row->slid = calloc(count, sizeof *row->slid);
     enum dom_status status = stage_make(&row->stage, count) && row->slid ? DOM_OK : DOM_NO_MEMORY;
     row->stage.count = count;
+    row->dominoes = count - has_tower;
     row->stage.ruler = "tape measure from the back of domino 1";
     if (status == DOM_OK && !row->run.timeless)
         status = falling_row_watch(row, &ever, 1, end_seen, &row->end);
@@ -93,7 +98,7 @@ bool falling_row_make(const struct query *query, struct problem *problem, struct
     }
     falling_row_pose(row, NULL);
     falling_row_reach(row, false);
-    row->stage.top = tallest(row);
+    row->stage.top = tallest(row, count);
     return true;
 }
 
@@ -134,33 +139,48 @@ static const char *start_of(const struct falling_row *row)
     return row_run_tipped(&row->run, 0) ? "first hit" : "push";
 }
 
+static struct words domino_words(const struct falling_row *row, size_t number)
+{
+    struct words words;
+    if (number > row->dominoes)
+        snprintf(words.text, sizeof words.text, "the tower");
+    else
+        snprintf(words.text, sizeof words.text, "domino %zu", number);
+    return words;
+}
+
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE])
 {
     struct measured least = measured((domq_real)falling_row_smallest(row), "m", 3),
-                    most = measured((domq_real)tallest(row), "m", 3);
+                    most = measured((domq_real)tallest(row, row->dominoes), "m", 3);
     bool equal = strcmp(least.text, most.text) == 0;
-    snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->stage.count,
-             row->stage.count == 1 ? "" : "es", least.text, equal ? "" : " to ", equal ? "" : most.text);
+    snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->dominoes, row->dominoes == 1 ? "" : "es",
+             least.text, equal ? "" : " to ", equal ? "" : most.text);
+    if (row->has_tower)
+        text_add(text, SENTENCE, "; a tower of %.40s",
+                 measured(row->run.scene.domino[row->dominoes].height, "m", 4).text);
 }
 
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
 {
     const struct domq_verdict *v = &row->run.verdict;
-    size_t count = row->stage.count, end = v->domino;
+    const size_t end = v->domino;
     double share = v->end == DOM_ROW_STOPS && end <= row->run.hits
                        ? (double)fall_share(&row->run.fall[end - 1])
                        : (double)NAN;
-    if (v->end == DOM_ROW_FALLS && isfinite(row->end) && count > 1)
-        snprintf(text, SENTENCE, "%.40s: the last one lies flat %.40s after the %s.",
-                 all_fall_words(count).text, measured((domq_real)row->end, "s", 3).text, start_of(row));
+    if (v->end == DOM_ROW_FALLS && isfinite(row->end) && row->stage.count > 1)
+        snprintf(text, SENTENCE, "%.40s%s lies flat %.40s after the %s.", all_fall_words(row->dominoes).text,
+                 row->has_tower ? ", and so does the tower: it" : ": the last one",
+                 measured((domq_real)row->end, "s", 3).text, start_of(row));
     else if (v->end == DOM_ROW_FALLS)
-        snprintf(text, SENTENCE, "%.40s.", all_fall_words(count).text);
+        snprintf(text, SENTENCE, "%.40s.", all_fall_words(row->dominoes).text);
     else if (share < 1)
-        snprintf(text, SENTENCE, "Domino %zu (%s) stops the row: it has %.150s.", end, row->marks.ends,
-                 energy_words((domq_real)share).text);
+        snprintf(text, SENTENCE, "%.40s (%s) stops the row: it has %.150s.", domino_words(row, end).text,
+                 row->marks.ends, energy_words((domq_real)share).text);
     else
-        snprintf(text, SENTENCE, "The fall ends at domino %zu (%s): %s.", end, row->marks.ends,
-                 dom_row_end_text(v->end));
+        snprintf(text, SENTENCE, "The fall ends at %.40s (%s): %s.", domino_words(row, end).text,
+                 row->marks.ends, dom_row_end_text(v->end));
+    *text = (char)toupper((unsigned char)*text);
 }
 
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
@@ -168,27 +188,43 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
     const struct domq_verdict *v = &row->run.verdict;
     text[0] = '\0';
     if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
-        snprintf(text, SENTENCE, "Weakest%s: domino %zu (%s), with %.150s.",
-                 v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall", v->weakest, row->marks.weakest,
-                 energy_words(v->spare + 1).text);
+        snprintf(text, SENTENCE, "Weakest%s: %.40s (%s), with %.150s.",
+                 v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall",
+                 domino_words(row, v->weakest).text, row->marks.weakest, energy_words(v->spare + 1).text);
+}
+
+/* Writes what happens at a moment before the end. */
+static void moment_words(const struct falling_row *row, const struct domq_moment *m, char *what, size_t size)
+{
+    if (m->head >= row->dominoes) {
+        snprintf(what, size, "%.40s%s falls%s", domino_words(row, m->head).text,
+                 row->has_tower ? "" : ", the last,",
+                 m->head == row->dominoes && row->has_tower ? " towards the tower" : "");
+        return;
+    }
+    const size_t after = row->dominoes - m->head;
+    if (row->has_tower)
+        snprintf(what, size, "domino %zu falls; %zu and the tower still stand", m->head, after);
+    else
+        snprintf(what, size, "domino %zu falls; %zu domino%s still stand%s", m->head, after,
+                 after == 1 ? "" : "es", after == 1 ? "s" : "");
 }
 
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *m, char text[SENTENCE])
 {
     char what[SENTENCE / 2];
-    double time = (double)m->time;
-    size_t after = row->stage.count - m->head;
-    const char *plural = after == 1 ? "" : "es", *stand = after == 1 ? "stands" : "stand";
-    if (time >= row->end && row->run.verdict.end == DOM_ROW_FALLS)
-        snprintf(what, sizeof what,
-                 row->stage.count > 1 ? "all dominoes have fallen" : "the domino has fallen");
-    else if (time >= row->end)
-        snprintf(what, sizeof what, "the fall ends at domino %zu; %zu domino%s %s", m->head, after, plural,
-                 stand);
-    else if (after == 0)
-        snprintf(what, sizeof what, "domino %zu, the last, falls", m->head);
+    const double time = (double)m->time;
+    const size_t after = row->dominoes > m->head ? row->dominoes - m->head : 0;
+    if (!(time >= row->end))
+        moment_words(row, m, what, sizeof what);
+    else if (row->run.verdict.end == DOM_ROW_FALLS)
+        snprintf(what, sizeof what, "%s",
+                 row->has_tower      ? "all have fallen, and so has the tower"
+                 : row->dominoes > 1 ? "all dominoes have fallen"
+                                     : "the domino has fallen");
     else
-        snprintf(what, sizeof what, "domino %zu falls; %zu domino%s still %s", m->head, after, plural, stand);
+        snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s stand%s",
+                 domino_words(row, m->head).text, after, after == 1 ? "" : "es", after == 1 ? "s" : "");
     snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
              start_of(row), what);
 }

@@ -13,11 +13,14 @@ struct falling_row {
     struct stage stage;
     double *slid;       /* how far each foot has slid at the moment that is shown */
     double end;         /* the time when the motion ends, or NaN if it cannot be computed */
+    bool has_tower;     /* the last domino of the run is drawn as a tower */
+    size_t dominoes;    /* the number of dominoes, not counting the tower */
     struct marks marks; /* words for captions, which explain the marks in the drawing */
 };
 
-/* Runs the row and draws it as it stands before the fall. After a failure nothing needs to be freed. */
-bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
+/* Runs the row and draws it as it stands before the fall. With `has_tower`, the last domino is a tower (see
+ * tower.h). After a failure nothing needs to be freed. */
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 

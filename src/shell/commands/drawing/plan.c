@@ -68,7 +68,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
 {
     const struct scene *of = query->scene;
     *p = (struct plan){.is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
-    if (!falling_row_make(query, problem, picture_marks(a), &p->row))
+    if (!falling_row_make(query, problem, picture_marks(a), false, &p->row))
         return false;
     struct scene_row *scene = &p->row.run.scene;
     const struct domq_verdict *v = &p->row.run.verdict;

@@ -3,12 +3,11 @@
 #include "interpreter/symbols.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "session/row_change.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The width of the tower, as a fraction of its height. */
-#define TOWER_WIDTH 0.2
 /* Dominoes smaller than this fraction of the tower's height are drawn a second time, enlarged. */
 #define TOO_SMALL 0.012
 /* The largest width of the enlarged copy, as a fraction of the width of the picture. */
@@ -20,27 +19,54 @@
 #define ZOOM_ABOVE 0.52
 /* A copy that would be enlarged by less than this factor is not drawn. */
 #define ZOOM_LEAST 2
-/* In a film, the distance from the last domino to the tower, divided by the last domino's height. */
-#define BEYOND 1.1
+/* Turns the last domino of the row into the tower: a domino of this height, with the proportions of the
+ * others. The gap before it is what it would be before any domino of its height. */
+static bool tower_stand(struct tower *tower, size_t dominoes)
+{
+    struct scene *scene = &tower->state.scene;
+    const struct domq_train *train = &scene->train;
+    const domq_real height = tower->height;
+    struct listed_row listed = {.domino = NULL};
+    if (!row_changes_open(&listed, dominoes + 1))
+        return false;
+    scene->listed = listed;
+    tower->change = listed.change;
+    struct domq_domino *change = &tower->change[dominoes];
+    change->height = height;
+    change->thickness = train->d * height;
+    change->width = height / 2;
+    change->gap = train->s * height;
+    /* A change of the three sizes gives the mass of a solid domino, for which q = 4. */
+    if (!(scene_walls(scene) > 0))
+        change->mass =
+            quad(pow)(height / scene->scale.h / quad(pow)(train->r, (domq_real)dominoes), train->q - 4);
+    return true;
+}
 
-bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
-                 struct problem *problem)
+bool tower_make(const struct query *query, struct tower *tower, struct problem *problem)
 {
     /* Indices of the first columns in the answer of 'count'. */
     enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES };
     const struct last_answer *ans = query->ans;
+    *tower = (struct tower){.change = NULL};
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,
                              "'tower' works only if the last answer was a count; first enter 'count 112 m'");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
-    if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
+    if (!isfinite(dominoes) || dominoes < 1 || dominoes >= most)
         return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s",
                                  dominoes == 0 ? "no dominoes" : "more dominoes than a row can have");
     const struct assigned assigned[] = {{parameter_find("r"), ans->cells[COUNT_GROWTH].number, NULL},
-                                        {parameter_find("row"), dominoes, NULL}};
-    *height = (double)ans->cells[COUNT_HEIGHT].number;
-    return query_with(query, assigned, 2, state, changed, problem);
+                                        {parameter_find("row"), dominoes + 1, NULL}};
+    tower->height = ans->cells[COUNT_HEIGHT].number;
+    return query_with(query, assigned, 2, &tower->state, &tower->query, problem) &&
+           (tower_stand(tower, (size_t)dominoes) || problem_status(problem, query->scene, DOM_NO_MEMORY));
+}
+
+void tower_free(struct tower *tower)
+{
+    free(tower->change);
 }
 
 /* Adds an enlarged copy of the dominoes that are too small to see, and mentions it in the caption. */
@@ -78,48 +104,14 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-/* Stores the tower in the element after the last domino and leaves stage->count unchanged. The gap between
- * the last domino and the tower is `distance` times the height of that domino. Also allocates room for
- * `copies` more dominoes. */
-static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
+bool tower_zoom(struct falling_row *row)
 {
-    const size_t count = stage->count;
-    struct drawn *more = realloc(stage->domino, (count + 1 + copies) * sizeof *more);
+    struct stage *stage = &row->stage;
+    const size_t count = stage->count - 1;
+    struct drawn *more = realloc(stage->domino, (stage->count + count) * sizeof *more);
     if (!more)
         return false;
     stage->domino = more;
-    stage->row = NULL; /* there is no room for labels with the sizes */
-    struct drawn *tower = &more[count];
-    const struct drawn *last = tower - 1;
-    *tower = *last;
-    tower->number = NUMBER_TOWER;
-    tower->part = STANDS;
-    tower->height = height;
-    tower->thickness = TOWER_WIDTH * height;
-    tower->radius = tower->theta = 0;
-    tower->foot = last->foot + distance * last->height + tower->thickness;
-    drawn_corners(tower);
-    stage->top = fmax(stage->top, height);
-    stage->right = fmax(stage->right, tower->foot);
-    return true;
-}
-
-bool tower_film(struct falling_row *row, double height)
-{
-    return tower_put(&row->stage, height, BEYOND, 0);
-}
-
-bool tower_add(struct falling_row *row, double height)
-{
-    struct stage *stage = &row->stage;
-    const size_t count = stage->count;
-    const struct drawn *last = &stage->domino[count - 1];
-    const double pitch = last->foot - (last - (count > 1))->foot;
-    if (!tower_put(stage, height, 1.2 * pitch / last->height, count))
-        return false;
-    stage->count++;
-    text_add(stage->caption, CAPTION, "\nBehind the last domino: a tower of %s.",
-             measured((domq_real)height, "m", 4).text);
-    zoom_add(stage, count, height);
+    zoom_add(stage, count, more[count].height);
     return true;
 }
