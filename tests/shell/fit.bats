@@ -66,7 +66,7 @@ END
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
     wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; each line after the first must describe one measured row, and the first line must name gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
-    wrong 'fit friction one.csv' 'one.csv has only one gap, .*add a second gap'
+    wrong 'fit friction, push one.csv' '2 measurements are too few|one.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
     wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would mean 9 m; write 'gap \(mm\)'"
     wrong 'fit friction unit.csv' "unit.csv:1:11: '\(m\)' is not a unit of speed; its units are: m/s"
     wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
@@ -75,7 +75,6 @@ END
     wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line must name gap"
     wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a csv file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
-    wrong 'fit slope one.csv' 'one.csv has only one gap, and any value of slope may fit it'
     wrong 'fit friction' 'FILE is missing; usage: fit NAME FILE \[FPS\]'
     wrong 'fit mu one.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
     wrong 'fit friction push one.csv' "a comma is missing before 'push'"
@@ -143,4 +142,16 @@ noisy_hits() { # SEED
     "$DOMINO" -e 'set r 1; set s 0.4; effect row 12; effect push 4; fall > exact.csv'
     run "$DOMINO" -e 'set r 1; set s 0.4; effect row 12; effect push 4; fit q exact.csv'
     [[ $status == 1 && $output == *'exact.csv: the measurements do not depend on q' ]]
+}
+
+@test "several trials at one gap determine one unknown" {
+    local scene='set r 1; set d 7.5/48'
+    printf 'gap (mm),speed (m/s)\n12,0.84\n12,0.86\n12,0.85\n' >trials.csv
+    friction=$(json "$scene; fit friction trials.csv" | values friction | head -n 1)
+    within 'about 0.325' 0.325 "$friction" 'd > -0.005 && d < 0.005'
+    close 'the mean of the trials' 0.85 "$(json "$scene; set s 12/48; effect friction $friction; duration" | values speed)" 1e-3
+    # the error of the mean of n trials is that of one divided by sqrt(n)
+    for n in 1 2 3; do sed 1d trials.csv; done | sed '1i gap (mm),speed (m/s)' >nine.csv
+    close 'three times as many' 2 "$(values friction_sd < <(json "$scene; fit friction trials.csv") | head -n 1 | awk -v nine="$(json "$scene; fit friction nine.csv" | values friction_sd | head -n 1)" '{ print $1/nine }')" 0.01
+    wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
 }

@@ -115,3 +115,12 @@ END
     repeat=$(printf '(%.0s' {1..300})
     wrong "let f(x) = $repeat" 'nested too deeply'
 }
+
+@test "a name that has a meaning is not recommended for a variable" {
+    local name
+    for name in pi mm rmax sin ans min to; do
+        wrong "$name = 3" "'$name' is .*; choose another name, such as 'my_$name'"
+        same "$name: as let says" "$("$DOMINO" -e "let $name = 3" 2>&1 | sed 's/.*: //')" "$("$DOMINO" -e "$name = 3" 2>&1 | sed 's/.*: //')"
+    done
+    wrong 'foo = 3' "'foo' is not a parameter; 'let foo = VALUE' defines a variable"
+}

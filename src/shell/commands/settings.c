@@ -273,7 +273,9 @@ const struct command session_commands[] = {
      .help =
          "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
          "expression may contain numbers, pi, + - * / ^ and parentheses. The units are m mm cm km in ft yd "
-         "for lengths, kg g t lb oz for masses, s ms for times, and rad deg for angles. The functions are "
+         "for lengths, kg g t lb oz for masses, s ms min hr for times, km/h mph for speeds, and rad deg for "
+         "angles; 3/8 in is "
+         "(3/8) in. The functions are "
          "sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max. A name "
          "is a parameter, or something that 'let' has defined. 'ans' is the last value, and 'ans.KEY' is a "
          "number of the last answer. A command stands for one number of its answer, and a key chooses "

@@ -129,27 +129,6 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* A names_list (see names.h) of the words that have a meaning in expressions. They cannot be names of
- * variables or functions. */
-static const char *language_words(const void *context, int k)
-{
-    static const char *const words[] = {"to", "with", "and", "or", "not", NULL};
-    (void)context;
-    return words[k];
-}
-
-/* Checks that a name has no other meaning. */
-static bool name_free(struct problem *problem, const char *name)
-{
-    const char *is = parameter_find(name)                             ? "a parameter"
-                     : command_find(name)                             ? "a command"
-                     : names_exact(expression_units, NULL, name) >= 0 ? "a unit"
-                     : names_exact(value_names, NULL, name) >= 0      ? "a built-in value"
-                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the expression language"
-                                                                      : NULL;
-    return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
-}
-
 /* A parsed definition of a variable or function. The body of a function is in the parser's arena. */
 struct definition {
     struct variable variable;

@@ -29,6 +29,26 @@ const char *definition_head(const char *c, struct variable *v)
     return c && c[0] == '=' && c[1] != '=' ? c + 1 : NULL;
 }
 
+/* A names_list (see names.h) of the words that have a meaning in expressions. They cannot be names of
+ * variables or functions. */
+static const char *language_words(const void *context, int k)
+{
+    static const char *const words[] = {"to", "with", "and", "or", "not", NULL};
+    (void)context;
+    return words[k];
+}
+
+bool name_free(struct problem *problem, const char *name)
+{
+    const char *is = parameter_find(name)                             ? "a parameter"
+                     : command_find(name)                             ? "a command"
+                     : names_exact(expression_units, NULL, name) >= 0 ? "a unit"
+                     : names_exact(value_names, NULL, name) >= 0      ? "a built-in value"
+                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the expression language"
+                                                                      : NULL;
+    return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
+}
+
 /* ---- Shorthands ---- */
 
 /* The name at the beginning of a line, and the command or variable with this name. */
@@ -121,6 +141,8 @@ static const struct command *assignment_read(struct reader *r, const struct vari
         return command_find("set");
     if (variable_find(&r->query->state->variables, v->name))
         return command_find("let");
+    if (!name_free(r->problem, v->name))
+        return NULL;
     int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
     if (k == NAMES_CLOSE)
         problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);

@@ -27,4 +27,7 @@ bool goes_on(const char *c);
  * the '='. If the text does not begin in this way, returns NULL. */
 const char *definition_head(const char *text, struct variable *variable);
 
+/* Returns true if a variable or function can have this name. Otherwise reports what the name means. */
+bool name_free(struct problem *problem, const char *name);
+
 #endif

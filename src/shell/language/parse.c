@@ -285,6 +285,25 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
+/* People write 3/8 in for (3/8) in. If `over` is a number with a unit, moves its unit to the number `top`. */
+static void unit_move(struct tree *top, struct tree *over)
+{
+    char *end;
+    struct tree *number = top->kind == TREE_MINUS ? top->child : top;
+    if (number->kind != TREE_NUMBER || over->kind != TREE_NUMBER || !quantity_is_number(number->value) ||
+        !isdigit((unsigned char)*over->at))
+        return;
+    const struct quantity plain = {.value = quad_read(over->at, &end)};
+    const char *unit = skip_blanks(end);
+    if (!quantity_is_number(over->value))
+        unit_scan(unit, &number->value);
+    else if (*unit == '%')
+        number->value.value /= 100;
+    else
+        return;
+    over->value = plain;
+}
+
 /* Parses values that are joined by operators of the level `least` or of higher levels. Operators of higher
  * levels bind more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
@@ -306,6 +325,8 @@ static struct tree *parse_chain(struct parse *p, enum level least)
         struct tree *right = parse_chain(p, op->level + 1);
         if (!right)
             return NULL;
+        if (op->op == OPERATOR_OVER && !(before && before->op == OPERATOR_OVER))
+            unit_move(before ? last : left, right);
         if (!before || before->level != op->level) {
             last = left;
             left = make_parent(p, TREE_CHAIN, left->at, left);

@@ -33,6 +33,9 @@ static const struct unit units[] = {
     {"oz", {.value = PART(45359237, 1600000000), .mass = 1}},
     {"s", {.value = 1, .time = 1}},
     {"ms", {.value = PART(1, 1000), .time = 1}},
+    {"min", {.value = 60, .time = 1}},
+    {"hr", {.value = 3600, .time = 1}},
+    {"mph", {.value = PART(1609344, 3600000), .length = 1, .time = -1}},
     {"rad", {.value = 1, .angle = 1}},
     {"deg", {.value = QUAD_PI / 180, .angle = 1}},
     {NULL, {.value = 0}},
@@ -46,7 +49,8 @@ static const struct word {
     {"centimetre", "cm"}, {"inch", "in"}, {"inche", "in"},      {"foot", "ft"},       {"feet", "ft"},
     {"yard", "yd"},       {"gram", "g"},  {"kilogram", "kg"},   {"kilo", "kg"},       {"tonne", "t"},
     {"pound", "lb"},      {"lbs", "lb"},  {"ounce", "oz"},      {"second", "s"},      {"degree", "deg"},
-    {"radian", "rad"},    {NULL, NULL},
+    {"radian", "rad"},    {"sec", "s"},   {"min", "min"},       {"minute", "min"},    {"hr", "hr"},
+    {"hour", "hr"},       {NULL, NULL},
 };
 
 const char *expression_units(const void *context, int k)
@@ -160,12 +164,23 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
     q->mass += power * by.mass;
 }
 
-const char *unit_scan(const char *c, struct quantity *q)
+/* Returns the unit of `length` letters at c in a text that begins at `begin`. In km/h, h is an hour. Otherwise
+ * it is no unit, but the height. */
+static const struct unit *unit_in(const char *begin, const char *c, size_t length)
 {
+    const bool is_hour = length == 1 && *c == 'h' && c == begin + 3 && strncmp(begin, "km/", 3) == 0;
+    return is_hour ? unit_at("hr", 2, true) : unit_at(c, length, c == begin);
+}
+
+const char *unit_scan(const char *begin, struct quantity *q)
+{
+    const char *c = begin;
     int sign = 1;
-    for (bool first = true;; first = false) {
+    if (strncmp(c, "min(", 4) == 0) /* the function */
+        return NULL;
+    for (;;) {
         size_t length = name_length(c);
-        const struct unit *u = unit_at(c, length, first);
+        const struct unit *u = unit_in(begin, c, length);
         if (!u)
             return NULL;
         c += length;
@@ -178,7 +193,7 @@ const char *unit_scan(const char *c, struct quantity *q)
             c = stop;
         }
         quantity_multiply(q, u->is, sign * (int)power);
-        if ((*c != '/' && *c != '*') || !unit_at(c + 1, name_length(c + 1), false))
+        if ((*c != '/' && *c != '*') || !unit_in(begin, c + 1, name_length(c + 1)))
             return c;
         sign = *c == '/' ? -1 : 1;
         c++;

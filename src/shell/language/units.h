@@ -79,7 +79,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size);
 
 /* Reads the unit at the beginning of a string and multiplies *quantity by it. Returns the end of the unit, or
  * NULL if there is no unit or its exponent is too large. In "4.8 cm/h", the unit is only cm, because h is not
- * a unit. */
+ * a unit; but "km/h" is one. */
 const char *unit_scan(const char *text, struct quantity *quantity);
 
 #endif

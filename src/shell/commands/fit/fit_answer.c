@@ -215,26 +215,29 @@ static void residuals_say(struct answer *a, const struct fit *f)
 
 /* ---- The command ---- */
 
-/* Checks that no gap is longer than a domino is tall, and that the gaps are not all equal. One gap alone
- * cannot determine an unknown. */
+/* Checks that no gap is longer than a domino is tall, and that there are as many different gaps as unknowns.
+ * Several measurements at one gap determine one unknown. */
 static bool speeds_check(const struct fit *f, const char *shown, struct problem *problem)
 {
     const domq_real h = f->query->scene->scale.h;
-    bool several = false;
+    int gaps = 0;
     for (size_t k = 0; k < f->data.points; k++) {
         const domq_real gap = (domq_real)f->data.point[k].gap;
-        several = several || f->data.point[k].gap != f->data.point[0].gap;
+        size_t earlier = 0;
+        while (f->data.point[earlier].gap != f->data.point[k].gap)
+            earlier++;
+        gaps += earlier == k;
         if (gap > h)
             return problem_no_answer(
                 problem,
                 "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
                 shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
     }
-    return several ||
+    return gaps >= f->unknowns ||
            problem_no_answer(problem,
-                             "%s has only one gap, and any value of %s may fit it; add a second gap, or use "
-                             "'set r 1; set s GAP/h; solve %s : duration.speed = SPEED'",
-                             shown, f->unknown[0].parameter->name, f->unknown[0].parameter->name);
+                             "%s has the speeds at %d gap%s, which cannot determine %d unknowns; measure at "
+                             "another gap, or name fewer unknowns",
+                             shown, gaps, gaps == 1 ? "" : "s", f->unknowns);
 }
 
 static const struct parameter *undetermined(const struct fit *f)
