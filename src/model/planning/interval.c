@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the exact (Clopper-Pearson) confidence interval for the probability that a row falls. */
 #include "planning/interval.h"
-#include "numerics/quiet.h"
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 
 /* The probability that the true value lies beyond one given end of a 95 % confidence interval. */
@@ -14,7 +11,8 @@
  * rows fall. Otherwise returns the probability that at most k rows fall.
  *
  * The terms of the distribution are added up. The sum over the tail is divided by the sum over all terms. The
- * function gsl_cdf_beta_P is not used: if n is a million or more, it does not converge for some p.
+ * functions gsl_cdf_beta_P and gsl_cdf_beta_Pinv are not used: from 10,000 rows on, they do not converge for
+ * some p.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -32,37 +30,16 @@ static double binomial_tail(double k, double n, double p, bool at_least)
     return (at_least ? 1 + above : 1 + below) / (1 + above + below);
 }
 
-struct tail {
-    double k, n;
-    bool at_least;
-};
-
-static double tail_off(double p, void *context)
+/* Returns the probability p at which binomial_tail is TAIL, by bisection. A tail that is almost constant, as
+ * near p = 0 and p = 1, does not matter to this method. */
+static double tail_inverse(double k, double n, bool at_least)
 {
-    const struct tail *t = context;
-    double chance = binomial_tail(t->k, t->n, p, t->at_least);
-    return t->at_least ? chance - TAIL : TAIL - chance;
-}
-
-/* Finds the probability p at which binomial_tail returns TAIL. The tail is almost constant near p = 0 and
- * near p = 1. Bisection works well with such a function. */
-static enum dom_status tail_inverse(struct tail tail, double *p)
-{
-    /* If the root is near 1, 50 bisections give all its digits. A small root needs more. If one of 2^64 rows
-     * has fallen, the root is near 2^-64, and 64 more bisections are needed. */
-    enum { STEPS = 200 };
-    gsl_function f = {tail_off, &tail};
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
-    int code = solver ? gsl_root_fsolver_set(solver, &f, 0, 1) : GSL_ENOMEM, done = GSL_CONTINUE;
-    for (int i = 0; i < STEPS && code == GSL_SUCCESS && done == GSL_CONTINUE; i++) {
-        code = gsl_root_fsolver_iterate(solver);
-        done = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 0,
-                                      1e-15);
+    double lo = 0, hi = 1;
+    while (hi - lo > 1e-15 * hi) {
+        const double p = 0.5 * (lo + hi);
+        *((binomial_tail(k, n, p, at_least) < TAIL) == at_least ? &lo : &hi) = p;
     }
-    *p = solver ? gsl_root_fsolver_root(solver) : 0;
-    if (solver)
-        gsl_root_fsolver_free(solver);
-    return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
+    return 0.5 * (lo + hi);
 }
 
 /*
@@ -75,15 +52,10 @@ enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
         return DOM_BAD_ROWS;
-    double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
-    s->low = 0;
-    s->high = 1;
-    dom_quiet_begin();
-    enum dom_status status = few > 0 ? tail_inverse((struct tail){few, N, true}, &s->low) : DOM_OK;
-    if (status == DOM_OK && many < N)
-        status = tail_inverse((struct tail){many, N, false}, &s->high);
-    dom_quiet_end();
-    return status;
+    const double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
+    s->low = few > 0 ? tail_inverse(few, N, true) : 0;
+    s->high = many < N ? tail_inverse(many, N, false) : 1;
+    return DOM_OK;
 }
 
 double unlikely_count(double share, double rows, bool at_least)

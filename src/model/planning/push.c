@@ -1,93 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds changes that make all dominoes of a row fall: another gap or a stronger push. Also finds the growths
- * at which all dominoes fall. */
+/* Finds the weakest push and the growths at which all dominoes of a row fall. */
 #include "planning/trial.h"
-
-/* ---- Gaps ---- */
-
-/* In addition to the gap at which the fall ends, this many gaps closer to the start of the row are tried.
- * Gaps that are even closer to the start hardly matter. */
-enum { BACK = DOM_MENDS - 1 };
-
-/* Searches from the current gap towards `end` for the first gap at which all dominoes fall. */
-static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
-{
-    *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
-    return value_towards(t, end, &mend->to, &mend->until);
-}
-
-/* A domino cannot reach across a gap that is wider than its height. If the gap is that wide, tries the widest
- * gap within reach, which equals the height of the domino before the gap. If the row falls with that gap,
- * also finds the narrowest gap down to which the row still falls, and returns true. Otherwise returns
- * false. */
-static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
-{
-    dom_real reach = t->domino[t->k - 1].height;
-    *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap, .to = reach};
-    bool found = mend->gap > reach && falls_with(reach, t);
-    if (found)
-        mend->until = value_until(t, reach, 0, reach, 1);
-    return found && t->status == DOM_OK;
-}
-
-static int by_change(const void *a, const void *b)
-{
-    const struct dom_mend *x = a, *y = b;
-    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
-    return dx < dy ? -1 : dx > dy;
-}
-
-/* Finds the smallest change to the gap before domino t->k that makes all dominoes fall. */
-static bool gap_mend(struct trial *t, struct dom_mend *mend)
-{
-    struct dom_mend wider;
-    if (mend_in_reach(t, mend))
-        return true;
-    bool in = mend_towards(t, 0, mend), out = mend_towards(t, t->domino[t->k - 1].height, &wider);
-    if (!in || (out && by_change(&wider, mend) < 0))
-        *mend = wider;
-    return in || out;
-}
-
-/* Searches for single gaps whose change makes the row fall. Tries the gap after the domino at which the fall
- * ends, and up to BACK earlier gaps. If the gap after this domino is too wide to reach across, no earlier gap
- * is tried. Returns the number of changes found. */
-static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
-                          struct dom_mend *mends)
-{
-    size_t found = 0, last = v->domino < t->row.count ? v->domino : t->row.count - 1, first = 1;
-    if (v->end == DOM_ROW_MISSES)
-        first = last;
-    else if (last > BACK)
-        first = last - BACK;
-    for (t->k = first; t->k <= last && t->status == DOM_OK; t->k++) {
-        found += gap_mend(t, &mends[found]);
-        if (progress)
-            progress(t->k - first + 1, last - first + 1, context);
-    }
-    if (found > 1)
-        qsort(mends, found, sizeof *mends, by_change);
-    return found;
-}
-
-enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
-                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
-                             size_t *count)
-{
-    struct trial t = trial_of(row, compute);
-    struct dom_mend found[DOM_MENDS];
-    size_t most = 0;
-    bool falls = trial_begin(&t);
-    const struct dom_verdict verdict = t.verdict;
-    if (t.status == DOM_OK && !falls && row->count > 1)
-        most = gaps_search(&t, &verdict, progress, context, found);
-    trial_end(&t);
-    if (t.status != DOM_OK)
-        return t.status;
-    memcpy(mends, found, most * sizeof *mends);
-    *count = most;
-    return DOM_OK;
-}
 
 /* ---- A push ---- */
 
@@ -131,9 +44,9 @@ enum dom_status dom_row_weakest_push(const struct dom_row *row, const struct dom
             bad = falls ? bad : good;
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
-            good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
+            good = edge_find(falls_pushed, &t, good, &bad, 0, PUSH_TOL);
             /* round up, so that the push is still strong enough */
-            dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
+            const dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
     }
@@ -185,9 +98,9 @@ static void growths_find(struct trial *t, dom_real highest, struct dom_row_growt
     *growth = (struct dom_row_growth){DOM_NAN, DOM_NAN, t->ends};
     if (!falls && !growth_change(t, false, highest, &before, &r))
         return;
-    growth->r_min = falls ? 1 : edge_find(falls_grown, t, r, before, 0, t->compute.tol);
+    growth->r_min = falls ? 1 : edge_find(falls_grown, t, r, &before, 0, t->compute.tol);
     bool ends = growth_change(t, true, highest, &before, &r);
-    growth->r_max = ends ? edge_find(falls_grown, t, before, r, 0, t->compute.tol) : highest;
+    growth->r_max = ends ? edge_find(falls_grown, t, before, &r, 0, t->compute.tol) : highest;
     growth->ends = ends ? t->ends : DOM_ROW_FALLS;
 }
 
