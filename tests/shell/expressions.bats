@@ -435,3 +435,9 @@ END
     run --separate-stderr bash -c 'ulimit -s 1024; "$DOMINO" --keep-going -f deep.dom'
     [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]
 }
+
+@test "an argument without parentheses: the message shows them" {
+    wrong 'print energy 0' "in an expression, the argument of 'energy' stands in parentheses: 'energy[(]0[)]'"
+    wrong 'print 2*omega 0.1' "'omega[(]0.1[)]'"
+    wrong 'assert rmax > 1.6' "put a comparison in parentheses, as in 'assert [(]rmax[(]0.4[)] > 1.6[)]'"
+}

@@ -339,3 +339,9 @@ END
     [[ $("$DOMINO" -n -e 'sweep mass 0, 10 g : why') == *'fuel is in J here, but in mgh/2 at the first point.' ]]
     [[ $("$DOMINO" -n -e 'sweep s 0.4 0.6 2 : if(s > 0.5, 1 m, 2), rmax') == *'is in m here, but a plain number at the first point.' ]]
 }
+
+@test "'with' after the last of several answers applies to all of them" {
+    same both "$(json 'set d 0.1; sweep s 0.2 0.4 3 : rmax, fuel')" "$(json 'sweep s 0.2 0.4 3 : rmax, fuel with d 0.1')"
+    same 'each its own' "$(json 'sweep s 0.2 0.4 3 : (rmax with d 0.2), (fuel with d 0.1)' | cut -d : -f 4-)" \
+        "$(json 'sweep s 0.2 0.4 3 : rmax with d 0.2, fuel with d 0.1' | cut -d : -f 4-)"
+}

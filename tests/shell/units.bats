@@ -46,7 +46,7 @@ shown() { # KEY COMMANDS
 7200|s|2 hr
 30|s|30 sec
 1|-|48 mm/h
-1|-|5 - max(4, min(5, 6))
+0|-|5 - max(4, min(5, 6))
 2|kg|2 kg
 0.01|kg|10 g
 0.01|kg|10g

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/symbols.h"
+#include "language/text.h"
 #include "session/parameters.h"
+#include <ctype.h>
 #include <string.h>
 
 /* Reports an error in a tree. The value of the macro is false. */
@@ -132,6 +134,10 @@ static bool command_resolve(struct resolver *r, struct tree *t, const struct com
     if (most < 0)
         return fail(r, t, "'%s' cannot be used in an expression: it needs an argument that is not a number",
                     command_usage(c));
+    const char *next = skip_blanks(t->at + name_length(t->at));
+    if (!t->called && fewest == 1 && (isdigit((unsigned char)*next) || *next == '.'))
+        return fail(r, t, "in an expression, the argument of '%s' stands in parentheses: '%s(%.*s)'", c->name,
+                    c->name, (int)strcspn(next, " \t;,)"), next);
     if (t->count < fewest || t->count > most)
         return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");

@@ -149,6 +149,20 @@ static void rows_write(struct answer *a, const struct fit *f)
 
 /* ---- In words ---- */
 
+/* Says the best value with its interval, with as many digits as the ends of the interval need to differ. */
+static void value_say(struct answer *a, const struct fit_unknown *u, const char *unit, double t)
+{
+    struct measured low, high;
+    int digits = 4;
+    do {
+        low = measured((domq_real)(u->value - t * u->deviation), unit, digits);
+        high = measured((domq_real)(u->value + t * u->deviation), unit, digits);
+    } while (strcmp(low.text, high.text) == 0 && ++digits < 15);
+    answer_say(a, "The best fit is %s %s, with a standard deviation of %s and a 95 %% interval of %s to %s.",
+               u->parameter->name, measured((domq_real)u->value, unit, digits).text,
+               measured((domq_real)u->deviation, unit, 2).text, low.text, high.text);
+}
+
 static void values_say(struct answer *a, const struct fit *f)
 {
     char commands[300] = "";
@@ -166,11 +180,7 @@ static void values_say(struct answer *a, const struct fit *f)
             answer_say(a, "The best fit is %s %s, which is the limit of its range.", p->name,
                        measured(value, unit, 4).text);
         else
-            answer_say(
-                a, "The best fit is %s %s, with a standard deviation of %s and a 95 %% interval of %s to %s.",
-                p->name, measured(value, unit, 4).text, measured((domq_real)u->deviation, unit, 2).text,
-                measured((domq_real)(u->value - t * u->deviation), unit, 4).text,
-                measured((domq_real)(u->value + t * u->deviation), unit, 4).text);
+            value_say(a, u, unit, t);
     }
     for (int i = 0; i < f->unknowns; i++)
         for (int j = 0; j < i; j++)

@@ -59,13 +59,35 @@ static bool answer_parse(struct reader *r, struct question *q)
     return is_good;
 }
 
+/* If 'with' follows the last answer alone, as in "rmax, fuel with d 0.1", it applies to all of them. The name
+ * of the last column then does not repeat it. */
+static void with_share(struct reader *r, struct point_question *first, struct point_question *last)
+{
+    bool is_shared = last != first && last->question.with;
+    int depth = 0;
+    for (const struct point_question *q = first; q != last; q = q->next)
+        is_shared = is_shared && !q->question.with;
+    for (struct point_question *q = first; q != last && is_shared; q = q->next)
+        q->question.with = last->question.with;
+    const char *name = last->question.name, *end = name;
+    while (is_shared && *end && (depth > 0 || strncmp(end, " with ", 6) != 0)) {
+        depth += (*end == '(') - (*end == ')');
+        end++;
+    }
+    if (is_shared)
+        last->question.name = question_name(r, name, end);
+}
+
 /* Parses a list of answers. Each of them is a command that has a principal number, or COMMAND.KEY, or an
  * expression. */
 static bool list_parse(struct reader *r, struct point_question *s)
 {
+    struct point_question *const first = s;
     while (question_parse_any(r, &s->question, true)) {
-        if (*r->at != ',')
+        if (*r->at != ',') {
+            with_share(r, first, s);
             return true;
+        }
         r->at = skip_blanks(r->at + 1);
         reader_place(r, r->at);
         s->next = reader_memory(r, sizeof *s);
