@@ -128,6 +128,7 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
     struct answer part = *a;
     part.out = out;
     part.kept = NULL;
+    part.rest = NULL;
     part.has_rows = part.has_rows || !first;
     part.is_open = part.is_open || !first;
     return part;
@@ -203,18 +204,105 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
         free(copies[i]);
 }
 
+/* ---- The rest of an answer ---- */
+
+/* Makes the rest a copy of the answer that shows all columns and writes into rest->out. */
+static void rest_copy(const struct answer *a, struct rest *rest)
+{
+    *rest->answer = *a;
+    rest->answer->columns = a->columns == a->copy ? rest->answer->copy : a->columns;
+    rest->answer->out = rest->out;
+    rest->answer->kept = NULL;
+    rest->answer->brief = NULL;
+    rest->answer->rest = NULL;
+    rest->answer->is_open = true;
+    rest->answer->has_rows = false;
+}
+
+/* Returns the answer that writes into the rest. Returns NULL if no rest is kept, or if memory runs out. */
+static struct answer *rest_answer(struct answer *a)
+{
+    struct rest *rest = a->rest;
+    if (!rest || !answer_for_people(a) || rest->answer)
+        return rest && answer_for_people(a) ? rest->answer : NULL;
+    rest->out = open_memstream(&rest->text, &rest->size);
+    rest->answer = rest->out ? malloc(sizeof *rest->answer) : NULL;
+    if (!rest->answer)
+        return NULL;
+    terminal_look(a);
+    rest_copy(a, rest);
+    return rest->answer;
+}
+
+FILE *answer_rest(struct answer *a)
+{
+    return rest_answer(a) ? a->rest->out : NULL;
+}
+
+char *rest_end(struct rest *rest)
+{
+    char *text = NULL;
+    if (rest->answer && rest->answer->style.format->end)
+        rest->answer->style.format->end(rest->answer);
+    free(rest->answer);
+    if (rest->out && fclose(rest->out) == 0 && rest->size > 0)
+        text = rest->text;
+    if (!text)
+        free(rest->text);
+    *rest = (struct rest){.out = NULL};
+    return text;
+}
+
+/* Returns true if a list of keys, separated by blanks, has this key. */
+static bool key_listed(const char *keys, const char *key)
+{
+    const size_t length = strlen(key);
+    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
+        n = strcspn(keys, " ");
+        if (n == length && strncmp(keys, key, n) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Before the first row: prepares the rest for rows with all columns, and leaves those out of the answer that
+ * answer->brief does not list. */
+static void rest_begin_rows(struct answer *a)
+{
+    a->has_rest_rows = true;
+    if (rest_answer(a))
+        rest_copy(a, a->rest);
+    for (int i = 0; a->columns[i].key;) {
+        if (key_listed(a->brief, a->columns[i].key)) {
+            i++;
+            continue;
+        }
+        for (int k = i; k + 1 < ANSWER_COLUMNS; k++)
+            a->layout.largest[k] = a->layout.largest[k + 1];
+        answer_leave_out(a, a->columns[i].key);
+    }
+}
+
 void answer_keep(struct answer *a, const struct cell *cells)
 {
-    for (int i = 0, n = 0; a->columns[n].key && a->kept; i++) {
-        a->kept[i] = cells[i];
-        n += !(a->left_out >> i & 1);
-    }
+    int count = 0;
+    for (unsigned left = a->left_out; left; left &= left - 1)
+        count++;
+    for (const struct column *c = a->columns; c->key; c++)
+        count++;
+    if (a->kept)
+        memcpy(a->kept, cells, (size_t)count * sizeof *cells);
 }
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct cell left[ANSWER_COLUMNS];
     answer_keep(a, cells);
+    const bool is_brief = a->brief && *a->brief != '*' && answer_for_people(a);
+    if (is_brief && !a->has_rest_rows)
+        rest_begin_rows(a);
+    if (is_brief && rest_answer(a))
+        answer_row(a->rest->answer, cells, NULL);
     for (int i = 0, n = 0; a->left_out && a->columns[n].key; i++)
         if (!(a->left_out >> i & 1))
             left[n++] = cells[i];
@@ -222,7 +310,8 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
     if (a->sink) {
         a->sink(a, cells, reason);
     } else if (a->out) {
-        row_write(a, cells, reason);
+        if (a->columns->key)
+            row_write(a, cells, reason);
         if (reason)
             answer_say(a, "%s", reason);
     }
@@ -244,6 +333,16 @@ void answer_say(struct answer *a, const char *format, ...)
     va_list arguments;
     va_start(arguments, format);
     a->style.format->sentence(a, format, arguments);
+    va_end(arguments);
+}
+
+void answer_detail(struct answer *a, const char *format, ...)
+{
+    struct answer *rest = rest_answer(a);
+    va_list arguments;
+    va_start(arguments, format);
+    if (rest)
+        rest->style.format->sentence(rest, format, arguments);
     va_end(arguments);
 }
 

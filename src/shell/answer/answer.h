@@ -15,6 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
+struct rest;
+
 enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEADER = OUTPUT_HEADER };
 
 struct column {
@@ -74,6 +76,11 @@ struct answer {
     struct column copy[ANSWER_COLUMNS];
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
+    /* In formats for people: the keys of the columns that the answer shows, or "*" for all. The others are in
+     * its rest, which 'details' prints. NULL if the answer has no rest. */
+    const char *brief;
+    struct rest *rest; /* where the rest of the answer is kept, or NULL if it is not kept */
+    bool has_rest_rows;
     struct csv_layout csv;
     bool blank_above; /* a blank line separates this answer from the previous one */
     bool is_open;     /* output has begun: the blank line has been written, if there is one */
@@ -192,6 +199,28 @@ static inline bool answer_for_people(const struct answer *answer)
 
 /* Writes a sentence, if the answer is for people. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* ---- The rest of an answer, which 'details' prints ---- */
+
+/* An answer for people is short. What else it has to say goes into its rest: sentences of answer_detail, and
+ * rows with all columns if answer.brief leaves some out. The rest is formatted at once, so it stays as it was
+ * when the scene changes. */
+struct rest {
+    FILE *out; /* writes into `text`; NULL if the answer has no rest so far */
+    char *text;
+    size_t size;
+    struct answer *answer; /* the answer that writes into `out` */
+};
+
+/* Writes a sentence into the rest of the answer. */
+void answer_detail(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Returns a stream for text that is part of the rest, or NULL if no rest is kept. */
+FILE *answer_rest(struct answer *answer);
+
+/* Ends the rest and returns its text, which the caller frees. Returns NULL if there is no rest, or if memory
+ * has run out. */
+char *rest_end(struct rest *rest);
 
 /* Stores the answer to a yes-or-no question, such as whether a row falls, for 'assert' and 'solve'. */
 void answer_set_verdict(struct answer *answer, bool yes);

@@ -196,7 +196,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
     putc('\n', a->out);
 }
 
-/* ---- A single row: a line for each column ---- */
+/* ---- A single row: a line for each column that has a value ---- */
 
 static void row_lines(struct answer *a, const struct cell *cells)
 {
@@ -205,6 +205,8 @@ static void row_lines(struct answer *a, const struct cell *cells)
     const char *bold = a->layout.bold ? "\033[1m" : "", *end = a->layout.bold ? "\033[m" : "";
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
+        if (cells[i].kind == CELL_NONE)
+            continue;
         int key = utf8_columns(pretty(a, c->key, line));
         int unit = (int)strlen(column_unit(a, c, measure_of(c->unit, cells[i].number), text));
         key_width = key > key_width ? key : key_width;
@@ -217,12 +219,14 @@ static void row_lines(struct answer *a, const struct cell *cells)
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         struct measure measure = measure_of(c->unit, cells[i].number);
+        if (cells[i].kind == CELL_NONE)
+            continue;
         key_field(a, pretty(a, c->key, line), -key_width);
         const char *value = table_text(a, measure, cells[i], digits, text);
         bool value_below = a->layout.width && utf8_columns(value) > number;
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
-        const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, text);
+        const char *unit = column_unit(a, c, measure, text);
         if (meaning_below || !*c->meaning) /* no blanks follow the unit */
             fprintf(a->out, "%s%s%s", end, *unit ? " " : "", unit);
         else {

@@ -248,7 +248,6 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
         return false;
     answer_set_verdict(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
-    answer_say(a, "%s", "");
     return answer_row(a,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           verdict_cell(status)),
@@ -372,6 +371,7 @@ const struct command cycle_commands[] = {
      .see = "launch rmax",
      .principal = "barrier",
      .holds = "the train keeps falling",
+     .brief = "kinetic barrier",
      ANSWER(barrier)},
     {.name = "duration",
      .synonyms = "time fast velocity seconds",

@@ -257,6 +257,22 @@ static bool run_help(struct session *session, const struct arguments *given, str
     return true;
 }
 
+/* ---- details ---- */
+
+static bool run_details(struct session *session, const struct arguments *given, struct answer *a,
+                        struct problem *problem)
+{
+    (void)given;
+    if (!answer_for_people(a))
+        return problem_error(problem, "answers in csv and json have all their values; 'details' follows an "
+                                      "answer after 'set output table'");
+    if (!session->details)
+        return problem_no_answer(problem, "the last answer has no more details");
+    fputs(session->details, a->out);
+    a->wrote_text = true;
+    return true;
+}
+
 /* ---- apropos and complete ---- */
 
 static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
@@ -364,6 +380,15 @@ const struct command help_commands[] = {
      .see = "apropos show",
      .writes = WRITES_PAGES,
      .act = run_help},
+    {.name = "details",
+     .synonyms = "more long full columns meaning",
+     .summary = "the rest of the last answer: all values, notes, comparisons",
+     .help = "An answer is short. 'details' prints what it has left out, as it was when the answer was "
+             "computed, even if the scene has changed since. The word can also end a command, as in 'count "
+             "112 details'. Answers in csv and json are always complete.",
+     .example = "barrier; details",
+     .see = "help",
+     .act = run_details},
     {.name = "apropos",
      .synonyms = "search find look",
      .argument = {{.name = "WORD", .kind = ARGUMENT_WORD, .choices = topic_names}},

@@ -53,57 +53,55 @@ static const struct column rmax_columns[] = {
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
     if (used->ends == DOM_END_NONE)
-        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.\n");
+        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
     else
         answer_say(a,
-                   "With a gap of %.6g times the height, each domino can be %s times as large as the one "
-                   "before. %s\n",
-                   (double)train->s, quad_growth(used->r_max, 6),
-                   used->ends == DOM_END_REACH
-                       ? "With a larger growth a domino falls past the next one without touching it."
-                       : "With a larger growth the train has too little energy to keep falling.");
+                   "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
+                   "With more growth %s.",
+                   (double)train->s, dominoes_words(train->q, "dominoes").text,
+                   limit_words(used->r_max, 6).text,
+                   used->ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
+                                               : "the train has too little energy to keep falling");
 }
 
-static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
-                           const struct domq_limit *exact, const struct domq_limit *paper)
+static void rmax_fuels_detail(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
+                              const struct domq_limit *exact, const struct domq_limit *paper)
 {
     if (domq_first_effect(train))
-        answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
-                   domq_first_effect(train)->name);
+        answer_detail(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
+                      domq_first_effect(train)->name);
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
-        answer_say(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
-                      "depend on the fuel.");
+        answer_detail(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
+                         "depend on the fuel.");
     else if (used->ends != DOM_END_NONE)
-        answer_say(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel leaves "
-                      "out the weights r^(-q i) (25; c7).");
+        answer_detail(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel "
+                         "leaves out the weights r^(-q i) (25; c7).");
 }
 
 /* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
- * smaller, prints it. If the growth of the session lies between the two limits, also prints the push that the
- * row needs. */
+ * smaller, prints it. If the growth of the session lies between the two limits, the details have the push
+ * that the row needs. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
                            const struct start_growths *growths)
 {
     struct start start;
-    char push[96] = "";
     const domq_real r_start = growths->r_max;
     if (used->ends == DOM_END_NONE || growths->is_too_slow || r_start >= used->r_max)
         return true;
-    if (train->r <= used->r_max && !(train->r <= r_start)) {
-        if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
-            return false;
-        if (isfinite(start.push))
-            snprintf(push, sizeof push, " At a growth of %.6g, the row needs a push of %.4g rad/s.",
-                     (double)train->r, (double)start.push);
-    }
     if (!isnan(r_start))
-        answer_say(
-            a, "r_max is for a train that is already moving. A row falls with a growth of up to %.6g %s.%s",
-            (double)r_start, start_words(query).text, push);
+        answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
+                   limit_words(r_start, 6).text, start_words(query).text);
     else
-        answer_say(a, "r_max is for a train that is already moving. No row falls %s, whatever its growth.%s",
-                   start_words(query).text, push);
+        answer_say(a, "This train is already moving: from rest, no row falls %s, whatever its growth.",
+                   start_words(query).text);
+    if (train->r > used->r_max || train->r <= r_start)
+        return true;
+    if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
+        return false;
+    if (isfinite(start.push))
+        answer_detail(a, "At a growth of %.6g, the row needs a push of %.4g rad/s.", (double)train->r,
+                      (double)start.push);
     return true;
 }
 
@@ -141,7 +139,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
                ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
                    CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_without_bound(growths.r_max)),
                missing);
-    rmax_fuels_say(a, &train, &used, &exact, &paper);
+    rmax_fuels_detail(a, &train, &used, &exact, &paper);
     return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
 }
 
@@ -162,9 +160,11 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         return false;
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
-                   "A domino with barely enough energy to tip over can topple one that is %s times as large. "
-                   "The gap between them is %.6g times the height of the larger domino.\n",
-                   measured(limit.r_max, "", 6).text, (double)train.s);
+                   "With a gap of %.6g times the height of the larger domino, a %s that just tips over can "
+                   "topple one that is %s times as large. %s.",
+                   (double)train.s, dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text,
+                   limit.ends == DOM_END_REACH ? "It falls past a larger one without touching it"
+                                               : "For a larger one it has too little energy");
     return answer_row(
         a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
@@ -185,10 +185,11 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return query_status(query, problem, status);
     if (status == DOM_OK)
-        answer_say(a,
-                   "The best gap is %.4g times the height: each domino can then be %.4g times as large as "
-                   "the one before.\n",
-                   (double)best.s, (double)best.r_max);
+        answer_say(
+            a,
+            "The best gap is %.4g times the height: %s can then each be %s times as large as the one before.",
+            (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
+            limit_words(best.r_max, 4).text);
     return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
                           ? NULL
@@ -287,6 +288,7 @@ const struct command limit_commands[] = {
      .echo = "s",
      .slow_column = "r_start",
      .principal = "r_max",
+     .brief = "",
      ANSWER(rmax)},
     {.name = "pair",
      .synonyms = "two maximum",
@@ -298,6 +300,7 @@ const struct command limit_commands[] = {
      .see = "rmax curve",
      .echo = "s",
      .principal = "r_max",
+     .brief = "",
      ANSWER(pair)},
     {.name = "best",
      .synonyms = "optimum optimal spacing distance maximum",
@@ -306,6 +309,7 @@ const struct command limit_commands[] = {
      .example = "best",
      .see = "rmax curve",
      .principal = "s",
+     .brief = "",
      ANSWER(best)},
     {.name = "curve",
      .synonyms = "graph figure table",
@@ -338,6 +342,7 @@ const struct command limit_commands[] = {
      .echo = "r",
      .principal = "dominoes",
      .holds = "such a row falls and reaches the height H",
+     .brief = "",
      ANSWER(count)},
     {.name = NULL},
 };

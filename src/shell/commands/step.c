@@ -164,7 +164,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
         cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
         CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
     if (w->cycle > 1 && !(scene_mass(query->scene) > 0))
-        answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
+        answer_detail(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a,
@@ -200,9 +200,9 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
         return problem_no_answer(problem,
                                  "this is the launch of the first cycle; 'step' goes to the next event");
     if (w->verdict == DOM_STOPS)
-        return problem_no_answer(problem,
-                                 "the train has stopped; 'why' explains it, and 'goto launch' begins again");
-    return problem_no_answer(problem, "the steps end after %d cycles; enter 'goto launch' or 'back'",
+        return problem_no_answer(
+            problem, "the train has stopped; 'why' explains it, and 'step to launch' begins again");
+    return problem_no_answer(problem, "the steps end after %d cycles; enter 'step to launch' or 'step back'",
                              CYCLES_MAX);
 }
 
@@ -236,7 +236,7 @@ static bool walk_to(const struct query *query, struct answer *a, struct problem 
                                  dom_event_text(kind));
     if (place > w->events[w->count - 1].theta)
         return problem_no_answer(problem,
-                                 "the train stops before that, at theta = %s; 'goto stop' goes there",
+                                 "the train stops before that, at theta = %s; 'step to stop' goes there",
                                  angle_text(query, w->events[w->count - 1].theta, 10).text);
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
@@ -316,36 +316,43 @@ const struct command walk_commands[] = {
              "dominoes are larger and fall more slowly. The table shows the energy balance: before - lost "
              "+ gained = kinetic. With friction, 'rubbed' is subtracted as well.",
      .example = "step; step",
-     .see = "back goto where why",
+     .see = "cycle why",
+     .brief = "theta t omega",
      .columns = walk_columns,
      .run = run_step},
     {.name = "back",
      .in_joules = scene_has_mass,
+     .phrase = "step back",
      .synonyms = "undo previous walk",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "go back to the previous event",
-     .example = "step 2; back",
-     .see = "step goto",
+     .example = "step 2; step back",
+     .see = "step",
+     .brief = "theta t omega",
      .columns = walk_columns,
      .run = run_back},
     {.name = "goto",
      .in_joules = scene_has_mass,
+     .phrase = "step to",
      .synonyms = "jump walk",
      .train = true,
      .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .noun = "event", .choices = event_names}},
      .summary = "go to a tilt, or to the launch, top, fall, stop or hit",
-     .example = "goto 0.3",
-     .see = "step where",
+     .example = "step to 0.3",
+     .see = "step cycle",
+     .brief = "theta t omega",
      .columns = walk_columns,
      .run = run_goto},
     {.name = "where",
      .in_joules = scene_has_mass,
+     .phrase = "step where",
      .synonyms = "position walk",
      .train = true,
      .summary = "show the current step again",
-     .example = "where",
-     .see = "step goto",
+     .example = "step where",
+     .see = "step",
+     .brief = "theta t omega",
      .columns = walk_columns,
      .principal = "theta",
      .run = run_where},
@@ -358,6 +365,7 @@ const struct command walk_commands[] = {
      .example = "why",
      .see = "barrier rmax step",
      .principal = "margin",
+     .brief = "kinetic barrier",
      ANSWER(why)},
     {.name = NULL},
 };

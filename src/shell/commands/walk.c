@@ -136,7 +136,7 @@ static void say_launch(const struct place *p)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_friction ? "A(0)" : "J(0)";
-    answer_say(
+    answer_detail(
         p->answer,
         "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s tall. "
         "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
@@ -145,57 +145,62 @@ static void say_launch(const struct place *p)
         omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
         p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
-        answer_say(
+        answer_detail(
             p->answer,
             "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
             "the fraction of the torque that reaches domino i.",
             p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
-        answer_say(p->answer, "i(theta) is the inertia of a domino about its line of contact with the floor, "
-                              "divided by its inertia with sharp edges.");
+        answer_detail(p->answer,
+                      "i(theta) is the inertia of a domino about its line of contact with the floor, "
+                      "divided by its inertia with sharp edges.");
     if (impulses.bounded)
-        answer_say(p->answer,
-                   "The impulses at the contacts, from the head down the train: %s%s %s s; all are positive, "
-                   "so every contact pushes.",
-                   impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
+        answer_detail(
+            p->answer,
+            "The impulses at the contacts, from the head down the train: %s%s %s s; all are positive, "
+            "so every contact pushes.",
+            impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
-        answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
-                              "0, and its impulse has no upper bound in this model (14; b10).");
-    answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
-               (double)(100 * p->state->lost / p->state->before),
-               p->has_friction ? ""
-               : p->is_rounded ? " (the share i(0)/J(0))"
-                               : " (the share 1/J(0))",
-               energy_at(p, l.kinetic).text);
+        answer_detail(p->answer,
+                      "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
+                      "0, and its impulse has no upper bound in this model (14; b10).");
+    answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
+                  (double)(100 * p->state->lost / p->state->before),
+                  p->has_friction ? ""
+                  : p->is_rounded ? " (the share i(0)/J(0))"
+                                  : " (the share 1/J(0))",
+                  energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
-        answer_say(p->answer, "There is no barrier: the potential energy of the train decreases "
-                              "from the start (26; c8).");
+        answer_detail(p->answer, "There is no barrier: the potential energy of the train decreases "
+                                 "from the start (26; c8).");
     else
-        answer_say(p->answer,
-                   "The train has %s of the energy that it needs to keep falling. Its potential energy must "
-                   "rise by %s, up to a tilt of %s%s; the train %s by %s (26; c8).",
-                   measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-                   angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
-                   b.margin >= 0 ? "clears the barrier" : "fails to clear it",
-                   energy_at(p, quad(fabs)(b.margin)).text);
+        answer_detail(
+            p->answer,
+            "The train has %s of the energy that it needs to keep falling. Its potential energy must "
+            "rise by %s, up to a tilt of %s%s; the train %s by %s (26; c8).",
+            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
+            angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
+            b.margin >= 0 ? "clears the barrier" : "fails to clear it",
+            energy_at(p, quad(fabs)(b.margin)).text);
 }
 
 static void say_top(const struct place *p)
 {
     const struct domq_state *s = p->state;
     if (p->has_friction)
-        answer_say(p->answer,
-                   "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
-                   "friction has taken %s, and a kinetic energy of %s is left. From here on, the train "
-                   "gains more energy than friction takes (26; c8).",
-                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-                   energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
+        answer_detail(p->answer,
+                      "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
+                      "friction has taken %s, and a kinetic energy of %s is left. From here on, the train "
+                      "gains more energy than friction takes (26; c8).",
+                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
+                      energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
     else
-        answer_say(p->answer,
-                   "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
-                   "by %s. The kinetic energy that is left, %s, is the margin. From here on, the potential "
-                   "energy decreases (26; c8).",
-                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+        answer_detail(
+            p->answer,
+            "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
+            "by %s. The kinetic energy that is left, %s, is the margin. From here on, the potential "
+            "energy decreases (26; c8).",
+            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
 /* Returns the potential energy of a domino with tilt theta, relative to the floor, in units of the domino's
@@ -215,7 +220,7 @@ static void say_fall(const struct place *p)
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
-    answer_say(
+    answer_detail(
         p->answer,
         "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
         "contact force is 0. Like all dominoes behind it, the detached domino comes to rest at theta_f = %s "
@@ -232,41 +237,110 @@ static void say_stop(const struct place *p)
     struct domq_barrier b;
     if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
         return;
-    answer_say(p->answer,
-               "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. To pass the top "
-               "of the barrier, at theta_m = %s, the train would need %s more (26; c8). There is no next "
-               "hit; 'why' explains it.",
-               angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
-               p->has_friction ? "potential energy and friction" : "potential energy",
-               angle_at(p, b.theta_m).text, energy_at(p, -b.margin).text);
+    answer_detail(
+        p->answer,
+        "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. To pass the top "
+        "of the barrier, at theta_m = %s, the train would need %s more (26; c8). There is no next "
+        "hit; 'why' explains it.",
+        angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
+        p->has_friction ? "potential energy and friction" : "potential energy", angle_at(p, b.theta_m).text,
+        energy_at(p, -b.margin).text);
 }
 
 static void say_hit(const struct place *p)
 {
     const struct domq_state *s = p->state;
     struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
-    answer_say(p->answer,
-               "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at "
-               "%s; the cycle has released the fuel P = %s (25; c7), and has lasted %s.",
-               measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
-               p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-               omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
-               measured(s->time * p->units.tau, "s", 6).text);
+    answer_detail(p->answer,
+                  "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at "
+                  "%s; the cycle has released the fuel P = %s (25; c7), and has lasted %s.",
+                  measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+                  p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+                  omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+                  measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_friction)
-        answer_say(p->answer, "Friction between dominoes has taken %s of this energy.",
-                   energy_at(p, s->friction_work).text);
-    answer_say(p->answer,
-               "'step' begins the next cycle. Its angles are the same, its lengths are r times as large, and "
-               "it lasts sqrt(r) times as long, %s (23; c5).",
-               measured(s->time * next.tau, "s", 6).text);
+        answer_detail(p->answer, "Friction between dominoes has taken %s of this energy.",
+                      energy_at(p, s->friction_work).text);
+    answer_detail(
+        p->answer,
+        "'step' begins the next cycle. Its angles are the same, its lengths are r times as large, and "
+        "it lasts sqrt(r) times as long, %s (23; c5).",
+        measured(s->time * next.tau, "s", 6).text);
 }
 
 static void say_between(const struct place *p)
 {
-    answer_say(p->answer,
-               "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
-               angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
-               omega_at(p, quad(sqrt)(p->state->omegasq)).text);
+    answer_detail(
+        p->answer, "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
+        angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
+        omega_at(p, quad(sqrt)(p->state->omegasq)).text);
+}
+
+/* Prints the event in a sentence that needs no numbers but the heights of dominoes. */
+static void event_say(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    const struct domq_event *e = &w->events[w->event];
+    const struct walk_units next = walk_units(p->query, w->cycle + 1);
+    char text[200] = "", height[CELL_TEXT];
+    if (w->theta != e->theta)
+        snprintf(text, sizeof text, "after this event, the train %s.",
+                 p->state->acceleration < 0 ? "slows down" : "gathers speed");
+    else if (e->kind == DOM_EVENT_LAUNCH)
+        snprintf(text, sizeof text, "domino 1 hits the head, which is %s tall, and all move as one train.",
+                 measured(p->units.height, "m", 6).text);
+    else if (e->kind == DOM_EVENT_TOP)
+        snprintf(text, sizeof text, "the top of the barrier; from here on the train gains energy.");
+    else if (e->kind == DOM_EVENT_DETACH)
+        snprintf(text, sizeof text, "domino %zu detaches from domino %zu and comes to rest.", e->domino,
+                 e->domino - 1);
+    else if (e->kind == DOM_EVENT_STOP)
+        snprintf(text, sizeof text, "the train stops below the top of its barrier; 'why' explains it.");
+    else
+        snprintf(text, sizeof text,
+                 "the head hits the next domino, which is %s tall; 'step' begins its cycle.",
+                 strcpy(height, measured(next.height, "m", 6).text));
+    answer_say(p->answer, "Cycle %d, event %d of %d: %s", w->cycle, w->event + 1, w->count, text);
+}
+
+/* Adds a term such as " + 0.0012" to the ledger, unless the term is 0. */
+static void ledger_add(char *text, size_t size, domq_real term, int decimals)
+{
+    if (term != 0)
+        text_add(text, size, " %c %.*f", term < 0 ? '-' : '+', decimals, fabs((double)term));
+}
+
+/* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
+ * so that the sum of the printed numbers is exact; it is the largest term that is not printed again
+ * elsewhere. */
+static void ledger_say(const struct place *p)
+{
+    const struct domq_state *s = p->state;
+    const domq_real unit = p->units.energy, before = s->before * unit, kinetic = s->kinetic * unit,
+                    gained = -s->climbed * unit, rubbed = s->friction_work * unit;
+    domq_real least = before;
+    for (int i = 0; i < 3; i++) {
+        const domq_real term = quad(fabs)((domq_real[]){kinetic, gained, rubbed}[i]);
+        least = term > before / 1000000 && term < least ? term : least;
+    }
+    const int decimals = (int)fmax(0, 2 - floor(log10((double)least)));
+    if (!(before > 0) || decimals > 15)
+        return;
+    const domq_real step = quad(pow)(10, (domq_real)-decimals);
+#define ROUNDED(x) (quad(floor)((x) / step + (domq_real)0.5) * step)
+    const domq_real lost = ROUNDED(before) + ROUNDED(gained) - ROUNDED(rubbed) - ROUNDED(kinetic);
+    char sum[200] = "";
+    ledger_add(sum, sizeof sum, -lost, decimals);
+    ledger_add(sum, sizeof sum, ROUNDED(gained), decimals);
+    ledger_add(sum, sizeof sum, -ROUNDED(rubbed), decimals);
+#undef ROUNDED
+    if (quad(fabs)(lost - s->lost * unit) < 3 * step)
+        answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f%s = %.*f %s.",
+                   gained < 0   ? " - climbed"
+                   : gained > 0 ? " + gained"
+                                : "",
+                   rubbed > 0 ? " - rubbed" : "", decimals, (double)before, sum, decimals, (double)kinetic,
+                   p->units.energy_unit);
 }
 
 void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
@@ -284,7 +358,8 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
                                 .units = walk_units(query, walk->cycle),
                                 .has_friction = domq_law(&walk->train)->dissipates,
                                 .is_rounded = walk->train.rho != 0};
-    answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
+    event_say(&place);
+    ledger_say(&place);
     (walk->theta == e->theta ? say[e->kind] : say_between)(&place);
 }
 

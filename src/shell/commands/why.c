@@ -34,9 +34,10 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
     else if (b->barrier == 0)
         answer_say(a, "The train keeps falling: it has nothing to climb, so any motion is enough.");
     else
-        answer_say(a, "The train %s: it has %s to push the next domino over%s.",
-                   verdict == DOM_OK ? "keeps falling" : "stops", energy_words(b->kinetic / b->barrier).text,
-                   domq_law(&query->scene->train)->dissipates ? ", friction included" : "");
+        answer_say(a, "The train %s: to push the next domino over%s, it %s.",
+                   verdict == DOM_OK ? "keeps falling" : "stops",
+                   domq_law(&query->scene->train)->dissipates ? " in spite of friction" : "",
+                   energy_words(b->kinetic / b->barrier).text);
 }
 
 /* Prints advice without symbols: how much the dominoes may grow, or what to change if the train stops. */
@@ -45,56 +46,58 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
 {
     const struct domq_train *t = &query->scene->train;
     struct domq_best best;
-    double most = (double)limit->r_max;
     if (falls) {
-        answer_say(a, "Each domino may be up to %.6g times as large as the one before; %s.\n", most,
+        answer_say(a, "Each domino may be up to %s times as large as the one before; %s.",
+                   limit_words(limit->r_max, 6).text,
                    limit->ends == DOM_END_REACH ? "with more growth, each domino falls past the next one"
                                                 : "a larger domino is too heavy for the dominoes before it");
     } else if (domq_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
-        answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.\n");
+        answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.");
     } else {
         const char *way = best.s < t->s ? "closer together" : "farther apart";
+        const struct words most = limit_words(limit->r_max, 4);
         char widest[128];
         snprintf(
             widest, sizeof widest,
-            "with gaps of %.4g times the height, each domino can be %.4g times as large as the one before",
-            (double)best.s, (double)best.r_max);
+            "with gaps of %.4g times the height, each domino can be %.12s times as large as the one before",
+            (double)best.s, limit_words(best.r_max, 4).text);
         if (limit->ends == DOM_END_NONE)
-            answer_say(a, "Place the dominoes %s: %s.\n", way, widest);
+            answer_say(a, "Place the dominoes %s: %s.", way, widest);
         else if (best.r_max < t->r)
             answer_say(
                 a,
-                "Make the dominoes grow less: %s; with the present gaps, let each domino be at most %.4g "
-                "times as large as the one before.\n",
-                widest, most);
+                "Make the dominoes grow less: %s; with the present gaps, let each domino be at most %s "
+                "times as large as the one before.",
+                widest, most.text);
         else
             answer_say(a,
-                       "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %.4g times "
-                       "as large as the one before.\n",
-                       way, widest, most);
+                       "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %s times "
+                       "as large as the one before.",
+                       way, widest, most.text);
     }
 }
 
-static void symbols_say(const struct query *query, struct answer *a, enum dom_status verdict,
-                        const struct domq_barrier *b, const struct domq_limit *limit)
+static void symbols_detail(const struct query *query, struct answer *a, enum dom_status verdict,
+                           const struct domq_barrier *b, const struct domq_limit *limit)
 {
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(a, "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
+        answer_detail(a,
+                      "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
                       "at least as much potential energy as upright ones, or the larger domino in front "
                       "takes up more energy than the smaller ones release.");
     else if (b->barrier > 0)
-        answer_say(
+        answer_detail(
             a,
             "After the collision the train must get over its barrier, whose top is at a head tilt of %.4g "
             "%s. The train needs the energy B for this climb and has the kinetic energy K: K %s B (26; c8).",
             (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_REACH)
-        answer_say(a,
-                   "The growth is limited by the reach: with r above %s%.6g the head falls past the next "
-                   "domino (2; a2).",
-                   t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
+        answer_detail(a,
+                      "The growth is limited by the reach: with r above %s%.6g the head falls past the next "
+                      "domino (2; a2).",
+                      t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
 }
 
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
@@ -107,7 +110,7 @@ static void contact_say(const struct query *query, struct answer *a, const struc
         answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
                       "impulse has no upper bound, and the paper's assumption of contact fails (14; b10).");
     else if (c->force > 0 && c->impulse > 0)
-        answer_say(
+        answer_detail(
             a,
             "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu with "
             "a force equal to %s of that domino's weight, at a head tilt of %.4g %s.",
@@ -148,8 +151,8 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
     answer_cells(a, verdict_cell(verdict), CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0),
                  CELL_TIMES(b, kinetic, u.energy), CELL_TIMES(b, barrier, u.energy),
                  CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max));
-    answer_say(a, "%s", "");
-    symbols_say(query, a, verdict, &b, &limit);
+    answer_detail(a, "%s", "");
+    symbols_detail(query, a, verdict, &b, &limit);
     if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
         contact_say(query, a, &contact);
     return true;

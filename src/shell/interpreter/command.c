@@ -133,7 +133,7 @@ int command_principal(const struct command *c)
 
 const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
-    snprintf(usage, USAGE_SIZE, "%s", c->name);
+    snprintf(usage, USAGE_SIZE, "%s", c->phrase ? c->phrase : c->name);
     bool inside = false; /* a '[' has been written, but not yet its ']' */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;

@@ -77,6 +77,7 @@ struct arguments {
     /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or
      * the name after 'let'. NULL if no variable was named. */
     const struct variable *variable;
+    bool details;        /* the answer includes what 'details' would print */
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
 };
@@ -84,6 +85,10 @@ struct arguments {
 /* A command. Strings and pointers that a command does not need are NULL. */
 struct command {
     const char *name;
+    /* Two words that stand for this command, such as "step back". The first of them is the name of the
+     * command that precedes this one in its table, or that precedes others with such words. Help shows these
+     * words, and `name` is a synonym that help does not mention. */
+    const char *phrase;
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;  /* one line */
     const char *synonyms; /* other words that users may look for, separated by blanks */
@@ -94,6 +99,9 @@ struct command {
     const struct column *columns;
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
+    /* The keys of the columns that an answer for people shows, or "*" for all; 'details' prints the rest.
+     * NULL if the answer is whole without 'details'. */
+    const char *brief;
     /* The name of the parameter whose value a column of the answer only repeats, such as "s". A sweep over
      * this parameter already shows its values, so the sweep leaves the column out. If an argument replaces
      * the value, as in 'rmax 0.4', the sweep keeps the column. NULL if no column repeats a parameter. */

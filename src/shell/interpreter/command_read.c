@@ -256,6 +256,19 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
+/* A word after the name of a command may choose another command, as in 'step back' (see command.phrase). */
+static const struct command *phrase_read(struct reader *r, const struct command *command)
+{
+    struct reader next = *r;
+    next.at = skip_blanks(r->at);
+    for (const struct command *c = command + 1; !command->phrase && c->phrase; c++)
+        if (reader_takes(&next, c->phrase + strlen(command->name) + 1)) {
+            r->at = next.at;
+            return c;
+        }
+    return command;
+}
+
 /* Reads the name of a command, which may be abbreviated. If there is no such command, reports a problem and
  * returns NULL. */
 static const struct command *name_read(struct reader *r, names_list *offered)
@@ -286,9 +299,10 @@ static const struct command *name_read(struct reader *r, names_list *offered)
         if (!command)
             command_unknown(r, name, k, message);
     }
-    if (command)
-        reader_named(r, begin, r->at);
-    return command;
+    if (!command)
+        return NULL;
+    reader_named(r, begin, r->at);
+    return phrase_read(r, command);
 }
 
 const struct command *command_read(struct reader *r)

@@ -54,11 +54,27 @@ static bool run_function(struct session *session, const struct command *c, const
     return c->run(query, answer, problem);
 }
 
+/* Keeps the rest of an answer for 'details', and prints it at once if the command ends with this word. */
+static void rest_keep(struct session *session, const struct command *c, const struct query *query,
+                      struct answer *answer, bool done)
+{
+    char *text = answer->rest ? rest_end(answer->rest) : NULL;
+    if (!done || !c->columns) {
+        free(text);
+        return;
+    }
+    if (text && query->given->details)
+        fprintf(answer->out, "\n%s", text);
+    free(session->details);
+    session->details = text;
+}
+
 /* Runs a command and writes its answer to the output at the top of the stack. */
 static bool run_command(struct session *session, const struct command *c, const struct query *query,
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
+    struct rest rest = {.out = NULL};
     /* `kept` is needed only if the command has a value for 'ans'. Clearing it for every command would slow
      * down scripts. */
     if (c->principal)
@@ -75,6 +91,8 @@ static bool run_command(struct session *session, const struct command *c, const 
         .csv.last_header = end->header,
         .columns = c->columns,
         .rows = c->rows,
+        .brief = c->brief,
+        .rest = c->brief ? &rest : NULL,
         .blank_above = end->answered && session->source.name,
         .kept = c->principal ? kept : NULL,
     };
@@ -92,6 +110,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
+    rest_keep(session, c, query, &answer, done);
     session->wrote = answer.has_rows;
     end->answered = end->answered || (done && c->columns) || answer.wrote_text;
     end->error = answer.error ? answer.error : end->error;

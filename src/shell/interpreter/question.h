@@ -20,6 +20,7 @@ struct question {
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */
+    bool details;                  /* the command ends with the word 'details' */
     const struct text *text;
     const char *name; /* the text from question_name, for messages and headings */
 };

@@ -20,8 +20,11 @@ static bool with_bind(const struct question *q, const struct query *query, struc
 bool question_bind(const struct question *q, const struct query *query, struct call *call,
                    struct problem *problem)
 {
-    call->given = (struct arguments){
-        .count = q->count, .parameter = q->parameter, .variable = q->variable, .bound = q->parsed};
+    call->given = (struct arguments){.count = q->count,
+                                     .parameter = q->parameter,
+                                     .variable = q->variable,
+                                     .details = q->details,
+                                     .bound = q->parsed};
     call->query = *query;
     if (!command_allowed(query->run_context, q->command, problem) ||
         (q->with && !with_bind(q, query, call, problem)))

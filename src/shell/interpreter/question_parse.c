@@ -203,14 +203,16 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true if the command ends here, or if there is a '>' or one of the characters in r->stops.
+/* Returns true if the command ends here, or if there is a '>', the word 'details' or one of the characters in
+ * r->stops.
  * Otherwise, sets r->problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
     if (*r->at == '|')
         return problem_error(r->problem, "pipes are not supported; 'COMMAND > FILE' writes a file");
-    if (command_ends(r->at) || *r->at == '>' || (r->stops && strchr(r->stops, *r->at)))
+    if (command_ends(r->at) || *r->at == '>' || (r->stops && strchr(r->stops, *r->at)) ||
+        (r->details && word_is_next(r, "details")))
         return true;
     if (check_wrong(r, c))
         return false;
@@ -263,7 +265,15 @@ bool command_parse(struct reader *r, struct question *q)
     if (!q->command)
         return false;
     r->problem->command = q->command->name;
-    return question_parse(r, q);
+    r->details = q->command->brief != NULL;
+    if (!question_parse(r, q))
+        return false;
+    q->details = r->details && word_is_next(r, "details");
+    r->details = false;
+    if (!q->details)
+        return true;
+    r->at = skip_blanks(r->at + strlen("details"));
+    return end_check(r, q->command);
 }
 
 /* ---- Questions inside other commands ---- */

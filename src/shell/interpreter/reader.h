@@ -47,6 +47,7 @@ struct reader {
     bool unresolved;     /* names in expressions are left to be resolved later */
     bool evaluates;      /* each value is computed and checked as soon as it has been parsed */
     bool last;           /* the last argument of the command is being read */
+    bool details;        /* the word 'details' may end the command */
     struct offer *offer; /* records what may be typed; NULL unless the line is only previewed */
 };
 
@@ -75,7 +76,7 @@ static inline bool command_ends(const char *c)
 }
 
 /* Skips blanks. Returns true if there are no more arguments, because the command ends here, or because there
- * is a '>', a '|', the word 'with' or one of the characters in `stops`. */
+ * is a '>', a '|', one of the words 'with' and 'details', or one of the characters in `stops`. */
 bool reader_ends(struct reader *reader);
 
 /* Returns true if the next word is `word`, not a longer word that begins with `word`. */

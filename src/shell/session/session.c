@@ -34,6 +34,7 @@ void session_close(struct session *session)
         output_pop(&session->output, true);
     state_close(&session->state);
     undo_free(session->undo);
+    free(session->details);
     session->undo = NULL;
 }
 

@@ -13,6 +13,7 @@ struct session {
     struct state state;
     struct last_answer ans;
     struct walk walk;
+    char *details; /* the rest of the last answer, for 'details'; NULL if that answer was whole */
     struct run_context run_context;
     struct undo *undo; /* the history of states; NULL until a command has changed the state */
 

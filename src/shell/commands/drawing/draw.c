@@ -255,7 +255,7 @@ const struct command draw_commands[] = {
          "'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row as it "
          "falls. A domino that has detached keeps the tilt at which it detached. Without a row, or with "
          "'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has this tilt. "
-         "Without a tilt, the train is shown at the tilt that 'step' or 'goto' has reached, or at the "
+         "Without a tilt, the train is shown at the tilt that 'step' has reached, or at the "
          "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count 112 "
          "m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too small to "
          "see are drawn a second time, enlarged. In the terminal the picture is made of characters. 'draw > "

@@ -175,7 +175,7 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
     else if (v->end == DOM_ROW_FALLS)
         snprintf(text, SENTENCE, "%.40s.", all_fall_words(row->dominoes).text);
     else if (share < 1)
-        snprintf(text, SENTENCE, "%.40s (%s) stops the row: it has %.150s.", domino_words(row, end).text,
+        snprintf(text, SENTENCE, "%.40s (%s) stops the row: it %.150s.", domino_words(row, end).text,
                  row->marks.ends, energy_words((domq_real)share).text);
     else
         snprintf(text, SENTENCE, "The fall ends at %.40s (%s): %s.", domino_words(row, end).text,
@@ -188,7 +188,7 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
     const struct domq_verdict *v = &row->run.verdict;
     text[0] = '\0';
     if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
-        snprintf(text, SENTENCE, "Weakest%s: %.40s (%s), with %.150s.",
+        snprintf(text, SENTENCE, "Weakest%s: %.40s (%s), which %.150s.",
                  v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall",
                  domino_words(row, v->weakest).text, row->marks.weakest, energy_words(v->spare + 1).text);
 }

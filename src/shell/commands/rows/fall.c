@@ -90,7 +90,7 @@ static void verdict_say(struct answer *a, const struct falling *f)
     if (v->end == DOM_ROW_FALLS)
         all_fall_say(a, f);
     else if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
-        answer_say(a, "The row stops at domino %zu of %zu, which has %s.%s", v->domino, count,
+        answer_say(a, "The row stops at domino %zu of %zu, which %s.%s", v->domino, count,
                    energy_words(fall_share(&f->last)).text,
                    count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else

@@ -83,13 +83,28 @@ domq_real round_digits(domq_real value, int digits, bool up)
 
 struct words energy_words(domq_real share)
 {
+    struct words words = {"has more than 100 times the energy that it needs"};
+    if (share < 100)
+        snprintf(words.text, sizeof words.text, "%s %s of the energy that it %s", share < 1 ? "has" : "needs",
+                 measured_share(share < 1 ? share : 1 / share, 2).text, share < 1 ? "needs" : "has");
+    return words;
+}
+
+struct words dominoes_words(domq_real q, const char *noun)
+{
+    const char *word = parameter_word(parameter_find("q"), q);
     struct words words;
-    if (share < 10)
-        snprintf(words.text, sizeof words.text, "%s of the energy that it needs",
-                 measured_share(share, share < 1 ? 2 : 3).text);
+    if (word)
+        snprintf(words.text, sizeof words.text, "%s %s", word, noun);
     else
-        snprintf(words.text, sizeof words.text, "%s times the energy that it needs",
-                 measured(share, "", 3).text);
+        snprintf(words.text, sizeof words.text, "%s with q = %s", noun, quad_text(q, 6));
+    return words;
+}
+
+struct words limit_words(domq_real limit, int digits)
+{
+    struct words words;
+    snprintf(words.text, sizeof words.text, "%s", quad_text(round_digits(limit, digits, false), digits));
     return words;
 }
 
@@ -110,7 +125,7 @@ domq_real fall_share(const struct domq_fall *f)
 void weakest_say(struct answer *a, const struct domq_verdict *v)
 {
     if (v->weakest > 0 && isfinite(v->spare))
-        answer_say(a, "%s %zu has the least energy to spare: it has %s.",
+        answer_say(a, "%s %zu has the least energy to spare: it %s.",
                    v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes that tip over, domino", v->weakest,
                    energy_words(v->spare + 1).text);
 }

@@ -45,8 +45,16 @@ struct words {
     char text[CELL_TEXT + 40];
 };
 
-/* Returns a phrase such as "96 % of the energy that it needs" or "12 times the energy that it needs". */
+/* Returns a phrase about the energy that something has, divided by the energy that it needs: "needs 42 % of
+ * the energy that it has", "has more than 100 times the energy that it needs" or, for a share below 1, "has
+ * 96 % of the energy that it needs". */
 struct words energy_words(domq_real share);
+
+/* Returns "solid dominoes" for q = 4 and the noun "dominoes", or "dominoes with q = 3.5". */
+struct words dominoes_words(domq_real q, const char *noun);
+
+/* Returns a limit as text with at most `digits` digits, rounded down, so that what it allows is possible. */
+struct words limit_words(domq_real limit, int digits);
 
 /* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
 struct words all_fall_words(size_t count);
