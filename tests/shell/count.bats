@@ -30,36 +30,37 @@ END
 }
 
 @test "count 112 answers the quiz in the words of the quiz" {
-    same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one that is 112 m tall.
-The 20th domino is 106.4 m tall; it could topple a domino up to 159.6 m tall.
-Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
-    answer=$("$DOMINO" -e 'count 112')
-    for words in '^Which kinds of domino fall with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \
-        '^ *solid *yes;.* 1\.64423 .* 16 dominoes'; do
+    same 'count 112' '20 solid dominoes, each 1.5 times as large as the one before, with gaps of 0.4 times the height, topple one that is 112 m tall. Such a row falls.
+Hollow dominoes can grow by 2.04 each: then 11 are enough.' "$("$DOMINO" -e 'count 112')"
+    answer=$("$DOMINO" -e 'count 112 details')
+    for words in '^The 20th domino is 106\.4 m tall; it could topple a domino up to 159\.6 m tall' '^last_height  *159\.612 m ' \
+        '^Which kinds of domino fall with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377: 11 dominoes; 2\.04654 .* 11 dominoes' \
+        '^ *solid *yes;.* 1\.64423: 16 dominoes; 1\.59459 .* 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
     # The toppled domino is r times as tall as the last of the 20.
     close 'the 20th' "$(json 'count 112' | values last_height)" "$(json 'print 1.5 * h * 1.5^19' | values value)"
     same 'r 2 with solid dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
-    answer=$("$DOMINO" -e 'count 112 2')
-    for words in '^12 dominoes, .* would be needed' '^Such a row does not fall\.$' '^Which kinds of domino fall with growth 2 ' '^ *hollow *yes' \
+    answer=$("$DOMINO" -e 'count 112 2 details')
+    for words in '^12 solid dominoes, .* would be needed .* Such a row does not fall\.$' \
+        '^Solid dominoes can grow by 1\.59 each: then 17 are enough\.$' '^Which kinds of domino fall with growth 2 ' '^ *hollow *yes' \
         '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
     # A mass exponent without a word gets a line of its own, but a synonym does not.
-    "$DOMINO" -e 'set q 3.5; count 112' | grep -q '^ *q = 3\.5 *yes'
-    same 'hollow and solid' 2 "$("$DOMINO" -e 'count 112' | grep -c '^ .*growth up to')"
+    "$DOMINO" -e 'set q 3.5; count 112 details' | grep -q '^ *q = 3\.5 *yes'
+    same 'hollow and solid' 2 "$("$DOMINO" -e 'count 112 details' | grep -c '^ .*growth up to')"
     for pair in '0.05|The first domino is 4.8 cm tall' '0.1|The 2nd domino' '0.15|The 3rd domino' '0.2|The 4th domino' \
         '4|The 11th domino' '6|The 12th domino' '9|The 13th domino' '200|The 21st domino'; do
-        [[ $("$DOMINO" -e "count ${pair%|*}") == *"${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
+        [[ $("$DOMINO" -e "count ${pair%|*} details") == *"${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*} details")"
     done
-    same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
+    same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm')"
     # A train that misses the next domino is also a "no", and the number is still printed.
     answer=$(json "set s 0.9; count 112")
     same "r s > 1" "20 false" "$(values dominoes <<<"$answer") $(values feasible <<<"$answer")"
     grep -q '"reason":"[^"]*without touching' <<<"$answer"
-    "$DOMINO" -e 'set s 0.9; count 112' | grep -q 'without touching'
+    "$DOMINO" -e 'set s 0.9; count 112 details' | grep -q 'without touching'
     answer=$(json 'count 112')
     same 'feasible' true "$(values feasible <<<"$answer")"
     same 'feasible: no reason' '(nothing)' "$(values reason <<<"$answer")"
@@ -101,27 +102,28 @@ END
 }
 
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
-    answer=$("$DOMINO" -e 'count 112 m 1.64')
-    for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
+    answer=$("$DOMINO" -e 'count 112 m 1.64 details')
+    for words in '^16 solid dominoes, .* would be needed .* Such a row does not fall\.$' '^Solid .* 1\.59 each: then 17 are enough' \
         'just tips over, the fall ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
-        'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423 .* 16 dominoes; .* up to 1\.59459: 17 dominoes'; do
+        'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423: 16 dominoes; 1\.59459 .* 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112 m 1.64' "$words" "$answer"
     done
-    answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2')
+    answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2 details')
     grep -q 'ends at domino 1: the first domino touches the second before it tips over' <<<"$answer"
-    grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
+    grep -q '^With these gaps no row of such dominoes starts by itself\.$' <<<"$answer"
+    grep -q 'hollow *no; .* no such row starts' <<<"$answer"
     # The largest growth at which a row starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
     json 'count 112 m 1.64' | grep -q '"reason":"if its first domino just tips over, the fall ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
-    answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm')
-    grep -q '^Such a row falls\.$' <<<"$answer"
+    answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm details')
+    grep -q 'Such a row falls\.$' <<<"$answer"
     grep -q 'The first 2 dominoes fall, but a longer row stops' <<<"$answer"
 }
 
 @test "count asks the rigid-body engine about a row that only it can run" {
     command -v "$DOMINO" >/dev/null
-    answer=$("$DOMINO" -e 'effect row 2; effect feet 0.5; count 1 m' 2>&1) || skip 'without Chipmunk'
+    answer=$("$DOMINO" -e 'effect row 2; effect feet 0.5; count 1 m details' 2>&1) || skip 'without Chipmunk'
     grep -q 'The rigid-body engine ran the row because feet is on' <<<"$answer"
     same 'on ice' false "$(json 'effect row 2; effect feet 0.05; count 1 m' | values feasible)"
 }

@@ -23,10 +23,10 @@ load common
 }
 
 @test "rmax says why exact and paper differ, but only if they do" {
-    "$DOMINO" -e rmax | grep -q '^r_max_exact and r_max_paper differ because'
-    same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
-    "$DOMINO" -e 'rmax 0.9' | grep -q '^r_max_exact and r_max_paper are both limited by the reach'
-    same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
+    "$DOMINO" -e "rmax details" | grep -q '^r_max_exact and r_max_paper differ because'
+    same 'only where they do' '(nothing)' "$("$DOMINO" -e "rmax details" | grep 'Both end by the reach')"
+    "$DOMINO" -e 'rmax 0.9 details' | grep -q '^r_max_exact and r_max_paper are both limited by the reach'
+    same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9 details' | grep differ)"
 }
 
 @test "no fuel, no growth or a stop: null with a reason, status 0, nothing on stderr" {
@@ -69,16 +69,16 @@ END
 }
 
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
-    answer=$("$DOMINO" -e 'set r 1.64; rmax')
-    for words in '1\.64423 times as large' 'A row falls with a growth of up to 1\.59459 if its first domino just tips over' \
+    answer=$("$DOMINO" -e 'set r 1.64; rmax details')
+    for words in '1\.64422 times as large' 'A row that starts from rest can have a growth of up to 1\.59459 if its first domino just tips over' \
         'At a growth of 1\.64, the row needs a push of 6\.766 rad/s'; do
         grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
     done
-    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'No row falls if its first domino just tips over, whatever its growth'
-    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'A row falls with a growth of up to 1\.63[0-9]* with a push of 6 rad/s'
+    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'from rest, no row falls if its first domino just tips over, whatever its growth'
+    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'A row that starts from rest can have a growth of up to 1\.63[0-9]* with a push of 6 rad/s'
     # If the reach limits both growths, they are equal.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
-    ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is for a train'
+    ! "$DOMINO" -e 'rmax 0.8' | grep -q 'from rest'
     # In json, 'rmax' and 'count' give the same r_start.
     answer=$(json 'rmax; count 112; set q hollow; rmax 0.1')
     same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"

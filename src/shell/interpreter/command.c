@@ -42,6 +42,15 @@ const char *command_names(const void *context, int k)
     return k < every_count ? every[k]->name : NULL;
 }
 
+const char *offered_commands(const void *context, int k)
+{
+    (void)context;
+    for (int i = 0; i < every_count; i++)
+        if (!every[i]->phrase && k-- == 0)
+            return every[i]->name;
+    return NULL;
+}
+
 const char *topic_names(const void *context, int k)
 {
     int commands = every_count;

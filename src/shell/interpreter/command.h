@@ -155,8 +155,9 @@ const struct command_group *command_groups(void);
 
 /* Functions of type names_list (see names.h): */
 const char *command_names(const void *context, int k);
-const char *topic_names(const void *context, int k);  /* all commands and parameters */
-const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
+const char *offered_commands(const void *context, int k); /* without those that two words stand for */
+const char *topic_names(const void *context, int k);      /* all commands and parameters */
+const char *answer_keys(const void *command, int k);      /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
 /* A names_list of the names that are known in expressions: the built-in names, 'ans', the variables of the

@@ -311,7 +311,7 @@ const struct command *command_read(struct reader *r)
     if (command || r->problem->kind != PROBLEM_NONE)
         return command;
     offer_kind(r, OFFER_VARIABLE);
-    return name_read(r, command_names);
+    return name_read(r, offered_commands);
 }
 
 const struct command *command_read_inner(struct reader *r, names_list *offered)
