@@ -216,6 +216,7 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->brief = NULL;
     rest->answer->rest = NULL;
     rest->answer->is_open = true;
+    rest->answer->layout.letters = rest->answer->layout.bold = false; /* 'details > FILE' is plain text */
     rest->answer->has_rows = false;
 }
 
