@@ -192,20 +192,21 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;
+    const struct domq_effect *law = domq_law(&scene->train);
     const char *version = NULL, *motion_why, *motion;
     bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
          is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
-         has_friction = domq_law(&scene->train)->dissipates;
-    char engine[96];
+         has_losses = law->dissipates;
+    char engine[96], loses[48];
+    snprintf(loses, sizeof loses, "%s is on", law->name);
     if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
         version = engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
-    motion_why = is_engine ? scene_engine_why(scene) : has_friction ? "friction is on" : "no losses";
-    motion = is_engine      ? engine
-             : !is_row      ? domq_law(&scene->train)->plan
-             : has_friction ? domq_effect(DOM_EFFECT_friction)->plan
-                            : "energy balance and collision, without integration";
+    motion_why = is_engine ? scene_engine_why(scene) : has_losses ? loses : "no losses";
+    motion = is_engine               ? engine
+             : !is_row || has_losses ? law->plan
+                                     : "energy balance and collision, without integration";
     if (is_row)
         part_row(a, "start",
                  is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
@@ -233,8 +234,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                  n, "no contact may pull");
     else
         part_row(a, "barrier",
-                 has_friction ? "roots of C, and omega^2 at each root"
-                              : "roots of H', and H at each root (26; c8)",
+                 has_losses ? "roots of C, and omega^2 at each root"
+                            : "roots of H', and H at each root (26; c8)",
                  n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
     struct domq_random_error error[DOM_ERROR_COUNT];

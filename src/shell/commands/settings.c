@@ -4,6 +4,7 @@
 #include "commands/tables.h"
 #include "io/output.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "session/session.h"
 #include "session/undo.h"
 #include <stdarg.h>
@@ -124,13 +125,26 @@ static bool run_undo(struct session *session, const struct arguments *given, str
     return true;
 }
 
+/* Says which settings of the calculator keep values that are not the defaults. */
+static void kept_say(struct answer *a, const struct state *state)
+{
+    char kept[128] = "";
+    int count = 0;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (p->setting && parameter_get(state, p) != parameter_fallback(state, p))
+            text_add(kept, sizeof kept, "%s%s", count++ ? ", " : "", p->name);
+    a->wrote_text = count > 0 && answer_for_people(a);
+    if (a->wrote_text)
+        answer_say(a, "The model is reset. %s %s as before; 'reset NAME' resets a setting.", kept,
+                   count == 1 ? "stays" : "stay");
+}
+
 static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
     const struct parameter *p;
     bool done = true;
-    (void)a;
     if (given->variable) {
         variable_drop(&next->variables, given->word[0]);
         return true;
@@ -140,8 +154,11 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
         if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
             done = parameter_set(next, p, &value, 1, problem) && done;
     }
-    if (!given->parameter)
-        effects_reset(&next->scene);
+    if (given->parameter)
+        return done;
+    effects_reset(&next->scene);
+    if (!query->run_context->sourced)
+        kept_say(a, next);
     return done;
 }
 
@@ -227,7 +244,8 @@ const struct command session_commands[] = {
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "set the parameter NAME, or the whole model, to the default",
      .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "
-             "session (threads, output, header, digits, angle, errors, timing, hints) or the variables. "
+             "session (threads, output, header, digits, angle, errors, timing, hints) or the variables, and "
+             "says which settings it leaves. "
              "'reset x' "
              "removes the variable x.",
      .example = "set s 0.3; reset s; print s",

@@ -80,7 +80,8 @@ struct place {
     const struct domq_state *state;
     struct answer *answer;
     struct walk_units units;
-    bool has_friction, is_rounded;
+    bool has_friction; /* the inertia of the train is A instead of J */
+    bool has_losses, is_rounded;
 };
 
 static struct measured angle_at(const struct place *p, domq_real theta)
@@ -179,7 +180,7 @@ static void say_launch(const struct place *p)
             "The train has %s of the energy that it needs to keep falling. Its potential energy must "
             "rise by %s, up to a tilt of %s%s; the train %s by %s (26; c8).",
             measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-            angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
+            angle_at(p, b.theta_m).text, p->has_losses ? ", including losses on the way" : "",
             b.margin >= 0 ? "clears the barrier" : "fails to clear it",
             energy_at(p, quad(fabs)(b.margin)).text);
 }
@@ -187,13 +188,14 @@ static void say_launch(const struct place *p)
 static void say_top(const struct place *p)
 {
     const struct domq_state *s = p->state;
-    if (p->has_friction)
+    if (p->has_losses)
         answer_detail(p->answer,
                       "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
-                      "friction has taken %s, and a kinetic energy of %s is left. From here on, the train "
-                      "gains more energy than friction takes (26; c8).",
+                      "%s has taken %s, and a kinetic energy of %s is left. From here on, the train "
+                      "gains more energy than it loses (26; c8).",
                       angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-                      energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
+                      domq_law(&p->walk->train)->name, energy_at(p, s->friction_work).text,
+                      energy_at(p, s->kinetic).text);
     else
         answer_detail(
             p->answer,
@@ -243,7 +245,7 @@ static void say_stop(const struct place *p)
         "of the barrier, at theta_m = %s, the train would need %s more (26; c8). There is no next "
         "hit; 'why' explains it.",
         angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
-        p->has_friction ? "potential energy and friction" : "potential energy", angle_at(p, b.theta_m).text,
+        p->has_losses ? "potential energy and losses" : "potential energy", angle_at(p, b.theta_m).text,
         energy_at(p, -b.margin).text);
 }
 
@@ -258,8 +260,8 @@ static void say_hit(const struct place *p)
                   p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
                   omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
                   measured(s->time * p->units.tau, "s", 6).text);
-    if (p->has_friction)
-        answer_detail(p->answer, "Friction between dominoes has taken %s of this energy.",
+    if (p->has_losses)
+        answer_detail(p->answer, "Of this energy, %s has taken %s.", domq_law(&p->walk->train)->name,
                       energy_at(p, s->friction_work).text);
     answer_detail(
         p->answer,
@@ -356,7 +358,8 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
                                 .state = state,
                                 .answer = answer,
                                 .units = walk_units(query, walk->cycle),
-                                .has_friction = domq_law(&walk->train)->dissipates,
+                                .has_friction = walk->train.mu != 0,
+                                .has_losses = domq_law(&walk->train)->dissipates,
                                 .is_rounded = walk->train.rho != 0};
     event_say(&place);
     ledger_say(&place);

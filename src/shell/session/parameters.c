@@ -52,6 +52,12 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
     int k = names_find(list, NULL, what, word, message);
+    const struct parameter *effect = k >= 0 ? parameter_find(list(NULL, k)) : NULL;
+    /* One or two letters probably mean a measure, not an effect: w is a width. */
+    if (effect && effect->effect && list != effect_names && strlen(word) < 3) {
+        snprintf(message, NAMES_MESSAGE, "unknown %s '%s'", what, names_shown(word));
+        k = NAMES_UNKNOWN;
+    }
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
     if (!p || names_exact(list, NULL, p->name) < 0)
         return k;

@@ -11,7 +11,7 @@
 /* Bits for the properties of a train that decide which equations hold for it. */
 enum {
     HAS_SLOPE = 1,
-    HAS_FRICTION = 2,
+    HAS_LOSS = 2, /* an effect takes energy while dominoes move */
     HAS_EDGES = 4,
     HAS_WALLS = 8,
     HAS_PAPER = 16, /* the fuel is computed by the paper's closed form */

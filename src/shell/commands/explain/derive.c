@@ -176,11 +176,17 @@ static const char *words_of(struct derivation *d, const struct derived *q)
 {
     const unsigned ends = q->ends & d->has;
     char words[256];
-    int n = snprintf(words, sizeof words, "%s%s", q->words,
-                     ends & HAS_FRICTION ? "; with friction, energy is not conserved, so the equation of "
-                                           "motion in 'help friction' is integrated"
-                                         : "; with rounded edges the contact is found by iteration: 'help "
-                                           "edges' has its equation");
+    int n;
+    if (ends & HAS_LOSS)
+        n = snprintf(
+            words, sizeof words,
+            "%s; with %s, energy is not conserved, so the equation of motion in 'help %s' is integrated",
+            q->words, domq_law(&d->state->scene.train)->name, domq_law(&d->state->scene.train)->name);
+    else
+        n = snprintf(
+            words, sizeof words,
+            "%s; with rounded edges the contact is found by iteration: 'help edges' has its equation",
+            q->words);
     return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
 }
 
@@ -249,7 +255,7 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
 
 static unsigned conditions(const struct domq_train *train, bool detached, bool reach)
 {
-    return (train->alpha != 0 ? HAS_SLOPE : 0u) | (train->mu != 0 ? HAS_FRICTION : 0u) |
+    return (train->alpha != 0 ? HAS_SLOPE : 0u) | (domq_law(train)->dissipates ? HAS_LOSS : 0u) |
            (train->rho != 0 ? HAS_EDGES : 0u) | (train->walls != 0 ? HAS_WALLS : 0u) |
            (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
            (reach && train->rho == 0 ? HAS_REACH : 0u);
