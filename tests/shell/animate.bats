@@ -97,6 +97,17 @@ END
     [ ! -e a.mp4 ]
 }
 
+@test "animate: the file stands after '>'; the old order, and 'slow'" {
+    local scene='set r 1; effect row 5; effect push 6'
+    same silent '(nothing)' "$("$DOMINO" -e "$scene; animate rate 20 > a.gif; animate b.gif rate 20; animate rate 20 > a.csv" 2>&1)"
+    cmp a.gif b.gif
+    same data "$(csv "$scene; animate rate 20")" "$(cat a.csv)"
+    same 'four times slower' "$(csv "$scene; animate speed 0.25")" "$(csv "$scene; animate slow")"
+    same 'a film, even after set output csv' GIF89a "$("$DOMINO" -e "set output csv; $scene; animate slow > c.gif" && head -c 6 c.gif)"
+    same 'the train' '26 1000' "$("$DOMINO" -e 'animate slow 1 > d.gif' && delays d.gif)"
+    wrong "$scene; animate a.gif > b.gif" "the film is written to 'a.gif', so there is no other output to redirect"
+}
+
 @test "the gallery has the pictures that examples/pictures.dom draws, and is small" {
     "$DOMINO" -f "$root/examples/pictures.dom" >/dev/null
     same pictures "$(ls "$root/examples/pictures")" "$(ls)"

@@ -80,7 +80,8 @@ draw 0.3 forces |(nothing)
 draw at |domino end
 draw forces |(nothing)
 draw train |forces
-animate a.gif |speed rate train tower
+animate |speed rate slow train tower
+animate a.gif |speed rate slow train tower
 animate a.gif speed 2 r|rate
 plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost fit
 plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend

@@ -74,17 +74,19 @@ record="effect row \"$root/examples/record.csv\""
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
     one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
-    one_line 'use the extension .gif, .webm or .mp4' 'animate a.png'
+    one_line "'a.png' is the name of a picture, which 'animate' cannot write; use .gif, .webm or .mp4" 'animate > a.png'
+    one_line "'a.gif' is the name of a film, which 'draw' cannot write; use .svg" 'draw > a.gif'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
-    one_line 'FILE is missing; usage: animate FILE [HOW]' animate
+    one_line "an animation can be shown only on a terminal; enter 'animate > film.gif' for a file" animate
+    one_line "'a.gif' can hold only one film; '>' replaces it" 'animate >> a.gif'
     for what in 0 2.5 10 1e7; do
         one_line 'at this r, N is an integer in 1 .. 9, because one picture has no room for more cycles' "animate a.gif $what"
     done
     one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
     one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'
     one_line 'use .svg, .png' 'plot growth > a.gif'
-    for what in 'draw > a.svg' 'animate a.gif'; do
+    for what in 'draw > a.svg' 'animate > a.gif'; do
         one_line 'the fuel P is not positive' "set s 0.001; $what"
         one_line 'r s = 3.6 > 1' "set r 9; $what"
     done
@@ -103,7 +105,7 @@ record="effect row \"$root/examples/record.csv\""
 @test "without gnuplot, a one-line error says what to install, and the data are still available" {
     dir=$PWD
     mkdir "$dir/empty"
-    for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
+    for what in 'plot chain > a.svg' 'draw > a.png' "animate > $dir/a.gif"; do
         run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
         [[ ${lines[0]} == *"pictures need gnuplot, which is not installed; run 'apt install gnuplot-nox'"* ]]
         same "$what: the session goes on" 1 "${lines[1]}"
@@ -111,7 +113,7 @@ record="effect row \"$root/examples/record.csv\""
         same "$what: data" "$(csv "${what%% >*}")" "$rows"
     done
     same 'nothing is left' empty "$(ls "$dir" | grep -v '\.bats')"
-    run -1 "$DOMINO" --keep-going --safe -e "animate $dir/a.gif"
+    run -1 "$DOMINO" --keep-going --safe -e "animate > $dir/a.gif"
     [[ $output == *'a safe session cannot read or write files'* ]]
     run -1 "$DOMINO" --keep-going --safe -e "draw > $dir/a.svg"
     [[ $output == *'a safe session cannot read or write files'* ]]
@@ -301,12 +303,12 @@ END
     one_line "'never' is neither a value nor a word that fits here; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
-    one_line "'a.mov' is not the name of an animation; use the extension .gif, .webm or .mp4" "$record; animate a.mov"
+    one_line "the file extension of 'a.mov' is unknown; use .gif, .webm or .mp4" "$record; animate > a.mov"
     one_line 'the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
     one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
-    one_line "'quickly' is neither a value nor a word that fits here; usage: animate row.gif" "$record; animate a.gif quickly"
+    one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

@@ -120,8 +120,9 @@ struct command {
     bool train; /* the answer is about the endless train */
     enum {
         WRITES_DATA,
-        WRITES_PICTURES,  /* in csv and json: the data of a picture */
-        WRITES_CHARTS,    /* pictures that can also be written to a .tex file */
+        WRITES_PICTURES, /* in csv and json: the data of a picture */
+        WRITES_CHARTS,   /* pictures that can also be written to a .tex file */
+        WRITES_FILMS,
         WRITES_DOCUMENTS, /* text that can also be written to a .md or .tex file */
         WRITES_PAGES,     /* long text for the pager */
     } writes;

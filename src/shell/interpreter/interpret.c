@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* ---- Answers ---- */
 
@@ -36,7 +37,7 @@ static void train_note(const struct session *session, struct answer *answer)
 /* Returns true if the answer of the command is always a picture. */
 static bool is_picture(const struct command *c)
 {
-    return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
+    return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS || c->writes == WRITES_FILMS;
 }
 
 /* Runs the command's function for this answer: `act`, `picture` or `run` (see struct command). If the
@@ -99,6 +100,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (output->format)
         answer.style.format = output->format;
     problem->place = 0;
+    session->made[0] = '\0';
     double begun = session->state.settings.timing ? terminal_clock() : 0;
     progress_begin();
     bool done = run_function(session, c, query, &answer, problem);
@@ -112,6 +114,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         session_note(session, "%s", unsaid);
     rest_keep(session, c, query, &answer, done);
     session->wrote = answer.has_rows;
+    snprintf(session->made, sizeof session->made, "%s", answer.made);
     end->answered = end->answered || (done && c->columns) || answer.wrote_text;
     end->error = answer.error ? answer.error : end->error;
     if (done && (answer.is_value || c->principal))
@@ -160,6 +163,7 @@ static const char *endings_of(const struct command *c)
     return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"
            : c->picture            ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
            : c->columns || c->runs ? ".csv, .json or .txt"
                                    : ".txt";
@@ -173,7 +177,10 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
     if (extension->kind == EXTENSION_OTHER)
         return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
                              endings_of(c));
-    if (extension->kind == EXTENSION_DATA)
+    if (c->writes == WRITES_FILMS || extension->kind == EXTENSION_FILM)
+        fits = c->writes == WRITES_FILMS &&
+               (extension->kind == EXTENSION_FILM || extension->kind == EXTENSION_DATA);
+    else if (extension->kind == EXTENSION_DATA)
         fits = c->columns || c->runs || c->writes == WRITES_PAGES;
     else if (extension->kind == EXTENSION_SHEET)
         fits = c->writes == WRITES_DOCUMENTS
@@ -181,11 +188,33 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
                    : extension->terminal && draws && (charts || strcmp(extension->text, ".tex") != 0);
     return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
                                  names_shown(path),
-                                 extension->kind == EXTENSION_DATA ? "data file"
-                                 : extension->terminal             ? "picture"
-                                                                   : "document",
+                                 extension->kind == EXTENSION_DATA   ? "data file"
+                                 : extension->kind == EXTENSION_FILM ? "film"
+                                 : extension->terminal               ? "picture"
+                                 : extension->is_document            ? "document"
+                                                                     : "text",
                                  c->name, endings_of(c),
-                                 draws || !extension->terminal ? "" : "; 'draw' and 'plot' write pictures");
+                                 extension->kind == EXTENSION_FILM ? "; 'animate' writes films"
+                                 : draws || !extension->terminal   ? ""
+                                                                   : "; 'draw' and 'plot' write pictures");
+}
+
+/* At a terminal, says what a picture file has. Scripts get no more than the file. */
+static void wrote_say(const struct session *session, const char *path)
+{
+    const char *made = session->made;
+    struct stat file;
+    const char *const units[] = {"bytes", "kB", "MB", "GB"};
+    int unit = 0;
+    if (session->source.stream || session->source.depth > 0 || !terminal_shows(stderr) ||
+        stat(path, &file) != 0)
+        return;
+    double size = (double)file.st_size;
+    for (; size >= 1000 && unit < 3; unit++)
+        size /= 1000;
+    progress_end();
+    fprintf(session->output->messages, "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
+            unit > 0 && size < 10, size, units[unit]);
 }
 
 /* The extension of the file determines the format of the answer. */
@@ -193,16 +222,19 @@ static bool run_into(struct session *session, const struct command *c, const str
                      const char *path, bool appends, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
+    const bool is_shown = extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM;
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
         /* with format_table, a picture is drawn even after 'set output csv' */
-        session->output->format = extension->kind == EXTENSION_SHEET ? &format_table : extension->format;
+        session->output->format = is_shown ? &format_table : extension->format;
         session->output->is_header = session_format(session)->is_header;
         done = run_command(session, c, query, problem);
         wrong = output_pop(&session->output, done);
         if (!done)
             return false;
+        if (!wrong && is_shown)
+            wrote_say(session, path);
     }
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
@@ -226,10 +258,26 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
                  "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
 }
 
+static bool file_run(struct session *session, const struct command *c, const struct query *query,
+                     const char *path, bool appends, struct problem *problem)
+{
+    if (session->run_context.safe)
+        return problem_error(problem, "a safe session cannot read or write files");
+    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+}
+
+/* `named` is the file that the command itself has named without a '>', or NULL. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
-                           const struct query *query)
+                           const struct query *query, const char *named)
 {
     struct problem *problem = r->problem;
+    if (named && *r->at == '>')
+        return problem_error(problem,
+                             "the film is written to '%s', so there is no other output to redirect; "
+                             "leave out one of the names",
+                             names_shown(named));
+    if (named)
+        return file_run(session, c, query, named, false, problem);
     bool appends = r->at[1] == '>';
     r->at = skip_blanks(r->at + (appends ? 2 : 1));
     reader_place(r, r->at);
@@ -242,9 +290,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     if (!command_ends(r->at))
         return problem_error(problem,
                              "only one word can follow '>'; put a file name with blanks in double quotes");
-    if (session->run_context.safe)
-        return problem_error(problem, "a safe session cannot read or write files");
-    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+    return file_run(session, c, query, path, appends, problem);
 }
 
 /* ---- Commands ---- */
@@ -277,13 +323,15 @@ static void run_command_at(struct session *session, struct reader *line)
         const struct format *format = session_format(session);
         /* All changes that a sourced file makes are a single step for 'undo'. */
         bool is_step = c->changes && session->source.depth == 0;
-        bool is_redirected = *r.at == '>';
+        /* csv and json have the data of a film, and write no file without a '>'. */
+        const char *file = format->for_people ? q.file : NULL;
+        bool is_redirected = *r.at == '>' || file;
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
         struct call call;
         bool done = question_bind(&q, &query, &call, &problem);
         if (done)
-            done = is_redirected ? run_redirected(session, &r, c, &call.query)
+            done = is_redirected ? run_redirected(session, &r, c, &call.query, file)
                                  : run_paged(session, c, &call.query, &problem);
         arena_free(&call.given.memory);
         /* After a command that changes the output format, no empty JSON object is written. */

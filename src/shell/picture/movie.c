@@ -29,13 +29,9 @@ static const struct movie_kind *kind_of(const char *path)
     return NULL;
 }
 
-bool movie_named(const char *path, struct problem *problem)
+bool movie_ready(const char *path, struct problem *problem)
 {
     const struct movie_kind *kind = kind_of(path);
-    if (!kind)
-        return problem_error(problem,
-                             "'%s' is not the name of an animation; use the extension .gif, .webm or .mp4",
-                             names_shown(path));
     return !kind->ffmpeg || program_exists("ffmpeg") ||
            problem_error(problem,
                          "%s needs ffmpeg, which is not installed; run 'apt install ffmpeg', or use a name "
@@ -43,18 +39,12 @@ bool movie_named(const char *path, struct problem *problem)
                          kind->extension);
 }
 
-bool movie_begin(struct movie *m, const char *path, const struct stage *stage, size_t frames, int delay,
+bool movie_begin(struct movie *m, const struct answer *a, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     char terminal[96], options[160];
-    if (!movie_named(path, problem))
-        return false;
-    *m = (struct movie){.kind = kind_of(path), .delay = delay, .frames = frames};
+    *m = (struct movie){.kind = kind_of(a->path), .answer = a, .delay = delay, .frames = frames};
     m->sheet = sheet_of(stage, FRAME_LEAST, FRAME_MOST);
-    escape_text(path, m->shown, sizeof m->shown);
-    const char *wrong = file_push(&m->file, path, false, interrupt);
-    if (wrong)
-        return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     bool ffmpeg = m->kind->ffmpeg;
     int height = (int)m->sheet.height;
     height += ffmpeg ? height % 2 : 0; /* these formats store colours in blocks of 2 x 2 pixels */
@@ -67,11 +57,10 @@ bool movie_begin(struct movie *m, const char *path, const struct stage *stage, s
     if (ffmpeg)
         m->drawn = temporary_open(problem);
     if ((m->drawn || !ffmpeg) &&
-        picture_begin(&m->picture, ffmpeg ? m->drawn : m->file->out, options, interrupt, problem))
+        picture_begin(&m->picture, ffmpeg ? m->drawn : a->out, options, interrupt, problem))
         return true;
     if (m->drawn)
         fclose(m->drawn);
-    (void)output_pop(&m->file, false);
     return false;
 }
 
@@ -92,13 +81,13 @@ static bool movie_convert(struct movie *m, struct problem *problem)
                                    "-an",    "-pix_fmt",     "yuv420p",    "-y"};
     int n = BEFORE;
     snprintf(rate, sizeof rate, "100/%d", m->delay);
-    snprintf(what, sizeof what, "make '%s'", m->shown);
+    snprintf(what, sizeof what, "make '%s'", names_shown(m->answer->path));
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
     /* Standard output is a file. The name 'file:/dev/stdout' tells ffmpeg so. At the end, ffmpeg goes back in
      * a file to write the duration of the film, but it cannot go back in a pipe. */
     argv[n] = "file:/dev/stdout";
-    return program_run((char *const *)argv, m->drawn, m->file->out, what, m->picture.interrupt, problem);
+    return program_run((char *const *)argv, m->drawn, m->answer->out, what, m->picture.interrupt, problem);
 }
 
 bool movie_end(struct movie *m, bool whole, struct problem *problem)
@@ -106,6 +95,5 @@ bool movie_end(struct movie *m, bool whole, struct problem *problem)
     bool drawn = picture_end(&m->picture, whole, problem) && (!m->drawn || movie_convert(m, problem));
     if (m->drawn)
         fclose(m->drawn);
-    const char *wrong = output_pop(&m->file, drawn);
-    return drawn && (!wrong || problem_error(problem, "cannot write '%s': %s", m->shown, wrong));
+    return drawn;
 }

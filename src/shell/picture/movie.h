@@ -3,7 +3,7 @@
 #ifndef SHELL_MOVIE_H
 #define SHELL_MOVIE_H
 
-#include "io/output.h"
+#include "answer/answer.h"
 #include "language/names.h"
 #include "picture/picture.h"
 #include "picture/stage.h"
@@ -11,22 +11,21 @@
 struct movie {
     struct picture picture; /* the picture whose script contains a plot command for each frame */
     struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
-    struct output *file;
+    const struct answer *answer; /* receives the film */
     const struct movie_kind *kind;
-    FILE *drawn;             /* the drawn frames for ffmpeg, or NULL for a gif */
-    int delay;               /* the time between two frames, in hundredths of a second */
-    size_t frames, frame;    /* the total number of frames, and the number written so far */
-    char shown[NAMES_SHOWN]; /* the name of the file in messages */
+    FILE *drawn;          /* the drawn frames for ffmpeg, or NULL for a gif */
+    int delay;            /* the time between two frames, in hundredths of a second */
+    size_t frames, frame; /* the total number of frames, and the number written so far */
 };
 
-/* Returns true if the extension is known, and ffmpeg is installed if needed. Otherwise reports a problem. */
-bool movie_named(const char *path, struct problem *problem);
+/* Returns true if ffmpeg is installed or not needed for this file. Otherwise reports a problem. */
+bool movie_ready(const char *path, struct problem *problem);
 
-/* Begins an animation. `delay` is the time between two frames, in hundredths of a second. All frames have the
- * same size, so the caption of `stage` must have as many lines as the captions of the frames. On failure,
- * sets *problem and returns false. */
-bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
-                 const volatile sig_atomic_t *interrupt, struct problem *problem);
+/* Begins an animation, which is written to the file of the answer. `delay` is the time between two frames, in
+ * hundredths of a second. All frames have the same size, so the caption of `stage` must have as many lines as
+ * the captions of the frames. On failure, sets *problem and returns false. */
+bool movie_begin(struct movie *movie, const struct answer *answer, const struct stage *stage, size_t frames,
+                 int delay, const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 void movie_frame(struct movie *movie, const struct stage *stage);
 

@@ -21,6 +21,9 @@ static const struct extension extensions[] = {
     {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_document = true},
     {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
     {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
+    {.text = ".gif", .kind = EXTENSION_FILM},
+    {.text = ".webm", .kind = EXTENSION_FILM},
+    {.text = ".mp4", .kind = EXTENSION_FILM},
     {.text = ".md", .kind = EXTENSION_SHEET, .is_document = true},
 };
 

@@ -15,6 +15,7 @@ enum extension_kind {
     EXTENSION_OTHER, /* an unknown extension, which is an error */
     EXTENSION_TEXT,  /* .txt, which has the same effect as no extension */
     EXTENSION_DATA,  /* the extension of an answer format, such as .csv */
+    EXTENSION_FILM,  /* an extension for animations (.gif) */
     EXTENSION_SHEET, /* an extension for pictures (.png), for documents (.md), or for both (.pdf) */
 };
 

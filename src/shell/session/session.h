@@ -43,7 +43,8 @@ struct session {
      * the prompt, the error then ends only the line in which it occurs. */
     bool bail;
     bool quit;
-    bool wrote; /* the last command wrote an answer that has rows */
+    char made[64]; /* see answer.made */
+    bool wrote;    /* the last command wrote an answer that has rows */
     long errors;
 };
 

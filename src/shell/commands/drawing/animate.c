@@ -7,6 +7,7 @@
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
+#include "language/names.h"
 #include "language/quad.h"
 #include <stdlib.h>
 
@@ -50,7 +51,7 @@ static void follow_front(struct row_film *f, size_t head, double time)
 static bool row_frame(const struct domq_moment *m, void *context)
 {
     struct row_film *f = context;
-    struct answer *a = f->film.answer;
+    struct answer *a = f->film.is_data ? f->film.out : NULL;
     char moment[SENTENCE], more[SENTENCE], speed[64] = "";
     if (a) {
         answer_cells(a, cell_real(m->time), cell_count((domq_real)m->head), cell_real(m->tilt[m->head - 1]));
@@ -68,16 +69,17 @@ static bool row_frame(const struct domq_moment *m, void *context)
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
-    movie_frame(&f->film.movie, &f->row.stage);
-    return true;
+    return film_frame(&f->film, &f->row.stage);
 }
 
-/* A long fall is shown faster, which keeps the file small. */
+/* In a file, a long fall is shown faster, which keeps the file small. */
 static domq_real film_speed(const struct row_film *f, double seconds)
 {
     const struct draw_options *options = f->film.options;
-    if (options->has[DRAW_SPEED] || !(seconds > LONGEST))
-        return options->value[DRAW_SPEED];
+    const domq_real speed = options->value[DRAW_SPEED] / (options->slow ? SLOWER : 1);
+    const bool is_file = f->film.is_data || f->film.out->path;
+    if (options->has[DRAW_SPEED] || options->slow || !is_file || !(seconds > LONGEST))
+        return speed;
     return round_digits((domq_real)(seconds / LONGEST), 2, true);
 }
 
@@ -91,7 +93,7 @@ static bool row_times(struct row_film *f)
     if (!isfinite(f->row.end))
         return row_status(film->query, film->problem, DOM_NO_MARGIN);
     double moving = ceil((f->row.end - begins) / step - 1e-9);
-    const double frames = moving + 1 + (film->answer ? 0 : HELD * 100 / film->delay);
+    const double frames = moving + 1 + (film->is_data || !film->out->path ? 0 : HELD * 100 / film->delay);
     if (frames > FRAMES_MOST)
         return problem_no_answer(
             film->problem,
@@ -117,10 +119,12 @@ static bool animate_row(const struct film *film)
     char verdict[SENTENCE];
     struct stage *stage = &f.row.stage;
     f.film.delay = (int)quad(round)(100 / film->options->value[DRAW_RATE]);
-    if (!falling_row_make(film->query, film->problem, script_marks, film->options->tower, &f.row))
+    const struct marks marks =
+        film->is_data || film->out->path ? script_marks : text_marks(display_of(film->out->out));
+    if (!falling_row_make(film->query, film->problem, marks, film->options->tower, &f.row))
         return false;
-    if (film->answer) {
-        struct column *column = answer_columns(film->answer, film->answer->columns);
+    if (film->is_data) {
+        struct column *column = answer_columns(film->out, film->out->columns);
         column[0].meaning = "time of the frame, counted as in 'fall'";
         column[1] = (struct column){"domino", "", "the last domino that was hit", 0};
     }
@@ -150,16 +154,15 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
 {
     const struct draw_options *options = draw_options_of(query);
     struct film film = {
-        .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .options = options};
+        .query = query, .problem = problem, .out = a, .is_data = !answer_for_people(a), .options = options};
     bool row = query->scene->effect[DOM_EFFECT_row].on && !options->train && !options->has[DRAW_CYCLES];
     if ((options->has[DRAW_SPEED] || options->has[DRAW_RATE]) && !row && !options->tower)
         return problem_error(
             problem,
             "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
-    if (a->path && !film.answer)
-        return problem_error(problem, "the film is written to FILE, so there is no other output to redirect; "
-                                      "leave out the '>'");
-    if (!film.answer && !movie_named(query->given->word[0], problem))
+    if (!film.is_data && a->path && a->appended)
+        return problem_error(problem, "'%s' can hold only one film; '>' replaces it", names_shown(a->path));
+    if (!film.is_data && a->path && !movie_ready(a->path, problem))
         return false;
     if (row || options->train || options->tower)
         /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */

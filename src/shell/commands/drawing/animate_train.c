@@ -6,12 +6,30 @@
 #include "language/quad.h"
 #include <math.h>
 
+bool film_frame(struct film *f, const struct stage *stage)
+{
+    if (f->player)
+        return player_frame(f->player, stage);
+    movie_frame(&f->movie, stage);
+    return true;
+}
+
 bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
 {
-    if (f->answer)
+    const volatile sig_atomic_t *interrupt = f->query->scene->compute.interrupt;
+    if (f->is_data)
         return watch(f);
-    return movie_begin(&f->movie, f->query->given->word[0], stage, f->frames, f->delay,
-                       f->query->scene->compute.interrupt, f->problem) &&
+    if (!f->out->path) {
+        f->player = player_begin(f->out->out, f->delay, interrupt, f->problem);
+        if (!f->player)
+            return false;
+        const bool good = watch(f);
+        struct problem other;
+        return player_end(f->player, good ? f->problem : &other) && good;
+    }
+    snprintf(f->out->made, sizeof f->out->made, "%zu frames, %.3g s", f->frames,
+             (double)f->frames * f->delay / 100);
+    return movie_begin(&f->movie, f->out, stage, f->frames, f->delay, interrupt, f->problem) &&
            movie_end(&f->movie, watch(f), f->problem);
 }
 
@@ -97,7 +115,7 @@ static bool train_film_make(struct train_film *f)
     f->r = (double)f->train.r;
     f->pitch = (double)(f->train.s + f->train.d);
     f->tau = (double)domq_scale_tau(&scene->scale, &f->train);
-    f->film.delay = FRAMES_DELAY;
+    f->film.delay = FRAMES_DELAY * (f->film.options->slow ? SLOWER : 1);
     if (!cycles_count(f))
         return false;
     if (!cycle_events(f->film.query, &f->compute, events, &count, &f->stops, f->film.problem))
@@ -148,11 +166,11 @@ static void stage_place(struct stage *stage, const struct train_film *f, struct 
     }
 }
 
-static enum dom_status train_frame(struct train_film *f, size_t frame)
+static enum dom_status train_frame(struct train_film *f, size_t frame, bool *goes_on)
 {
     struct stage stage;
     domq_real theta;
-    struct answer *a = f->film.answer;
+    struct answer *a = f->film.is_data ? f->film.out : NULL;
     double time = f->step * (double)frame;
     struct place p = place_at(f, time);
     enum dom_status status = domq_cycle_tilt(
@@ -167,13 +185,13 @@ static enum dom_status train_frame(struct train_film *f, size_t frame)
         char cycle[48];
         snprintf(cycle, sizeof cycle, "cycle %d of %d", p.cycle + 1, f->cycles);
         snprintf(stage.caption, CAPTION, "t = %.1f ms, slowed down %.3g times: %s", 1e3 * f->tau * time,
-                 FRAMES_DELAY / 100.0 / (f->step * f->tau),
+                 f->film.delay / 100.0 / (f->step * f->tau),
                  !f->stops                     ? cycle
                  : frame + 1 == f->film.frames ? "the train stops"
                                                : "the train does not get over its barrier");
         stage.ruler = f->ruler;
         stage_place(&stage, f, p);
-        movie_frame(&f->film.movie, &stage);
+        *goes_on = film_frame(&f->film, &stage);
     }
     stage_free(&stage);
     return status;
@@ -182,8 +200,9 @@ static enum dom_status train_frame(struct train_film *f, size_t frame)
 static bool train_watch(struct film *film)
 {
     enum dom_status status = DOM_OK;
-    for (size_t frame = 0; frame < film->frames && status == DOM_OK; frame++)
-        status = train_frame((struct train_film *)film, frame);
+    bool goes_on = true;
+    for (size_t frame = 0; frame < film->frames && status == DOM_OK && goes_on; frame++)
+        status = train_frame((struct train_film *)film, frame, &goes_on);
     return status == DOM_OK || problem_status(film->problem, film->query->scene, status);
 }
 

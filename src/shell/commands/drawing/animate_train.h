@@ -5,20 +5,29 @@
 
 #include "commands/drawing/draw_words.h"
 #include "picture/movie.h"
+#include "picture/play.h"
+
+/* 'animate slow' is this many times slower. */
+enum { SLOWER = 4 };
 
 struct film {
     const struct query *query;
     struct problem *problem;
-    struct answer *answer; /* receives the frames as data; NULL if they are drawn instead */
+    struct answer *out;
+    bool is_data; /* the frames are written as data, rather than drawn */
     const struct draw_options *options;
+    struct player *player; /* shows the frames at the terminal; NULL for a file */
     struct movie movie;
     size_t frames;
     int delay; /* time between two frames, in hundredths of a second */
 };
 
 /* Makes the film. `stage` gives the size of the frames, as in movie_begin. `watch` passes each frame to
- * movie_frame, or adds it to film->answer. On failure, `watch` sets film->problem. */
+ * film_frame, or adds it to film->out. On failure, `watch` sets film->problem. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
+
+/* Draws a frame. Returns false if the user has ended the film. */
+bool film_frame(struct film *film, const struct stage *stage);
 
 bool animate_train(const struct film *film);
 

@@ -273,26 +273,34 @@ const struct command draw_commands[] = {
      .synonyms = "picture image film movie video gif",
      .train = true,
      .argument =
-         {{.name = "FILE", .kind = ARGUMENT_FILE},
-          {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
-     .summary = "a film of the falling row or of the train, written to FILE",
+         {{.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
+     .summary = "a film of the falling row or of the train, at the terminal or in a file",
      .help =
-         "'animate row.gif' shows the whole fall of the row, with a clock. The film runs in real time, or "
-         "faster if the fall takes more than 9 s. 'speed 0.5' shows the row half as fast as in real time. "
-         "'rate 20' makes a film of 20 frames per second. 'animate quiz.gif tower' after 'count 112 m' "
-         "shows the row of that answer falling towards a tower of 112 m. If the largest domino or the tower "
-         "is more than 30 times as tall as the smallest domino, the view follows the front and grows with "
-         "it. Without a row, or with 'animate train.gif train', the film shows cycles of the endless train. "
-         "'animate train.gif train 4' shows four cycles. Each cycle is r times as large as the one before "
-         "and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. The name of the "
-         "file must end in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the frames. csv "
+         "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The space "
+         "bar "
+         "stops and continues it, the arrow keys show the frame before or after, and 'q' ends it. 'animate "
+         "slow' "
+         "is four times slower than the fall, and 'animate speed 0.5' twice. 'animate > row.gif' makes a "
+         "file. "
+         "The name of the file must end in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws "
+         "the "
+         "frames. A film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes "
+         "a film "
+         "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "
+         "topples a "
+         "tower of 112 m. If the largest domino or the tower is more than 30 times as tall as the smallest "
+         "domino, the view follows the front and grows with it. Without a row, or with 'animate train', the "
+         "film "
+         "shows cycles of the endless train. 'animate train 4' shows four cycles. Each cycle is r times as "
+         "large "
+         "as the one before and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. "
+         "csv "
          "and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .sweep_refusal = "it draws",
-     .writes = WRITES_PICTURES,
+     .writes = WRITES_FILMS,
      .rows = true,
-     .files = true,
      ANSWER(animate)},
     {.name = NULL},
 };

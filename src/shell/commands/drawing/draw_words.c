@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/drawing/draw_words.h"
+#include "picture/show.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,9 +23,8 @@ static const struct argument arguments[DRAW_VALUES] = {
 
 static const char draw_usage[] =
     "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower";
-static const char film_usage[] =
-    "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4, animate quiz.gif "
-    "tower";
+static const char film_usage[] = "usage: animate, animate slow, animate speed 0.5 rate 20, animate train 4, "
+                                 "animate tower; '> row.gif' writes a file";
 
 /* Returns true if the next word cannot begin a value and so was probably meant as a keyword. */
 static bool is_stray(const struct reader *r)
@@ -101,10 +101,24 @@ bool draw_parse(struct reader *r, struct question *q)
     return true;
 }
 
+/* Returns true if the next word is the name of a file, such as "row.gif". */
+static bool is_file(const struct reader *r)
+{
+    char word[256];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t>;"), r->at);
+    const enum extension_kind kind = extension_of(word)->kind;
+    return *word == '"' || kind == EXTENSION_FILM ||
+           (kind == EXTENSION_OTHER && isalpha((unsigned char)*word));
+}
+
 bool film_parse(struct reader *r, struct question *q)
 {
     struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     bool good = p != NULL;
+    if (good && is_file(r)) {
+        good = (q->file = read_file(r)) != NULL;
+        r->at = skip_blanks(r->at);
+    }
     while (good && !reader_ends(r)) {
         bool counted = p->item[DRAW_CYCLES].argument || p->options.tower;
         reader_place(r, r->at);
@@ -113,6 +127,8 @@ bool film_parse(struct reader *r, struct question *q)
             good = value_parse(r, p, DRAW_SPEED);
         else if (reader_takes(r, "rate"))
             good = value_parse(r, p, DRAW_RATE);
+        else if (!p->options.slow && reader_takes(r, "slow"))
+            p->options.slow = true;
         else if (!p->options.train && !p->options.tower && reader_takes(r, "train"))
             p->options.train = true;
         else if (!p->options.train && !counted && reader_takes(r, "tower"))

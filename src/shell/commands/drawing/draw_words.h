@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The arguments of 'draw' and 'animate FILE': keywords such as 'at' and 'train', and values. */
+/* The arguments of 'draw' and 'animate': keywords such as 'at' and 'train', and values. */
 #ifndef SHELL_DRAW_WORDS_H
 #define SHELL_DRAW_WORDS_H
 
@@ -19,6 +19,7 @@ enum draw_value {
 struct draw_options {
     bool train;            /* draw the endless train, even if there is a row */
     bool tower;            /* draw the row that the last 'count' found, beside a tower */
+    bool slow;             /* animate more slowly */
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* true for each value that the user typed */
     domq_real value[DRAW_VALUES];
@@ -36,7 +37,7 @@ static inline bool draw_at(const struct draw_options *options)
 
 bool draw_parse(struct reader *reader, struct question *question);
 
-/* Parses the arguments of 'animate' after FILE. */
+/* Parses the arguments of 'animate'. The file of the film may come first, without a '>'. */
 bool film_parse(struct reader *reader, struct question *question);
 
 /* Evaluates the expressions in the arguments of 'draw' or 'animate'. */
