@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "io/io.h"
+#include "io/terminal.h"
 #include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
@@ -111,7 +112,7 @@ static bool shard_read(const char *text, struct shard *shard)
     *shard = (struct shard){part, parts};
     if (is_read && part >= 1 && part <= parts && parts <= PARTS_MAX)
         return true;
-    fprintf(stderr, "domino: --shard '%s': I/N means part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
+    fprintf(io_stderr(), "domino: --shard '%s': I/N means part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
             text, PARTS_MAX);
     return false;
 }
@@ -141,7 +142,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
         if (option == 'p' && !shard_read(optarg, &session->run_context.shard))
             return false;
         if (option == '?') {
-            fputs(usage, stderr);
+            fputs(usage, io_stderr());
             return false;
         }
     }
@@ -226,7 +227,7 @@ static bool output_close(const struct output *standard, bool ignores_pipe)
     }
     int reason = standard->error ? standard->error : errno;
     if (!ended)
-        fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
+        fprintf(io_stderr(), "domino: cannot write the output%s%s\n", reason ? ": " : "",
                 reason ? strerror(reason) : "");
     return false;
 }
@@ -241,7 +242,9 @@ int main(int argc, char **argv)
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
-    session_init(&session, io_stdout(&ended));
+    FILE *out = io_stdout(&ended);
+    terminal_pass(NULL, out);
+    session_init(&session, out);
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);

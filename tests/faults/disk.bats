@@ -49,10 +49,11 @@ names() {
     echo old >file && ln file other
     fill
     refused 'curve 0.1 0.9 900 > file' file
-    same 'the file' old "$(cat other)"
+    same 'the file' 'old old' "$(cat file other | paste -sd ' ')"
     empty
     "$DOMINO" -n -e 'fuel > file'
-    same 'with room' "$("$DOMINO" -n -e fuel)" "$(cat other)"
+    same 'with room' "$("$DOMINO" -n -e fuel)" "$(cat file)"
+    same 'the other name' old "$(cat other)"
 }
 export -f names
 @test "full disk: '>' onto a file with two hard links leaves its contents" { disk names; }

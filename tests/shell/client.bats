@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Programs that control domino through pipes; log, tee and echo.
+# Programs that control domino through pipes; log and echo.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -135,30 +135,33 @@ END
     same 'as a script' '-2' "$(timeout 60 python3 interrupt.py | tail -n 1)"
 }
 
-@test "log writes a script of the commands, with answers as comments; tee writes only the answers" {
+@test "log writes a script of the commands, with answers as comments" {
     printf 'set s 0.3\nfuel\n' >script
-    printf '%s\n' 'log l.dom' 'tee t' 'set q hollow; pair 0.2' 'foo' 'source script' 'tee off' 'log off' 'fuel' |
+    printf '%s\n' 'log l.dom' 'set q hollow; pair 0.2' 'foo' 'source script' 'log off' 'fuel' |
         "$DOMINO" >out 2>err || true
-    same 'commands' 'tee t set q hollow; pair 0.2 source script tee off log off' \
-        "$(grep -v '^#\|^$' l.dom | paste -sd ' ' -)"
+    same 'commands' 'set q hollow; pair 0.2 source script log off' "$(grep -v '^#\|^$' l.dom | paste -sd ' ' -)"
     same 'a line that failed is a comment' 1 "$(grep -c '^# foo$' l.dom)"
-    same 'errors' 1 "$(grep -c '^# stdin:4:1: unknown command' l.dom)"
-    same 'answers' "$(head -n "$(wc -l <t)" out)" "$(cat t)"
-    same 'the same in the log' "$(grep . t)" "$(sed -n 's/^# //p' l.dom | grep -v '^A log\|^stdin\|^foo$')"
-    grep -q '^fuel_exact' t
+    same 'errors' 1 "$(grep -c '^# stdin:3:1: unknown command' l.dom)"
+    grep -q '^# fuel_exact' l.dom
+    same 'answers' "$(grep . out | head -n -3)" "$(sed -n 's/^# //p' l.dom | grep -v '^A log\|^stdin\|^foo$')"
     same 'after them' "$("$DOMINO" -e 'set q hollow; set s 0.3; fuel')" "$(tail -n 5 out | grep . | tail -n 3)"
-    same 'it runs again' "$(grep -c . t)" "$("$DOMINO" l.dom | grep -c .)"
+    same 'it runs again' "$(grep . out | head -n -3)" "$("$DOMINO" l.dom | grep .)"
     "$DOMINO" -e 'log l.dom; fuel' >/dev/null
     same 'the rest of its line' fuel "$(grep -v '^#\|^$' l.dom | tail -n 1)"
     same 'a log is appended to' 2 "$(grep -c '^# A log' l.dom)"
-    "$DOMINO" -e 'set output csv; tee t.csv; fuel; fuel' >whole.csv
-    same_file whole.csv t.csv
     wrong 'log none/l' "cannot write 'none/l': No such file or directory"
     wrong 'log' 'FILE is missing; usage: log FILE'
-    run -1 --separate-stderr "$DOMINO" --safe -e 'tee t'
+    run -1 --separate-stderr "$DOMINO" --safe -e 'log t'
     [[ $stderr == *'a safe session cannot read or write files'* ]]
-    printf 'tee x\n' >inner
-    wrong 'source inner > y' "'tee' does not work while answers go to 'y'; first enter 'tee', then enter the command again with '>'"
+    printf 'log x\n' >inner
+    wrong 'source inner > y' "'log' does not work while answers go to 'y'; first enter 'log', then enter the command again with '>'"
+}
+
+@test "'log FILE answers' appends the answers alone" {
+    "$DOMINO" --keep-going -e 'set output csv; log t.csv answers; fuel; foo; fuel; log off; rmax' >out 2>&1 || true
+    same csv "$("$DOMINO" -e 'set output csv; fuel; fuel')" "$(cat t.csv)"
+    "$DOMINO" -e 'log t answers; pair 0.2' >out
+    same_file out t
 }
 
 @test "echo, and source of standard input" {

@@ -124,10 +124,11 @@ END
     same 'nothing was written' '(nothing)' "$(inside)"
 }
 
-@test "'> FILE' keeps hard links, needs no blank, and can write to /dev/stdout" {
-    echo old >one && ln one two
-    "$DOMINO" -e 'print 1>one; print 2 >> two'
-    same 'a file of two names' $'1\n2' "$(cat two)"
+@test "'> FILE' parts hard links and '>>' keeps them; both need no blank, and can write to /dev/stdout" {
+    echo old >one && ln one two && ln two three
+    "$DOMINO" -e 'print 1>one; print 2>>two'
+    same '>' 1 "$(cat one)"
+    same '>>, and the other name' $'old\n2|old\n2' "$(cat two)|$(cat three)"
     "$DOMINO" -e 'print 1; print 5 > /dev/stdout; print 2' | grep . >through-a-pipe
     "$DOMINO" -e 'print 1; print 5 > /dev/stdout; print 2' >file
     same 'to a pipe' $'1\n5\n2' "$(cat through-a-pipe)"
@@ -273,7 +274,7 @@ END
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
     while IFS='|' read -r begin then name; do
-        run --separate-stderr "$DOMINO" --keep-going -e "$begin" -e "$then" -e 'log off; tee off; fuel'
+        run --separate-stderr "$DOMINO" --keep-going -e "$begin" -e "$then" -e 'log off; fuel'
         [[ $stderr == *"cannot write '$name': this session is already writing to it; choose another file" ]] ||
             same "$begin; $then" refused "$stderr"
         same "$begin; $then: goes on" "$answer" "$(tail -n 3 <<<"$output")"
@@ -285,18 +286,17 @@ END
 log new|rmax > new|new
 log new|rmax > dangling|dangling
 log dangling|save new|new
-log new|tee ./new|./new
-tee twice; fuel > /dev/null; echo x|rmax > soft|soft
-tee twice; echo x|rmax >> hard|hard
-tee soft; echo x|animate hard.gif|hard.gif
+log twice answers; fuel > /dev/null|rmax > soft|soft
+log twice answers|rmax >> hard|hard
+log soft answers|animate hard.gif|hard.gif
 END
     "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # opening the same log again is allowed
     same 'log anew' 2 "$(grep -c '^# A log' new)"
     run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel; log out" >out'
     same 'standard output' "-e:1: log: cannot write 'out': this session is already writing to it; choose another file" "$stderr"
     same 'its answer' "$answer" "$(cat out)"
-    echo 'fuel > /dev/null; tee /dev/null' >script
-    same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; tee /dev/null; source script; fuel' | tail -n 3)"
+    echo 'fuel > /dev/null; save /dev/null' >script
+    same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; source script; fuel' | tail -n 3)"
 }
 
 @test "a file name may have the maximum length, but not a byte more" {

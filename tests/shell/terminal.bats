@@ -127,48 +127,7 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
 rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
 modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
 
-@test "help on a short terminal without a pager: Enter goes on, q and ^C end it, and the terminal modes do not change" {
-    export PAGER=""
-    open_terminal 80 24 env TERM=dumb "$DOMINO"
-    see_last "$prompt"
-    modes >"$BATS_TEST_TMPDIR/before"
-    type_in help
-    press Enter
-    see '^-- more -- .*\) *$'
-    [[ $(screen) == 'The first five minutes'* ]]
-    [ "$(screen | wc -l)" -eq 24 ]
-    sleep 1.5 # long enough for a progress sign, which comes after a second
-    see_last '-- more -- (Enter: next page; q and Enter: end)'
-    press Enter
-    see '^  goto PLACE '
-    hides 'The first five minutes'
-    see_last '-- more -- (Enter: next page; q and Enter: end)'
-    press C-c
-    see_last "$prompt"
-    ask 'print 6*7'
-    see '^42$'
-    modes | diff "$BATS_TEST_TMPDIR/before" -
-    type_in 'help; print 8*8'
-    press Enter
-    see_last '-- more -- (Enter: next page; q and Enter: end)'
-    press q Enter
-    see '^64$'
-    see_last "$prompt"
-    # Read a text to its end in two pages, and then a text that fits.
-    terminal resize-window -x 80 -y 76
-    until_true rows_are 76
-    press Enter
-    type_in help
-    press Enter
-    see_last '-- more -- (Enter: next page; q and Enter: end)'
-    press Enter
-    see "'apropos WORD' finds one\\."
-    see_last "$prompt"
-    ask 'help s'
-    see "'set s VALUE' changes it"
-}
-
-@test "help on a short terminal goes through PAGER, but not in a pipe, into a file, or in a safe session" {
+@test "a long text goes through PAGER, but not in a pipe, into a file, on a dumb terminal, or in a safe session" {
     export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
     open_session 80 24
     ask 'help; print 6*7'
@@ -180,13 +139,10 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see "'set s VALUE'"
     hides PAGED
     "$DOMINO" -e help | diff - "$BATS_TEST_TMPDIR/file"
-    ask 'effect row 40; effect push 6; fall'
+    ask 'curve 0.1 0.9 40'
     see '^PAGED$'
     clear_screen
-    ask 'effect row 20; fall; why' # longer than the screen, but shorter than one and a half screens
-    hides PAGED
-    clear_screen
-    ask 'curve 0.1 0.9 4; print 6*7'
+    ask 'curve 0.1 0.9 10; print 6*7' # shorter than the screen
     see '^42$'
     hides PAGED
     press -l quit
@@ -195,10 +151,41 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     open_terminal 80 24 sh -c "'$DOMINO' -e help | tail -n 1; '$DOMINO' --safe"
     see_last "$prompt"
     see "'apropos WORD' finds one"
-    type_in help
-    press Enter
-    see '^-- more --'
+    ask 'help'
+    ask 'curve 0.1 0.9 40'
     hides PAGED
+    terminal capture-pane -p -S - | grep -q '^The first five minutes'
+    close_terminal
+    export PAGER=''
+    open_terminal 80 24 env TERM=dumb "$DOMINO"
+    see_last "$prompt"
+    ask 'help'
+    terminal capture-pane -p -S - | grep -q '^The first five minutes'
+}
+
+@test "a slow answer appears as it comes; once it is longer than the screen, the pager has it from its first line" {
+    mkdir "$BATS_TEST_TMPDIR/bin"
+    cat >"$BATS_TEST_TMPDIR/bin/less" <<'END'
+#!/bin/sh
+[ "$1" = --help ] && echo '        ........  --header=L[,C]' && exit
+echo "with $LESS"
+exec cat >"$BATS_TEST_TMPDIR/paged"
+END
+    chmod +x "$BATS_TEST_TMPDIR/bin/less"
+    unset PAGER LESS
+    PATH=$BATS_TEST_TMPDIR/bin:$PATH BATS_TEST_TMPDIR=$BATS_TEST_TMPDIR open_session 80 12
+    ask 'set threads 1; effect row 20; effect placement 1 mm'
+    clear_screen
+    type_in 'sweep seed 1 14 14 : placement 20000'
+    press Enter
+    see '^ +[12] +1 '                    # before the pager begins
+    hides 'with '
+    see_last "$prompt"
+    see 'with -FRX --header=1 -P'  # the head of a table is kept in sight
+    head -n 4 "$BATS_TEST_TMPDIR/paged" | grep -q '^seed '
+    same 'rows' 14 "$(grep -Ec '^ +[0-9]+ ' "$BATS_TEST_TMPDIR/paged")"
+    ask help
+    see 'with -FRX  -P' # a text has no head
 }
 gone() { ! terminal has-session 2>/dev/null; }
 
@@ -364,38 +351,6 @@ $prompt" "$(screen | tail -n 2)"
     see '6.7'
     press Enter
     see '^42$'
-}
-
-# Prints the words of the typed line that have the colour of commands.
-cyan() { screen -e | sed -n 's/\x1b\[1m/\n/p' | tail -n 1 | grep -o $'\033\\[36m[^\033]*' | sed 's/^[^m]*m//' | paste -sd ' ' -; }
-cyan_is() { [ "$(cyan)" = "$1" ]; }
-commands_are() { until_true cyan_is "$1"; } # WORDS
-
-@test "the commands of a typed line have a colour, wherever the line is edited, and its text does not change" {
-    unset NO_COLOR
-    open_session 80 24
-    press -l 'rmax 0.3; set s 0.2; q = 3; sweep s 0.1 0.4 3 : pair'
-    commands_are 'rmax set sweep pair'
-    press C-a
-    press -l 'z'
-    commands_are 'set sweep pair'
-    see '> zrmax 0\.3; set s 0\.2; q = 3; sweep s 0\.1 0\.4 3 : pair$|❯ zrmax 0\.3; set s 0\.2; q = 3; sweep s 0\.1 0\.4 3 : pair$'
-    press Delete Delete Delete C-d C-e
-    press -l '; echo 12345678901234567890; best'
-    press C-a
-    see ' 12345678901234567890; best$'
-    press C-k
-    commands_are ''
-    press -l 'fuel'
-    commands_are fuel
-    press C-r # commands have no colour in a search
-    press -l 'zz'
-    see 'search'
-    commands_are ''
-    press C-g C-u
-    press -l 'let fuel'
-    commands_are let
-    press C-u
 }
 
 # Prints the faint text on the screen, without colour codes.

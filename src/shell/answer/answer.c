@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/answer.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <errno.h>
@@ -315,6 +316,8 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
             row_write(a, cells, reason);
         if (reason)
             answer_say(a, "%s", reason);
+        if (!progress_is_muted()) /* the rows of a worker are still in memory */
+            io_row(a->out);
     }
     return true;
 }

@@ -5,9 +5,9 @@
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
-#include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"
+#include "prompt/input.h"
 #include "session/session.h"
 #include <stdlib.h>
 #include <string.h>
@@ -42,27 +42,21 @@ static void line_show(const struct session *reader, const char *before, const ch
  * Returns false if the reader ends the lesson. */
 static bool reader_types(struct session *reader, const char *command)
 {
-    FILE *keys = io_stdin(reader->state.scene.compute.interrupt);
-    char *line = NULL;
-    size_t size = 0;
-    bool waits = keys != NULL;
+    bool waits = true, has_typed = false;
     line_show(reader, "Type: ", command);
-    while (waits) {
-        fputs(prompt, reader->output->out);
-        fflush(reader->output->out);
-        waits = text_read(&line, &size, keys, NULL) != -1;
-        const char *typed = waits ? skip_blanks(line) : "q";
-        if (!waits)
+    while (waits && !has_typed) {
+        char *line = line_edit(reader, prompt);
+        const char *typed = line ? skip_blanks(line) : "q";
+        if (!line)
             putc('\n', reader->output->out);
+        has_typed = !*typed || strcmp(typed, command) == 0;
         if (strcmp(typed, "q") == 0)
             reader->quit = true;
-        else if (*typed && strcmp(typed, command) != 0)
+        else if (!has_typed)
             command_run_text(reader, typed);
-        else
-            break;
         waits = !session_stops(reader, reader->errors);
+        free(line);
     }
-    free(line);
     return waits;
 }
 

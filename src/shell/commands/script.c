@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands for scripts and records: source, echo, log and tee. */
+/* Commands for scripts and records: source, echo and log. */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
 #include "interpreter/question.h"
@@ -73,15 +73,20 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
     return true;
 }
 
-/* ---- Records ---- */
+/* ---- Log ---- */
 
-/* Runs 'log' and 'tee', which begin a record of the session, or end it with 'off'. */
-static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
-                       struct problem *problem)
+static const char *log_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "answers" : NULL;
+}
+
+/* Begins a log of the session, or ends it with 'off'. */
+static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
+                    struct problem *problem)
 {
     const char *wrong = NULL, *path = given->word[0];
-    enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
-    struct output **before = output_find(&session->output, kind);
+    struct output **before = output_find(&session->output, OUTPUT_LOG);
     if (session->output->path)
         return problem_error(problem,
                              "'%s' does not work while answers go to '%s'; first enter '%s', then enter the "
@@ -89,7 +94,7 @@ static bool run_record(struct session *session, const struct arguments *given, s
                              a->command, names_shown(session->output->path), a->command);
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
-        wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);
+        wrong = log_push(&session->output, path, given->count > 1, session->state.scene.compute.interrupt);
     else if (before)
         output_pop(before, true);
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
@@ -115,23 +120,20 @@ const struct command script_commands[] = {
      .sweep_refusal = "it computes nothing",
      ANSWER(echo)},
     {.name = "log",
-     .synonyms = "record transcript protocol journal file",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .synonyms = "record transcript protocol journal file tee copy output",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
+                  {.name = "answers",
+                   .kind = ARGUMENT_CHOICE,
+                   .optional = true,
+                   .noun = "option",
+                   .choices = log_names}},
      .summary = "append all commands and answers to FILE until 'log off'",
      .help = "'source FILE' can run the commands again, because answers, errors and lines that failed are "
-             "written as comments. Write './off' for a file named off.",
-     .see = "tee save",
+             "written as comments. 'log FILE answers' appends the answers alone, as csv or json if 'set "
+             "output' has chosen it. Write './off' for a file named off.",
+     .example = "log data.csv answers; fuel; log off",
+     .see = "save",
      .files = true,
-     .act = run_record},
-    {.name = "tee",
-     .synonyms = "record copy output file",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "also write all answers into FILE, until 'tee off'",
-     .help = "An existing FILE is overwritten. If 'set output' has chosen csv or json, the data of all "
-             "answers is written to FILE. 'COMMAND > FILE' writes a single answer to FILE and does not "
-             "print it.",
-     .see = "log",
-     .files = true,
-     .act = run_record},
+     .act = run_log},
     {.name = NULL},
 };

@@ -2,12 +2,14 @@
 #include "interpreter/interpret.h"
 #include "answer/format.h"
 #include "interpreter/question.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "picture/show.h"
 #include "session/engine.h"
 #include "session/undo.h"
 #include <ctype.h>
 #include <errno.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -29,7 +31,7 @@ static void train_note(const struct session *session, struct answer *answer)
     if (!answer_for_people(answer))
         return;
     if (answer->path && extension_of(answer->path)->kind == EXTENSION_SHEET)
-        fprintf(stderr, "%s\n", note);
+        fprintf(io_stderr(), "%s\n", note);
     else
         answer_say(answer, "%s", note);
 }
@@ -128,22 +130,25 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (done && session->state.settings.timing && c->columns) {
         /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
-        fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
+        fprintf(is_for_people ? answer.out : io_stderr(), "time: %.6g ms\n",
+                1e3 * (terminal_clock() - begun));
     }
     return done;
 }
 
-/* Runs a command. Help pages, and at the prompt also tables, go through the pager. */
+/* Runs a command. Help pages, and at the prompt also tables, go through the pager if they are longer than the
+ * screen. A safe session runs no program. */
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
     const bool has_pages = c->writes == WRITES_PAGES;
-    if (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
+    if (session->run_context.safe ||
+        (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs)))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     struct output *end = *output_find(&session->output, OUTPUT_SINKS);
     int error = end->error;
-    bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->run_context.safe, interrupt);
+    bool is_paged = pager_push(&session->output, !has_pages);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
         /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
@@ -347,8 +352,7 @@ static void run_command_at(struct session *session, struct reader *line)
         session_problem(session, &problem);
     session->command = NULL;
     line->at = r.at;
-    /* The user must see this answer while the next command is running. */
-    fflush((*output_find(&session->output, OUTPUT_BASE))->out);
+    output_answered(session->output);
 }
 
 /* ---- Lines ---- */
@@ -410,8 +414,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.length = (int)length;
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
-    /* 'log' and 'tee' are flushed after each line, in case of a crash. */
-    const char *wrong = records_flush(&session->output);
+    /* The log is flushed after each line, in case of a crash. */
+    const char *wrong = log_flush(&session->output);
     if (wrong)
         session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
     session->typed.text = NULL;
@@ -425,17 +429,33 @@ static void resume(struct session *session)
         *session->interrupt_flag = 0;
 }
 
+/* Runs a text of several lines, as a script with these lines. */
+static void run_lines(struct session *session, const char *text)
+{
+    char *line = NULL;
+    size_t size = 0;
+    long joined = 0, errors = session->errors;
+    FILE *in = fmemopen((char *)(uintptr_t)text, strlen(text), "r");
+    while (in && !session_stops(session, errors) && text_read(&line, &size, in, &joined) != -1) {
+        errors = session->errors;
+        run_line(session, line, strlen(line));
+        session->source.line += 1 + joined;
+        joined = 0;
+    }
+    if (in)
+        fclose(in);
+    else
+        session_error(session, "out of memory");
+    free(line);
+}
+
 void command_run_text(struct session *session, const char *text)
 {
     resume(session);
-    for (bool more = true; more;) {
-        long errors = session->errors;
-        size_t length = strcspn(text, "\n");
-        run_line(session, text, length);
-        more = text[length] != '\0' && !session_stops(session, errors);
-        text += length + 1;
-        session->source.line += more;
-    }
+    if (strchr(text, '\n'))
+        run_lines(session, text);
+    else
+        run_line(session, text, strlen(text));
     resume(session);
 }
 

@@ -146,9 +146,6 @@ void offer_value(const struct reader *r, const struct argument *a, bool is_insid
 
 void reader_named(const struct reader *r, const char *begin, const char *end)
 {
-    if (!r->offer)
-        return;
-    r->offer->typed = (size_t)(end - begin);
-    if (r->offer->is_command)
-        memset(r->offer->is_command + (begin - r->text->line), true, (size_t)(end - begin));
+    if (r->offer)
+        r->offer->typed = (size_t)(end - begin);
 }

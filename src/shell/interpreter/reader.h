@@ -29,9 +29,6 @@ struct offer {
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* An array with one element for each byte of the line. The element is true if the byte belongs to the
-     * name of a command. May be NULL. */
-    bool *is_command;
 };
 
 struct reader {

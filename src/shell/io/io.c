@@ -80,12 +80,27 @@ bool io_write(int file, const char *bytes, size_t count, const volatile sig_atom
 {
     while (count > 0) {
         ssize_t n = write(file, bytes, count);
-        if (n < 0 && (errno != EINTR || dom_raised(interrupt)))
+        bool is_full = n < 0 && errno == EAGAIN;
+        if ((is_full && !io_wait(file, true, NULL, interrupt)) ||
+            (n < 0 && !is_full && (errno != EINTR || dom_raised(interrupt))))
             return false;
         bytes += n > 0 ? n : 0;
         count -= n > 0 ? (size_t)n : 0;
     }
     return true;
+}
+
+bool io_ends_in_line(const char *path)
+{
+    char last = '\n';
+    struct stat status;
+    int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (file < 0)
+        return false;
+    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0)
+        (void)!pread(file, &last, 1, status.st_size - 1);
+    close(file);
+    return last != '\n';
 }
 
 void io_begin(void)

@@ -31,8 +31,12 @@ bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
  * function waits for the whole time. Returns false if the flag `interrupt` is raised. */
 bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
-/* Writes all bytes. This function may be called in a signal handler. */
+/* Writes all bytes. If another program has made the file non-blocking, waits until its reader has taken
+ * enough of the bytes. Returns false if not all bytes could be written. */
 bool io_write(int file, const char *bytes, size_t count, const volatile sig_atomic_t *interrupt);
+
+/* Returns true if a regular file ends in the middle of a line, so that the next text needs a new one. */
+bool io_ends_in_line(const char *path);
 
 /* Blocks all signals. Returns the previous signal mask, for io_unblock. */
 sigset_t io_block(void);
@@ -56,14 +60,20 @@ FILE *io_open_read(const char *path, const volatile sig_atomic_t *interrupt);
  * interrupts the stream. Later calls ignore `interrupt`. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
-/*
- * Returns the stream for standard output. If standard output is a terminal, each line appears immediately. If
- * it is a pipe or a file, a system call for each answer would be slow. Text is therefore collected for a
- * short time, even after fflush. A timer writes the collected text within 10 ms, even during a computation.
- */
+/* Returns the stream for standard output. On a terminal, each line appears immediately. Elsewhere, a system
+ * call for each answer would be slow, so the stream keeps its text until its buffer is full or it is flushed.
+ * That happens before a read that blocks (see io_stdin), and in io_row. */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
+/* Returns the stream for standard error, which writes each text at once. */
+FILE *io_stderr(void);
+
 void io_stdout_flush(void);
+
+/* Tells that a row or an answer in `out` is complete. If 0.2 s have passed since standard output was last
+ * flushed, flushes `out` and standard output. A program that is killed after minutes has then written all but
+ * its last rows. */
+void io_row(FILE *out);
 
 /* Returns the folder for temporary files: $TMPDIR, or /tmp. */
 const char *io_temporary_folder(void);

@@ -8,7 +8,7 @@ void output_push(struct output **top, struct output *o)
 {
     o->below = *top;
     if (!o->messages)
-        o->messages = *top ? (*top)->messages : stderr;
+        o->messages = *top ? (*top)->messages : io_stderr();
     if (*top && o->kind != OUTPUT_FILE)
         terminal_pass((*top)->out, o->out);
     *top = o;
@@ -29,6 +29,16 @@ void output_flush(struct output *o)
 {
     fflush(o->out);
     io_stdout_flush();
+}
+
+void output_answered(struct output *o)
+{
+    o = *output_find(&o, OUTPUT_BASE);
+    if (o->kind == OUTPUT_LOG)
+        fflush(o->out);
+    while (o->below)
+        o = o->below;
+    io_row(o->out);
 }
 
 struct output **output_find(struct output **top, unsigned kinds)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The text that a command writes can have several destinations at the same time. They form a stack of levels.
- * Standard output is at the bottom. Above it may be a log and a tee, which copy the text into a file and pass
- * it on to the level below. While a command runs, the file after '>' or the pager may be at the top. When a
- * file is popped, all of its text is written, or the old file stays unchanged.
+ * Standard output is at the bottom. Above it may be a log, which copies the text into a file and passes it on
+ * to the level below. While a command runs, the file after '>' or the pager may be at the top. When a file is
+ * popped, all of its text is written, or the old file stays unchanged.
  */
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
@@ -17,13 +17,7 @@ struct format;
 enum { OUTPUT_HEADER = 1024 };
 
 struct output {
-    enum output_kind {
-        OUTPUT_STANDARD = 1,
-        OUTPUT_LOG = 2,
-        OUTPUT_TEE = 4,
-        OUTPUT_FILE = 8,
-        OUTPUT_PAGER = 16
-    } kind;
+    enum output_kind { OUTPUT_STANDARD = 1, OUTPUT_LOG = 2, OUTPUT_FILE = 4, OUTPUT_PAGER = 8 } kind;
     struct output *below; /* NULL at the bottom */
     FILE *out;            /* receives the answers */
     FILE *messages;       /* receives errors and notes: stderr, or memory while a pager runs */
@@ -53,12 +47,12 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes the buffered text of this level and of standard output. */
 void output_flush(struct output *output);
 
+/* Tells that an answer is complete (see io_row). */
+void output_answered(struct output *output);
+
 /* OUTPUT_SINKS is the set of the kinds of levels that do not pass text on to the level below. OUTPUT_BASE is
  * the set of the kinds that are always below files and pagers. */
-enum {
-    OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD,
-    OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE
-};
+enum { OUTPUT_SINKS = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG };
 
 /* Finds the topmost level whose kind is in `kinds`. Returns the address of the pointer to this level, so that
  * the level can be popped. Returns NULL if there is no such level. */
@@ -71,29 +65,24 @@ struct output **output_find(struct output **top, unsigned kinds);
 const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 
-/*
- * Pushes a pager for text that may be longer than the terminal. If standard input or the level below is not
- * the terminal, pushes nothing and returns false.
- * - The text goes through the pager if it fills at least `screens` screens and does not arrive slowly.
- * - The pager is the program $PAGER or, without this variable, 'less'. If `may_run` is false, no program is
- *   started, and the text is shown page by page.
- * - If the user quits before the end or interrupts the command, further writing fails. When the pager is
- *   popped, output_pop then returns an error message.
- */
-bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
+/* Pushes a pager (see pager.c) for text that may be longer than the terminal. `has_head` is true if the first
+ * line of the text is the head of a table. If standard input or the level below is not the terminal, pushes
+ * nothing and returns false. If the user quits before the end or interrupts the command, further writing
+ * fails, and output_pop returns an error message. */
+bool pager_push(struct output **top, bool has_head);
 
-/* Begins a log or a tee. A log is appended to its file, and a tee replaces the contents of its file. If there
- * is already a level of this kind, it ends. If the file cannot be written, returns the reason. Otherwise
- * returns NULL. */
-const char *record_push(struct output **top, enum output_kind kind, const char *path,
-                        const volatile sig_atomic_t *interrupt);
+/* Begins a log, which is appended to its file. If `is_plain` is true, the file gets the answers alone. If
+ * there is already a log, it ends. If the file cannot be written, returns the reason. Otherwise returns
+ * NULL. */
+const char *log_push(struct output **top, const char *path, bool is_plain,
+                     const volatile sig_atomic_t *interrupt);
 
-/* Writes the buffered text of the log and the tee into their files. If one of these files cannot be written,
- * ends this log or tee and returns the reason. Otherwise returns NULL. */
-const char *records_flush(struct output **top);
+/* Writes the buffered text of the log into its file. If the file cannot be written, ends the log and returns
+ * the reason. Otherwise returns NULL. */
+const char *log_flush(struct output **top);
 
 /* Writes commands into the log, if there is one. A command that fails must become a comment in the log, so
- * the log holds the commands back until the next answer, the next error or the next call of records_flush. If
+ * the log holds the commands back until the next answer, the next error or the next call of log_flush. If
  * `at_once` is true, the commands are written immediately. `commands` must stay valid while the log holds
  * them back. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);

@@ -1,233 +1,129 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows long texts on a terminal, with a pager program or page by page. */
-#include "domino_quad.h"
+/*
+ * Shows an answer that is longer than the terminal with a pager program. As long as the answer fits on the
+ * screen, no program is started. An answer that comes slowly is shown while it comes; once it is longer than
+ * the screen, the pager begins with it from its first line.
+ */
 #include "io/io.h"
 #include "io/output.h"
 #include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
-#include <fcntl.h>
-#include <spawn.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
-/* Text is held back until there is enough of it for a pager. If this takes longer than HOLD_SECONDS, the text
- * is shown as it arrives, without a pager, so that the user need not wait. */
+/* The text is held back for this time, so that a quick answer appears only once. */
 #define HOLD_SECONDS 0.5
 
-/* The prompt that 'less' shows, in the syntax of its option -P. '?e' tests for the end of the text, and ':'
- * means "else". */
-#define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
-
-/* The signals whose handlers change while a pager program runs. SIGQUIT is ignored. SIGTSTP (^Z) stops both
- * programs. SIGINT (^C) ends the computation. Once the computation has ended, SIGINT is ignored too. */
-enum { QUIT, STOP, INTERRUPT, SIGNALS };
-static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
+/* Runs $PAGER or, if there is no such program, less. The option -P of less sets its prompt, in which '?e'
+ * tests for the end of the text and ':' means "else". HEAD keeps the first line of a table in sight, if less
+ * has the option --header (version 600). Without $PAGER, a key pressed by mistake must not write a file or
+ * run a program. */
+#define HEAD "less --help 2>&1 | grep -q -- --header && h=--header=1; "
+#define PAGER                                                                                                \
+    "export LESS=\"${LESS--FRX $h -Ps?e(end) q\\: back:space\\: more, q\\: back.}\"; set -- $PAGER; "        \
+    "if command -v \"$1\" >/dev/null; then eval \"$PAGER\"; "                                                \
+    "elif command -v less >/dev/null; then LESSSECURE=1 LESSHISTFILE=- less; else cat; fi"
 
 struct pager {
     /* must be the first member, so that a pointer to it is also a pointer to struct pager */
     struct output output;
-    enum { HELD, DIRECT, PROGRAM, PAGES, LEFT } state;
-    FILE *to; /* memory while the state is HELD; later the terminal, or the pipe to the pager program */
+    enum { HELD, SHOWN, PROGRAM, LEFT } state;
+    FILE *to; /* memory, and the pipe to the pager program in the state PROGRAM */
     char *text, *messages;
     size_t text_size, messages_size;
+    size_t shown; /* the number of bytes that are already on the terminal */
     double begun; /* the terminal_clock time when the first text arrived; 0 before that */
     int width, height;
-    int rows;       /* the number of terminal rows that the current page has filled so far */
-    double screens; /* text that fills at least this many screens is paged */
-    bool may_run;
-    const volatile sig_atomic_t *interrupt;
-    pid_t child;
-    struct sigaction before[SIGNALS];
+    long rows; /* the number of terminal rows that the text fills so far */
+    bool has_head;
     struct termios modes; /* the terminal modes before the pager program was started */
 };
 
-/* Returns how many rows of the terminal a line occupies. Escape sequences for colours take no columns. */
-static int line_rows(const char *line, const char *end, int width)
+/* Returns how many rows of the terminal a text of whole lines occupies. Escape sequences for colours take no
+ * columns. */
+static long rows_of(const char *text, const char *end, int width)
 {
-    int columns = 0;
-    for (; line < end; line++)
-        if (*line == '\033')
-            line += strcspn(line, "m");
-        else
-            columns += ((unsigned char)*line & 0xc0) != 0x80;
-    return columns > width ? (columns + width - 1) / width : 1;
-}
-
-static const char *line_next(const char *line, const char *end)
-{
-    const char *last = memchr(line, '\n', (size_t)(end - line));
-    return last ? last + 1 : end;
-}
-
-/* ---- A pager program ---- */
-
-/* Starts a pager program that reads from the descriptor `text`. `command` is $PAGER, or NULL for 'less'. */
-static bool program_start(const char *command, int text, pid_t *child)
-{
-    extern char **environ;
-    /* If $PAGER does not exist, falls back to 'less' and, without 'less', to 'cat'. */
-    static char shell[] =
-        "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
-    char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
-    char *const *argv = command ? users : less;
-    setenv("LESS", "FRXP" LESS_PROMPT "$", 0);
-    if (!command) { /* a key pressed by mistake must not write a file or run a program */
-        setenv("LESSSECURE", "1", 1);
-        setenv("LESSHISTFILE", "-", 1);
+    long rows = 0;
+    bool is_escape = false;
+    for (int columns = 0; text < end; text++) {
+        is_escape = *text == '\033' || (is_escape && text[-1] != 'm');
+        columns += !is_escape && ((unsigned char)*text & 0xc0) != 0x80;
+        if (*text == '\n') {
+            rows += columns - 1 > width ? (columns - 1 + width - 1) / width : 1;
+            columns = 0;
+        }
     }
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t defaults;
-    sigemptyset(&defaults);
-    sigaddset(&defaults, SIGPIPE);
-    sigaddset(&defaults, SIGXFSZ);
-    for (int i = 0; i < SIGNALS; i++)
-        sigaddset(&defaults, signals[i]);
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setsigdefault(&attributes, &defaults);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, text, STDIN_FILENO);
-    int error = posix_spawnp(child, argv[0], &actions, &attributes, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    return error == 0;
+    return rows;
 }
 
-/* Starts the pager program and opens a pipe to it. If the pager is 'less' and the terminal is too simple for
- * it, nothing is started. Returns true if the pager program is running. */
+static void text_show(struct pager *p)
+{
+    FILE *terminal = p->output.below->out;
+    fwrite(p->text + p->shown, 1, p->text_size - p->shown, terminal);
+    fflush(terminal);
+    p->shown = p->text_size;
+    p->state = SHOWN;
+}
+
+/* Starts the pager program and sends it the text so far. If the terminal is too simple for less, and there is
+ * no $PAGER, the text goes to the terminal. Returns false if the program has already ended. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *command = getenv("PAGER");
-    int ends[2];
-    command = command && *command ? command : NULL;
-    if (!p->may_run || (!command && !(term && *term && strcmp(term, "dumb") != 0)) ||
-        tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe(ends) != 0)
-        return false;
-    /* the pager program needs only its standard input, which is a copy of ends[0] */
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    bool is_started = program_start(command, ends[0], &p->child);
-    close(ends[0]);
-    fcntl(ends[1], F_SETFL, O_NONBLOCK);
-    FILE *to = io_stream(ends[1], "w", p->interrupt);
-    if (!is_started && to)
-        fclose(to);
-    if (!is_started || !to)
-        return false;
-    p->to = to;
-    sigaction(SIGQUIT, &(struct sigaction){.sa_handler = SIG_IGN}, &p->before[QUIT]);
-    sigaction(SIGTSTP, &(struct sigaction){.sa_handler = SIG_DFL}, &p->before[STOP]);
-    sigaction(SIGINT, NULL, &p->before[INTERRUPT]);
-    return true;
+    bool can_run = (command && *command) || (term && *term && strcmp(term, "dumb") != 0);
+    FILE *pipe = NULL;
+    progress_end();
+    if (can_run && tcgetattr(STDIN_FILENO, &p->modes) == 0) {
+        signal(SIGPIPE, SIG_DFL); /* the programs of a pipe in $PAGER end by this signal */
+        pipe = popen(p->has_head ? HEAD PAGER : PAGER, "we");
+        signal(SIGPIPE, SIG_IGN);
+    }
+    if (!pipe) {
+        text_show(p);
+        return true;
+    }
+    fclose(p->to);
+    p->to = pipe;
+    p->state = PROGRAM;
+    return fwrite(p->text, 1, p->text_size, pipe) == p->text_size && fflush(pipe) == 0;
 }
 
-/* Closes the pipe and waits until the pager program has ended. If a signal ends the session during this time,
- * the pager program is terminated, too. */
+/* Waits until the pager program has ended. If it has been killed, it has not restored the terminal modes. If
+ * the session is in the background, another job is using the terminal, and its modes must not change. */
 static void program_close(struct pager *p)
 {
-    const struct timespec moment = {.tv_nsec = 20000000};
-    pid_t ended;
-    fclose(p->to);
-    sigaction(SIGINT, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
-    while ((ended = waitpid(p->child, NULL, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (dom_raised(p->interrupt) && *p->interrupt != SIGINT)
-            kill(p->child, SIGTERM);
-        nanosleep(&moment, NULL);
-    }
-    /* If the pager has been killed, it has not restored the terminal modes, so they are restored here. If the
-     * session is in the background, however, another job is using the terminal, and its modes must not be
-     * changed. */
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    sigaction(SIGINT, &ignore, &before);
+    pclose(p->to);
+    sigaction(SIGINT, &before, NULL);
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
-    for (int i = 0; i < SIGNALS; i++)
-        sigaction(signals[i], &p->before[i], NULL);
-}
-
-/* ---- Pages without a program ---- */
-
-/* Asks whether to show another page. The terminal keeps its usual modes, in which a program receives whole
- * lines, so the user has to press Enter. */
-static bool page_wanted(const struct pager *p)
-{
-    char answer[256] = "";
-    ssize_t n = 0;
-    fputs("-- more -- (Enter: next page; q and Enter: end) ", p->to);
-    fflush(p->to);
-    if (io_wait(STDIN_FILENO, false, NULL, p->interrupt))
-        n = read(STDIN_FILENO, answer, sizeof answer);
-    if (n <= 0)
-        putc('\n', p->to);
-    return n > 0 && *answer != 'q' && *answer != 'Q';
-}
-
-/* Writes lines page by page. Returns false if the user does not want another page. */
-static bool pages_write(struct pager *p, const char *text, size_t size)
-{
-    const char *end = text + size;
-    for (const char *next; text < end; text = next) {
-        next = line_next(text, end);
-        int more = line_rows(text, next - 1, p->width);
-        if (p->rows > 0 && p->rows + more >= p->height) {
-            if (!page_wanted(p))
-                return false;
-            p->rows = 0;
-        }
-        fwrite(text, 1, (size_t)(next - text), p->to);
-        p->rows += more;
-    }
-    return true;
 }
 
 /* ---- The level ---- */
-
-/* Writes text to its destination. Returns false on failure, usually because the user has quit. */
-static bool pass_on(struct pager *p, const char *text, size_t size)
-{
-    bool is_written = p->state == PAGES ? pages_write(p, text, size) : fwrite(text, 1, size, p->to) == size;
-    if (is_written && fflush(p->to) == 0)
-        return true;
-    if (p->state == PROGRAM)
-        program_close(p);
-    /* in the state HELD, a failure means that there is no memory */
-    p->state = p->state == HELD ? HELD : LEFT;
-    return false;
-}
-
-/* Begins to show the text that was held back, with a pager if `with_pages` is true. */
-static bool show(struct pager *p, bool with_pages)
-{
-    if (p->to)
-        fclose(p->to);
-    p->to = p->output.below->out;
-    if (with_pages)
-        progress_end();
-    p->state = !with_pages ? DIRECT : program_open(p) ? PROGRAM : PAGES;
-    return pass_on(p, p->text ? p->text : "", p->text_size);
-}
 
 static ssize_t pager_write(void *pager, const char *text, size_t size)
 {
     struct pager *p = pager;
     double now = terminal_clock();
-    bool is_slow = p->begun > 0 && now - p->begun > HOLD_SECONDS;
     p->begun = p->begun > 0 ? p->begun : now;
-    errno = EPIPE;
-    if (p->state == LEFT || !pass_on(p, text, size))
-        return 0;
-    if (p->state != HELD)
-        return (ssize_t)size;
-    long rows = 0;
-    for (const char *line = p->text, *end = line + p->text_size, *next; line < end; line = next) {
-        next = line_next(line, end);
-        rows += line_rows(line, next - 1, p->width);
+    bool is_written = p->state != LEFT && fwrite(text, 1, size, p->to) == size && fflush(p->to) == 0;
+    if (is_written && p->state != PROGRAM) {
+        p->rows += rows_of(text, text + size, p->width);
+        if (p->rows >= p->height)
+            is_written = program_open(p);
+        else if (p->state == SHOWN || now - p->begun > HOLD_SECONDS)
+            text_show(p);
     }
-    bool is_short = !is_slow && (double)rows < p->screens * p->height;
-    return is_short || show(p, !is_slow) ? (ssize_t)size : 0;
+    if (is_written)
+        return (ssize_t)size;
+    p->state = p->state == PROGRAM ? LEFT : p->state;
+    errno = EPIPE;
+    return 0;
 }
 
 static const char *pager_pop(struct output *o, bool keep)
@@ -235,10 +131,13 @@ static const char *pager_pop(struct output *o, bool keep)
     struct pager *p = (struct pager *)o;
     (void)keep;
     fclose(o->out);
-    if (p->state == HELD)
-        show(p, false);
-    if (p->state == PROGRAM)
+    bool was_left = p->state == LEFT;
+    if (was_left || p->state == PROGRAM)
         program_close(p);
+    else {
+        text_show(p);
+        fclose(p->to);
+    }
     /* Messages are shown after the pager has ended. */
     if (o->messages != o->below->messages)
         fclose(o->messages);
@@ -246,33 +145,32 @@ static const char *pager_pop(struct output *o, bool keep)
         fwrite(p->messages, 1, p->messages_size, o->below->messages);
     free(p->messages);
     free(p->text);
-    return p->state == LEFT ? "the pager was closed before the end" : NULL;
+    return was_left ? "the pager was closed before the end" : NULL;
 }
 
-bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt)
+bool pager_push(struct output **top, bool has_head)
 {
     FILE *terminal = (*top)->out;
     int width, height;
-    if (fileno(terminal) != STDOUT_FILENO || !isatty(STDIN_FILENO) ||
-        !terminal_size(terminal, &width, &height) || width <= 0 || height <= 0)
+    if (!isatty(STDIN_FILENO) || !terminal_size(terminal, &width, &height) || width <= 0 || height <= 0)
         return false;
     struct pager *p = malloc(sizeof *p);
-    FILE *out = p ? system_stream(p, "w", (struct system_stream){.write = pager_write}) : NULL;
-    if (!out) {
+    if (!p)
+        return false;
+    *p = (struct pager){.output = {.kind = OUTPUT_PAGER, .pop = pager_pop},
+                        .width = width,
+                        .height = height,
+                        .has_head = has_head};
+    p->to = io_memory(&p->text, &p->text_size);
+    p->output.out = p->to ? system_stream(p, "w", (struct system_stream){.write = pager_write}) : NULL;
+    if (!p->output.out) {
+        if (p->to)
+            fclose(p->to);
         free(p);
         return false;
     }
-    *p = (struct pager){.output = {.kind = OUTPUT_PAGER, .out = out, .pop = pager_pop},
-                        .width = width,
-                        .height = height,
-                        .screens = screens,
-                        .may_run = may_run,
-                        .interrupt = interrupt};
-    p->to = io_memory(&p->text, &p->text_size);
     p->output.messages = io_memory(&p->messages, &p->messages_size);
-    setvbuf(out, NULL, _IOLBF, BUFSIZ);
+    setvbuf(p->output.out, NULL, _IOLBF, BUFSIZ);
     output_push(top, &p->output);
-    if (!p->to)
-        show(p, false);
     return true;
 }

@@ -3,11 +3,10 @@
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/system.h"
+#include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <sched.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -24,102 +23,12 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
     return stream;
 }
 
-/* ---- Standard output ---- */
-
-enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
-
-/* Text that stdio has already flushed, but that has not been written to standard output yet. `held_error` is
- * the errno of the first write that failed, or 0. All of these variables are protected by `held_lock`.
- * Threads wait for this lock. The handler of the timer must not wait, because the thread that it interrupts
- * may hold the lock. */
-static char held[HELD_MOST];
-static size_t held_size;
-static int held_error;
-static atomic_flag held_lock = ATOMIC_FLAG_INIT;
-
-static FILE *standard;
-static const volatile sig_atomic_t *standard_interrupt;
-
-static void held_begin(void)
-{
-    while (atomic_flag_test_and_set(&held_lock))
-        sched_yield();
-}
-
-static void held_write(void)
-{
-    if (!held_error && !io_write(STDOUT_FILENO, held, held_size, standard_interrupt))
-        held_error = errno;
-    held_size = 0;
-}
-
-static void on_timer(int number)
-{
-    int reason = errno;
-    (void)number;
-    if (!atomic_flag_test_and_set(&held_lock)) {
-        held_write();
-        atomic_flag_clear(&held_lock);
-    } else
-        system_timer_start(MOMENT);
-    errno = reason;
-}
-
-static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
-{
-    (void)cookie;
-    held_begin();
-    for (size_t done = 0, part; done < size; done += part) {
-        if (held_size == HELD_MOST)
-            held_write();
-        if (held_size == 0)
-            system_timer_start(MOMENT);
-        part = size - done < HELD_MOST - held_size ? size - done : HELD_MOST - held_size;
-        memcpy(held + held_size, bytes + done, part);
-        held_size += part;
-    }
-    int reason = held_error;
-    atomic_flag_clear(&held_lock);
-    errno = reason ? reason : errno;
-    return reason ? 0 : (ssize_t)size;
-}
-
-void io_stdout_flush(void)
-{
-    fflush(standard ? standard : stdout);
-    held_begin();
-    held_write();
-    atomic_flag_clear(&held_lock);
-}
-
-static int standard_close(void *cookie)
-{
-    (void)cookie;
-    held_begin(); /* the lock is never released, because the timer may fire later */
-    held_write();
-    errno = held_error ? held_error : errno;
-    return held_error ? -1 : 0;
-}
-
-FILE *io_stdout(const volatile sig_atomic_t *interrupt)
-{
-    const struct system_stream functions = {.write = standard_write, .close = standard_close};
-    standard_interrupt = interrupt;
-    if (!standard && !isatty(STDOUT_FILENO)) {
-        if (system_timer(on_timer))
-            standard = system_stream(NULL, "w", functions);
-        else
-            setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* each line is flushed immediately */
-    }
-    standard = standard ? standard : stdout;
-    return standard;
-}
-
 /* ---- Files ---- */
 
 struct channel {
     int file;
     const volatile sig_atomic_t *interrupt;
+    int error; /* errno of the first write that failed, or 0 */
 };
 
 /* Reads the bytes that are available. If there are none, another program may be waiting for our answers
@@ -138,24 +47,23 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     return n;
 }
 
-/* Writes all bytes, because the stream would treat a short count as an error. */
+/* After a failure, nothing is written any more, so that the file has no gap in its text. */
 static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
-    const struct channel *c = cookie;
-    size_t done = 0;
-    while (done < size && io_wait(c->file, true, NULL, c->interrupt)) {
-        ssize_t n = write(c->file, bytes + done, size - done);
-        if (n < 0 && errno != EAGAIN && errno != EINTR)
-            break;
-        done += n > 0 ? (size_t)n : 0;
-    }
-    return (ssize_t)done;
+    struct channel *c = cookie;
+    if (!c->error && !io_write(c->file, bytes, size, c->interrupt))
+        c->error = errno;
+    errno = c->error ? c->error : errno;
+    return c->error ? 0 : (ssize_t)size;
 }
 
 static int channel_close(void *cookie)
 {
-    int closed = close(((const struct channel *)cookie)->file);
-    free(cookie);
+    struct channel *c = cookie;
+    int closed = close(c->file);
+    errno = c->error ? c->error : errno;
+    closed = c->error ? -1 : closed;
+    free(c);
     return closed;
 }
 
@@ -170,7 +78,7 @@ static bool may_wait(int file, const char *mode)
 
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
 {
-    const struct channel channel = {file, interrupt};
+    const struct channel channel = {.file = file, .interrupt = interrupt};
     const struct system_stream functions = {
         .read = channel_read, .write = channel_write, .close = channel_close};
     bool waits = may_wait(file, mode);
@@ -200,13 +108,62 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     static struct channel channel;
     const struct system_stream functions = {.read = channel_read};
     if (!in) {
-        channel = (struct channel){STDIN_FILENO, interrupt};
+        channel = (struct channel){.file = STDIN_FILENO, .interrupt = interrupt};
         in = may_wait(STDIN_FILENO, "r") ? system_stream(&channel, "r", functions) : stdin;
     }
     if (in)
         clearerr(in); /* after ^D on a terminal, the next command can read again */
     return in;
 }
+
+/* ---- Standard output and standard error ---- */
+
+enum { HELD_MOST = 1 << 16 };
+#define ROW_SECONDS 0.2
+
+static FILE *standard;
+static double flushed; /* when standard output was last flushed, as terminal_clock() */
+
+static FILE *standard_stream(int file, int buffering, const volatile sig_atomic_t *interrupt)
+{
+    const struct channel channel = {.file = file, .interrupt = interrupt};
+    const struct system_stream functions = {.write = channel_write, .close = channel_close};
+    FILE *stream = cookie_stream(&channel, sizeof channel, "w", functions);
+    if (stream)
+        setvbuf(stream, NULL, buffering, HELD_MOST);
+    return stream;
+}
+
+FILE *io_stdout(const volatile sig_atomic_t *interrupt)
+{
+    if (!standard)
+        standard = standard_stream(STDOUT_FILENO, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, interrupt);
+    return standard ? standard : stdout;
+}
+
+FILE *io_stderr(void)
+{
+    static FILE *messages;
+    if (!messages)
+        messages = standard_stream(STDERR_FILENO, _IONBF, NULL);
+    return messages ? messages : stderr;
+}
+
+void io_stdout_flush(void)
+{
+    fflush(standard ? standard : stdout);
+    flushed = terminal_clock();
+}
+
+void io_row(FILE *out)
+{
+    if (terminal_clock() - flushed > ROW_SECONDS) {
+        fflush(out);
+        io_stdout_flush();
+    }
+}
+
+/* ---- Temporary files ---- */
 
 const char *io_temporary_folder(void)
 {

@@ -8,7 +8,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 #ifdef HAVE_BSD_FUNOPEN
 #include <bsd/stdio.h>
@@ -102,16 +101,41 @@ int system_reserve(int file, off_t from, off_t to)
 #endif
 }
 
+#ifdef HAVE_TMPFILE
+
+/* The folder that has the open files of this process, which linkat(2) needs. */
+#define OPEN_FILES "/proc/self/fd"
+
 int system_unnamed(const char *folder)
 {
-#ifdef HAVE_TMPFILE
-    return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    return access(OPEN_FILES, X_OK) == 0 ? open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600) : -1;
+}
+
+bool system_name(int file, const char *path)
+{
+    char unnamed[sizeof OPEN_FILES + 16];
+    snprintf(unnamed, sizeof unnamed, OPEN_FILES "/%d", file);
+    return linkat(AT_FDCWD, unnamed, AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+}
+
 #else
+
+int system_unnamed(const char *folder)
+{
     (void)folder;
     errno = EOPNOTSUPP;
     return -1;
-#endif
 }
+
+bool system_name(int file, const char *path)
+{
+    (void)file;
+    (void)path;
+    errno = EOPNOTSUPP;
+    return false;
+}
+
+#endif
 
 /* ---- Processes ---- */
 
@@ -135,37 +159,3 @@ unsigned system_processors(void)
     return processors > 0 ? (unsigned)processors : 1;
 #endif
 }
-
-/* ---- The timer ---- */
-
-#ifdef HAVE_TIMER
-
-static timer_t timer;
-
-bool system_timer(void (*handler)(int))
-{
-    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN};
-    const struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
-    return sigaction(SIGRTMIN, &action, NULL) == 0 && timer_create(CLOCK_MONOTONIC, &event, &timer) == 0;
-}
-
-void system_timer_start(long nanoseconds)
-{
-    const struct itimerspec moment = {.it_value = {.tv_nsec = nanoseconds}};
-    timer_settime(timer, 0, &moment, NULL);
-}
-
-#else
-
-bool system_timer(void (*handler)(int))
-{
-    (void)handler;
-    return false;
-}
-
-void system_timer_start(long nanoseconds)
-{
-    (void)nanoseconds;
-}
-
-#endif

@@ -28,15 +28,13 @@ int system_reserve(int file, off_t from, off_t to);
 /* Creates and opens an unnamed file in a folder. Returns -1 if this is not supported. */
 int system_unnamed(const char *folder);
 
+/* Gives a name to a file of system_unnamed. Fails if the name exists. */
+bool system_name(int file, const char *path);
+
 /* Makes this process end when its parent ends, if the system allows it. */
 void system_end_with_parent(void);
 
 /* Returns the number of processors that this process may use. */
 unsigned system_processors(void);
-
-/* Installs the function that is called when the timer expires. system_timer_start starts this timer. Returns
- * false if the system has no suitable timer. */
-bool system_timer(void (*handler)(int));
-void system_timer_start(long nanoseconds);
 
 #endif

@@ -11,8 +11,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* NULL if no log, tee or pager has been opened yet. After that, the stream that receives the answers:
- * standard output, or a stream that passes its text on to standard output. */
+/* The stream that receives the answers: standard output, or a stream that passes its text on to standard
+ * output, such as a pager. */
 static const FILE *front;
 
 void terminal_pass(const FILE *from, const FILE *to)
@@ -159,6 +159,11 @@ void progress_count(size_t part, size_t of, void *context)
 {
     (void)context;
     progress_show((double)part / (double)of);
+}
+
+bool progress_is_muted(void)
+{
+    return is_muted;
 }
 
 bool progress_mute(bool mute)

@@ -20,9 +20,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* While a log, a tee or a pager is open, answers go to a stream that passes them on to standard output, so
- * the functions above must treat this stream like standard output. Call terminal_pass when answers begin to
- * go to `to` instead of `from`. If answers do not go to `from`, the call has no effect. */
+/* Answers go to io_stdout() or, while a log or a pager is open, to a stream that passes them on, so the
+ * functions above must treat this stream like standard output. Call terminal_pass when answers begin to go to
+ * `to` instead of `from`. If answers do not go to `from`, the call has no effect. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
@@ -52,5 +52,6 @@ void progress_count(size_t done, size_t of, void *context);
  * only part of the work is muted, because it does not know the progress of the whole work. Returns the
  * previous setting. */
 bool progress_mute(bool mute);
+bool progress_is_muted(void);
 
 #endif

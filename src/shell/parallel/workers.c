@@ -8,15 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The intended duration of a block in seconds: much longer than taking the lock, but not noticeable. */
-#define BLOCK_SECONDS 1e-3
-
 enum {
-    /* A worker's next block has at most about GROWTH times as many points as its last one, even if the last
-     * one was computed quickly, because later points may take more time. */
-    GROWTH = 4,
-    WINDOW = 16, /* for each worker, at most this many blocks are being computed or wait to be written */
-    BLOCK_MOST = 4096,
+    BLOCK_MOST = 16, /* points in a block: the lock is then seldom taken, and rows soon appear */
+    WINDOW = 16,     /* for each worker, at most this many blocks are being computed or wait to be written */
     THREADS_MOST = 256
 };
 
@@ -31,9 +25,9 @@ struct block {
 
 struct pool {
     const struct workers *job;
+    size_t points, blocks; /* the number of points in a block, and the number of blocks */
     pthread_mutex_t lock;
     pthread_cond_t room;   /* signalled when blocks have been written, and when the computation stops */
-    size_t next;           /* the first point that no worker has taken yet */
     size_t taken, written; /* the number of blocks taken, and the number of blocks written */
     size_t window;         /* the size of `waiting` */
     struct block *waiting; /* a ring buffer: block k is element k % window */
@@ -45,34 +39,7 @@ struct worker {
     struct pool *pool;
     void *context;
     pthread_t thread;
-    size_t points; /* the number of points and the duration of the last block */
-    double seconds;
 };
-
-static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
-{
-    double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
-    double most = me->points ? (double)GROWTH * (double)me->points : 1;
-    /* towards the end the blocks get smaller, so that all workers finish together */
-    size_t share = job->count > 1 ? left / (2 * (size_t)job->count) + 1 : left;
-    size_t points = (size_t)(fit < most ? fit : most) + 1;
-    points = points < BLOCK_MOST ? points : BLOCK_MOST;
-    return points < share ? points : share;
-}
-
-/* Returns false if the function `point` returned false. */
-static bool block_compute(struct worker *me, size_t from, FILE *out)
-{
-    const struct workers *job = me->pool->job;
-    double begun = terminal_clock();
-    bool goes_on = true;
-    bool was_muted = progress_mute(true); /* a point must not show its own progress */
-    for (size_t k = 0; k < me->points && goes_on && !dom_raised(job->interrupt); k++)
-        goes_on = job->point(me->context, job->first + from + k, out);
-    progress_mute(was_muted);
-    me->seconds = terminal_clock() - begun;
-    return goes_on;
-}
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
@@ -81,14 +48,12 @@ static void pool_end(struct pool *p, struct workers_end end)
 {
     p->end = p->is_over ? p->end : end;
     p->is_over = true;
-    pthread_cond_broadcast(&p->room);
 }
 
 /* Writes the blocks in order, up to the first one that is still being computed. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;
-    size_t before = p->written;
     struct block *b;
     while (!p->is_over && p->written < p->taken && (b = &p->waiting[p->written % p->window])->is_done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
@@ -102,60 +67,54 @@ static void pool_write(struct pool *p)
         *b = (struct block){.text = NULL};
         p->written++;
     }
-    if (p->written == before)
-        return;
-    if (out && fflush(out) != 0)
-        pool_end(p, (struct workers_end){WORKERS_WRITE_FAILED, errno});
+    if (out)
+        io_row(out);
     pthread_cond_broadcast(&p->room);
 }
 
-/* Gives a worker the next block of points. If `waiting` has no room for another block, first waits until
- * blocks have been written. Sets *block to the number of the block, *from to the index of its first point,
- * and me->points to the number of its points. Returns false if there are no more points, or if the
- * computation has been stopped. */
-static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
+/* ---- Workers ---- */
+
+/* Computes a block without the lock. Returns false if memory runs out. */
+static bool block_compute(const struct worker *me, size_t number, struct block *b)
 {
-    while (!p->is_over && p->taken - p->written >= p->window)
-        pthread_cond_wait(&p->room, &p->lock);
-    size_t left = p->is_over ? 0 : p->job->points - p->next;
-    if (left == 0)
-        return false;
-    me->points = block_points(p->job, me, left);
-    *from = p->next;
-    *block = p->taken++;
-    p->next += me->points;
-    return true;
+    const struct pool *p = me->pool;
+    const struct workers *job = p->job;
+    const size_t from = number * p->points, left = job->points - from;
+    const size_t points = p->points < left ? p->points : left;
+    FILE *out = job->out ? io_memory(&b->text, &b->size) : NULL;
+    bool was_muted = progress_mute(true); /* a point must not show its own progress */
+    bool is_good = out || !job->out;
+    for (size_t k = 0; is_good && !b->is_last && k < points && !dom_raised(job->interrupt); k++)
+        b->is_last = !job->point(me->context, job->first + from + k, out);
+    progress_mute(was_muted);
+    if (job->progress) /* only the caller's thread shows progress, because the other threads are muted */
+        progress_show((double)from / (double)job->points);
+    is_good = is_good && !(out && ferror(out));
+    return !(out && fclose(out) != 0) && is_good;
 }
 
-/* ---- Workers; the caller of these functions does not hold the lock ---- */
-
-/* The main function of a worker: computes blocks until pool_take has no more of them, or `point` returns
- * false. */
+/* The main function of a worker: computes blocks until there are no more, or the computation stops. */
 static void *worker_run(void *worker)
 {
-    struct worker *me = worker;
+    const struct worker *me = worker;
     struct pool *p = me->pool;
-    size_t from, number;
-    bool is_last = false;
     pthread_mutex_lock(&p->lock);
-    while (!is_last && pool_take(p, me, &from, &number)) {
+    for (;;) {
+        while (!p->is_over && p->taken < p->blocks && p->taken - p->written >= p->window)
+            pthread_cond_wait(&p->room, &p->lock);
+        if (p->is_over || p->taken >= p->blocks)
+            break;
+        size_t number = p->taken++;
         pthread_mutex_unlock(&p->lock);
         struct block b = {.is_done = true, .context = me->context};
-        FILE *out = io_memory(&b.text, &b.size);
-        is_last = b.is_last = !out || !block_compute(me, from, out);
-        bool has_text = out && !ferror(out);
-        has_text = out && fclose(out) == 0 && has_text;
-        /* only the caller's thread shows progress, because the other threads are muted */
-        if (p->job->progress)
-            progress_show((double)from / (double)p->job->points);
+        bool is_good = block_compute(me, number, &b);
         pthread_mutex_lock(&p->lock);
-        if (has_text) {
-            p->waiting[number % p->window] = b;
-            pool_write(p);
-        } else {
-            free(b.text);
+        p->waiting[number % p->window] = b;
+        if (!is_good)
             pool_end(p, (struct workers_end){.how = WORKERS_NO_MEMORY});
-        }
+        pool_write(p);
+        if (b.is_last) /* the context stays as it is, until the block is written */
+            break;
     }
     pthread_mutex_unlock(&p->lock);
     return NULL;
@@ -185,13 +144,20 @@ static void pool_run(struct pool *p, struct worker *worker)
 
 struct workers_end workers_run(const struct workers *job)
 {
+    /* With few points, the blocks are smaller, so that all workers finish together. */
+    size_t share = job->points / (8 * (size_t)job->count) + 1,
+           points = share < BLOCK_MOST ? share : BLOCK_MOST;
     struct pool pool = {.job = job,
+                        .points = points,
+                        .blocks = (job->points + points - 1) / points,
                         .lock = PTHREAD_MUTEX_INITIALIZER,
                         .room = PTHREAD_COND_INITIALIZER,
                         .window = WINDOW * (size_t)job->count};
     struct worker *worker = calloc(job->count, sizeof *worker);
     char *contexts = malloc(job->count * job->size);
     pool.waiting = calloc(pool.window, sizeof *pool.waiting);
+    if (!progress_is_muted()) /* this may take a long time, and earlier answers must not wait for it */
+        io_stdout_flush();
     if (worker && contexts && pool.waiting) {
         for (unsigned k = 0; k < job->count; k++) {
             worker[k] = (struct worker){.pool = &pool, .context = contexts + k * job->size};

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The thread pool. It computes the points of an answer, such as a sweep, and runs tasks of the library. Each
- * worker takes a block of consecutive points, computes it, and then takes another block. All workers share
- * one lock. They seldom wait for it, because a block takes about a millisecond, or longer if one point takes
- * longer. Blocks are written in order, so the output does not depend on the number of workers. */
+ * worker takes a block of up to 16 consecutive points, computes it, and then takes another block. Blocks are
+ * written in order, so the output does not depend on the number of workers. */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The history of the prompt, which all sessions share. Each line is appended to the file before it runs. */
 #define _GNU_SOURCE /* asprintf */
 #include "io/io.h"
-#include "io/output.h"
-#include "language/text.h"
 #include "prompt/input.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -23,7 +22,7 @@ enum {
 /* How many seconds to wait for the lock. After this time, a line is appended without the lock. */
 #define LOCK_SECONDS 1.0
 
-/* The path of the history file, or "" if no history is kept. */
+/* The path of the history file without symbolic links, or "" if no history is kept. */
 static char history_file[PATH_MAX];
 
 static void history_fails(struct session *session, const char *reason)
@@ -45,32 +44,6 @@ static bool is_regular(struct session *session, const struct stat *status)
     return false;
 }
 
-/* ---- Reading ---- */
-
-/* Rewrites the file with the lines of the history. Returns NULL, or an error message. */
-static const char *file_shorten(const volatile sig_atomic_t *interrupt)
-{
-    struct output *file = NULL;
-    const char *wrong = file_push(&file, history_file, false, interrupt);
-    if (wrong)
-        return wrong;
-    for (HIST_ENTRY **line = history_list(); line && *line; line++)
-        fprintf(file->out, "%s\n", (*line)->line);
-    return output_pop(&file, true);
-}
-
-/* Adds all lines of a file to the history and returns the number of lines. */
-static long lines_read(FILE *in)
-{
-    char *text = NULL;
-    size_t size = 0;
-    long lines = 0;
-    for (; text_read(&text, &size, in, NULL) != -1; lines++)
-        add_history(text);
-    free(text);
-    return lines;
-}
-
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
 {
     const char *base = getenv(variable), *home = getenv("HOME");
@@ -82,9 +55,31 @@ bool line_path(const char *variable, const char *fallback, const char *name, cha
     return length > 0 && (size_t)length < size;
 }
 
+/* Makes the folders of the history file that are missing, and locks its folder. Not the file, because
+ * Readline replaces it. Returns the folder, which must be closed, or -1 and sets errno. */
+static int folder_lock(const volatile sig_atomic_t *interrupt)
+{
+    char path[PATH_MAX];
+    int folder, reason = 0;
+    snprintf(path, sizeof path, "%s", strchr(history_file, '/') ? history_file : "./");
+    for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {
+        *c = '\0';
+        if (mkdir(path, 0700) != 0 && errno != EEXIST && !reason)
+            reason = errno;
+        *c = '/';
+    }
+    char *name = strrchr(path, '/');
+    name[name == path] = '\0';
+    folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0)
+        (void)io_lock(folder, LOCK_SECONDS, interrupt);
+    else if (reason) /* why the folder is missing */
+        errno = reason;
+    return folder;
+}
+
 void history_load(struct session *session)
 {
-    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     const char *chosen = getenv("DOMINO_HISTORY");
     struct stat status;
     using_history();
@@ -96,90 +91,52 @@ void history_load(struct session *session)
     /* Opening a device or a FIFO can have side effects, so the type is checked first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
-    FILE *in = fopen(history_file, "re");
-    /* While the file is being replaced, no other session may append a line to it. The line would be lost with
-     * the old file. */
-    bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
-    const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
-    if (in)
-        fclose(in);
-    if (wrong)
-        history_fails(session, wrong);
+    char *real = realpath(history_file, NULL);
+    if (real)
+        snprintf(history_file, sizeof history_file, "%s", real);
+    free(real);
+    int folder = folder_lock(session->state.scene.compute.interrupt);
+    int reason = read_history(history_file);
+    if (reason == 0 && history_base + history_length > HISTORY_FILE &&
+        (reason = history_truncate_file(history_file, HISTORY_LINES)) == 0)
+        (void)chmod(history_file, status.st_mode & 0777);
+    if (folder >= 0)
+        close(folder);
+    if (reason && reason != EACCES) /* a line that cannot be added is reported when it is typed */
+        history_fails(session, strerror(reason));
 }
 
-/* ---- Writing ---- */
-
-static void make_folders(char *path)
-{
-    for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {
-        *c = '\0';
-        mkdir(path, 0700);
-        *c = '/';
-    }
-}
-
-/* Opens and locks the history file. On failure, sets errno and returns -1. */
-static int file_open(const volatile sig_atomic_t *interrupt)
-{
-    enum { TRIES = 10 };
-    int file = -1;
-    for (int i = 0; i < TRIES; i++) {
-        struct stat opened, named;
-        /* Typed lines are private, so a new file gets mode 0600. */
-        file = io_open(history_file, O_RDWR | O_APPEND | O_CREAT, 0600, interrupt);
-        if (file < 0)
-            return -1;
-        (void)io_lock(file, LOCK_SECONDS, interrupt);
-        /* Another session may have replaced the file before it was locked. */
-        if (fstat(file, &opened) != 0 || stat(history_file, &named) != 0 ||
-            (opened.st_dev == named.st_dev && opened.st_ino == named.st_ino))
-            return file;
-        if (i + 1 < TRIES)
-            close(file);
-    }
-    return file;
-}
-
-/* Appends a line to a file of `size` bytes. If the whole line cannot be written, appends nothing, sets errno
- * and returns false. */
-static bool line_append(int file, off_t size, const char *text)
-{
-    char last = '\n', *line = NULL;
-    if (size > 0)
-        (void)!pread(file, &last, 1, size - 1);
-    /* A session that was killed may have left a line without a newline. */
-    int length = asprintf(&line, "%s%s\n", last == '\n' ? "" : "\n", text);
-    if (length < 0) {
-        errno = ENOMEM;
-        return false;
-    }
-    bool whole = io_write(file, line, (size_t)length, NULL);
-    int reason = errno;
-    if (!whole)
-        (void)!ftruncate(file, size);
-    free(line);
-    errno = reason;
-    return whole;
-}
-
+/* Appends a line to the file. If the whole line cannot be written, appends nothing. */
 static void file_add(struct session *session, const char *text)
 {
     struct stat status;
-    make_folders(history_file);
-    int file = file_open(session->state.scene.compute.interrupt);
-    if (file < 0) {
-        history_fails(session, strerror(errno));
-        return;
+    char *line = NULL;
+    int folder = folder_lock(session->state.scene.compute.interrupt), reason = 0;
+    /* Typed lines are private, so a new file gets mode 0600. */
+    int file =
+        folder < 0 ? -1 : open(history_file, O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
+    /* A session that was killed may have left a line without a newline. */
+    if (file < 0 || fstat(file, &status) != 0 ||
+        asprintf(&line, "%s%s\n", io_ends_in_line(history_file) ? "\n" : "", text) < 0) {
+        reason = errno;
+        line = NULL;
+    } else if (is_regular(session, &status) && !io_write(file, line, strlen(line), NULL)) {
+        reason = errno;
+        (void)!ftruncate(file, status.st_size);
     }
-    if (fstat(file, &status) == 0 && is_regular(session, &status) && !line_append(file, status.st_size, text))
-        history_fails(session, strerror(errno));
-    close(file);
+    free(line);
+    if (file >= 0)
+        close(file);
+    if (folder >= 0)
+        close(folder);
+    if (reason)
+        history_fails(session, strerror(reason));
 }
 
 void history_keep(struct session *session, const char *text)
 {
     HIST_ENTRY *last = history_length ? history_get(history_base + history_length - 1) : NULL;
-    if (!text[strspn(text, " \t")] || (last && strcmp(last->line, text) == 0))
+    if (!text[strspn(text, " \t\r")] || (last && strcmp(last->line, text) == 0))
         return;
     add_history(text);
     if (*history_file) /* written at once, so that the line is kept if the session crashes */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt at a terminal, with history, completion, colours and hints. */
+/* The prompt at a terminal, with history, completion and hints. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
@@ -7,6 +7,11 @@
 
 /* Reads and runs lines from the terminal, until the session ends. */
 void line_prompt(struct session *session);
+
+/* Reads one line from the terminal, with line editing and the history, also while line_prompt runs a command.
+ * Returns NULL at the end of the input. If the session is interrupted, returns an empty line. The caller
+ * frees the line. */
+char *line_edit(struct session *session, const char *prompt);
 
 /* Finds the candidates for the last word of a line and calls `emit` with each of them. A candidate is a whole
  * word. If `files` is true and the word can be the name of a file, the paths of files are also candidates. */
@@ -37,7 +42,7 @@ void history_keep(struct session *session, const char *text);
 /* Binds the keys that accept a hint. Must be called after rl_initialize. */
 void overlay_begin(void);
 
-/* Draws colours and a hint over the typed line. */
+/* Shows a hint behind the typed line. */
 void overlay_show(struct session *session);
 
 /* Clears the hint. Must be called before a key is handled. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Decorates the typed line while Readline waits for a key. Names of commands get a colour. After the cursor,
- * a faint hint suggests how the line may continue. Readline does not know of the decoration, so the cursor
- * must return to the place where Readline left it. */
+/* While Readline waits for a key, a faint hint after the cursor suggests how the line may continue. Readline
+ * does not know of the hint, so the cursor must return to the place where Readline left it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -13,13 +12,12 @@
 #include <readline/history.h>
 #include <readline/readline.h>
 
-enum { HINT = 256, COLOURED_MOST = 2000 };
+enum { HINT = 256 };
 
 #define SAVE_CURSOR    "\0337\033[?7l" /* saves the cursor position, and turns line wrapping off */
-#define TO_CURSOR      "\0338"
-#define RESTORE_CURSOR "\033[?7h" TO_CURSOR
+#define RESTORE_CURSOR "\033[?7h\0338"
 
-static bool is_coloured, is_hinted;
+static bool is_hinted;
 
 /* The hint from the history: the remainder of an earlier line, or "" if there is no such hint. Some keys
  * insert it. */
@@ -35,64 +33,6 @@ static bool is_plain(const struct session *session)
     return terminal_colour(session->output->out) && clear && strncmp(clear, "\033[", 2) == 0 && rl_end > 0 &&
            !RL_ISSTATE(busy) && !rl_done;
 }
-
-/* ---- Colours ---- */
-
-static bool is_on(const char *variable)
-{
-    const char *value = rl_variable_value(variable);
-    return value && strcmp(value, "on") == 0;
-}
-
-/* Returns true if the position of every character on the screen is known. */
-static bool is_mapped(const struct session *session, int width, int height)
-{
-    for (const char *c = rl_line_buffer; *c; c++)
-        if (*c < ' ' || *c > '~')
-            return false;
-    int begin = session->source.prompt_width;
-    /* Terminals differ in where they show a cursor beyond the last column. */
-    return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
-           rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
-           !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
-           (begin + rl_point) % width != 0;
-}
-
-/* Rewrites a part of the typed line in one colour. The whole part must be in one row of the screen. */
-static void part_write(int begin, int width, int from, int length, bool is_command)
-{
-    int at = begin + from, up = (begin + rl_point) / width - at / width;
-    fputs(TO_CURSOR, rl_outstream);
-    if (up != 0)
-        fprintf(rl_outstream, "\033[%d%c", abs(up), up > 0 ? 'A' : 'B');
-    putc('\r', rl_outstream);
-    if (at % width > 0)
-        fprintf(rl_outstream, "\033[%dC", at % width);
-    fprintf(rl_outstream, is_command ? "\033[36m%.*s\033[m" : "%.*s", length, rl_line_buffer + from);
-}
-
-static void colours_show(struct session *session)
-{
-    int width, height, begin = session->source.prompt_width;
-    bool mark[COLOURED_MOST] = {false};
-    if (!terminal_size(session->output->out, &width, &height) || !is_mapped(session, width, height))
-        return;
-    line_preview(session, rl_line_buffer, (size_t)rl_end, "", &(struct offer){.is_command = mark});
-    bool had_colours = is_coloured;
-    is_coloured = memchr(mark, 1, (size_t)rl_end) != NULL;
-    if (!is_coloured && !had_colours)
-        return;
-    fputs(SAVE_CURSOR, rl_outstream);
-    for (int from = 0, to; from < rl_end; from = to) {
-        to = from + 1;
-        while (to < rl_end && mark[to] == mark[from] && (begin + to) / width == (begin + from) / width)
-            to++;
-        part_write(begin, width, from, to - from, mark[from]);
-    }
-    fputs(RESTORE_CURSOR, rl_outstream);
-}
-
-/* ---- Hints ---- */
 
 /* Finds the most recent line that begins with the typed line and stores its remainder in `rest`. */
 static void rest_find(const char *line)
@@ -168,7 +108,6 @@ void overlay_show(struct session *session)
         *rest = '\0';
     if (!is_plain(session))
         return;
-    colours_show(session);
     if (session->state.settings.hints && rl_point == rl_end && !is_recalled)
         hint_show(session);
     fflush(rl_outstream);

@@ -45,9 +45,11 @@ enum { WATCHED = sizeof watched / sizeof *watched };
  * such command. */
 static char *unfinished;
 
-static bool is_joined;  /* The running command was typed on several lines. */
-static bool has_warned; /* The user has been warned that unsaved changes will be lost. */
+static bool is_joined;    /* The running command was typed on several lines. */
+static bool has_warned;   /* The user has been warned that unsaved changes will be lost. */
+static bool is_installed; /* Readline calls on_line for each line. */
 
+static const char *prompt_text(struct session *session, char *text, size_t size);
 static void prompt_set(struct session *session);
 
 /* Handles ^C at the prompt. If the user has typed something, discards it. If the line is empty, prints how to
@@ -90,22 +92,19 @@ static void prompt_suspend(const sigset_t *awake)
 /* ---- Lines ---- */
 
 /* Adds a typed line to the unfinished command, if there is one. Returns the whole command. If the line ends
- * with a backslash, the command is not complete yet, and the function returns NULL. Takes ownership of
- * `text`. */
-static char *line_whole(struct session *session, char *text)
+ * with a backslash, the command is not complete yet, and the function returns NULL. The caller frees the
+ * command. */
+static char *line_whole(struct session *session, char *line)
 {
-    char *whole = text;
-    if (unfinished) {
-        if (asprintf(&whole, "%s%s", unfinished, text) < 0)
-            whole = NULL;
-        free(text);
-    }
-    bool before = is_joined = unfinished != NULL;
+    bool before = is_joined = unfinished != NULL, goes_on = text_continues(line);
+    char *whole = NULL;
+    if (asprintf(&whole, "%s%s", before ? unfinished : "", line) < 0)
+        whole = NULL;
     free(unfinished);
-    unfinished = whole && text_continues(whole) ? whole : NULL;
+    unfinished = goes_on ? whole : NULL;
     if (before || unfinished)
         prompt_set(session);
-    return unfinished ? NULL : whole;
+    return goes_on ? NULL : whole;
 }
 
 /* Warns of unsaved changes to the row and keeps the session open. A second attempt to leave succeeds. */
@@ -119,31 +118,55 @@ static void leave_warn(struct session *session)
                           "to leave without saving, enter 'quit' or press ^D once more");
 }
 
+/* ^Z stops a computation at once: the terminal has its usual modes while a line runs. */
+static void line_run(struct session *session, const char *line)
+{
+    struct sigaction stop = {.sa_handler = SIG_DFL}, ours;
+    history_keep(session, line);
+    sigaction(SIGTSTP, &stop, &ours);
+    command_run_text(session, line);
+    sigaction(SIGTSTP, &ours, NULL);
+}
+
+/* Runs a typed line, or the lines of a pasted text. A pasted text with the line ends of other systems has an
+ * empty line after each line, which does not end an unfinished command. */
+static void lines_run(struct session *session, char *text)
+{
+    const bool is_pasted = strchr(text, '\n') != NULL;
+    /* An earlier ^C must not interrupt this line, but a signal that ends the session must. */
+    interrupted = ended;
+    for (char *line; (line = strsep(&text, "\n")) != NULL && !interrupted && !session->quit;) {
+        bool is_blank = *skip_blanks(line) == '\0';
+        char *whole = is_pasted && is_blank ? NULL : line_whole(session, line);
+        session->typed.is_last = !is_joined && !is_pasted;
+        if (whole)
+            line_run(session, whole);
+        free(whole);
+    }
+    interrupted = 0;
+}
+
 static void on_line(char *text)
 {
     struct session *session = prompt_session;
+    char prompt[64];
     if (!text) {
         putc('\n', session->output->out);
         session->quit = true;
+    } else
+        lines_run(session, text);
+    if (session->quit)
         leave_warn(session);
-    } else if ((text = line_whole(session, text)) != NULL) {
-        /* An earlier ^C must not interrupt this line, but a signal that ends the session must. */
-        interrupted = 0;
-        if (ended)
-            interrupted = ended;
-        history_keep(session, text);
-        session->typed.is_last = !is_joined && !strchr(text, '\n');
-        command_run_text(session, text);
-        free(text);
-        interrupted = 0;
-        if (session->quit)
-            leave_warn(session);
-        else
-            has_warned = false;
-        fflush(session->output->out);
-    }
+    else
+        has_warned = false;
+    free(text);
+    fflush(session->output->out);
     if (session->quit)
         rl_callback_handler_remove();
+    else if (!is_installed) {
+        is_installed = true;
+        rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
+    }
 }
 
 /* Readline expects \001 and \002 around bytes that take no space on the screen. */
@@ -171,6 +194,10 @@ static void prompt_set(struct session *session)
 
 static void readline_begin(void)
 {
+    static bool has_begun;
+    if (has_begun)
+        return;
+    has_begun = true;
     rl_readline_name = "Domino"; /* the name that $if tests in an inputrc */
     rl_catch_signals = 0;
     rl_catch_sigwinch = 0;
@@ -246,6 +273,7 @@ void line_prompt(struct session *session)
     fprintf(session->output->out,
             "domino " DOM_VERSION ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
     fflush(session->output->out);
+    is_installed = true;
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
     sigprocmask(SIG_BLOCK, &signals.blocked, &signals.awake);
     for (bool is_open = true; is_open && !session->quit && !ended; is_open = key_read(session, &signals)) {
@@ -260,6 +288,7 @@ void line_prompt(struct session *session)
             prompt_suspend(&signals.awake);
     }
     rl_callback_handler_remove();
+    is_installed = false;
     free(unfinished);
     unfinished = NULL;
     session->state.scene.compute.interrupt = NULL;
@@ -270,4 +299,37 @@ void line_prompt(struct session *session)
         /* The terminal has been restored, so the signal may now end the program. */
         raise(ended);
     }
+}
+
+/* ---- A line of a lesson ---- */
+
+/* Readline calls this function ten times a second while it waits for a key. */
+static int edit_watch(void)
+{
+    if (dom_raised(prompt_session->state.scene.compute.interrupt)) {
+        rl_replace_line("", 1);
+        rl_done = 1;
+    }
+    return 0;
+}
+
+char *line_edit(struct session *session, const char *prompt)
+{
+    struct session *outer = prompt_session;
+    if (is_installed)
+        rl_callback_handler_remove();
+    readline_begin();
+    is_installed = false;
+    prompt_session = session;
+    fflush(session->output->out);
+    rl_event_hook = edit_watch;
+    rl_catch_signals = rl_catch_sigwinch =
+        1; /* Readline restores the terminal, and then calls our handlers */
+    char *line = readline(prompt);
+    rl_catch_signals = rl_catch_sigwinch = 0;
+    rl_event_hook = NULL;
+    prompt_session = outer;
+    if (line)
+        history_keep(session, line);
+    return line;
 }

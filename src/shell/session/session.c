@@ -3,6 +3,7 @@
 #include "answer/format.h"
 #include "answer/wrap.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include "session/undo.h"
@@ -17,7 +18,7 @@ static void note(void *context, const char *text)
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = stderr}};
+    *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = io_stderr()}};
     session->output = &session->standard;
     session->run_context = (struct run_context){.note = note, .note_context = session};
     state_init(&session->state);
