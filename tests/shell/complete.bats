@@ -28,7 +28,7 @@ th|thetac theta1
 bar|barrier
 zzz|(nothing)
 set |$parameters $effects
-show |$parameters $effects
+show |$parameters $effects all
 reset |$parameters $effects
 set friction |off on
 effect floor |off on

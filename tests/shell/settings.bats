@@ -122,7 +122,7 @@ END
 @test "show: columns are aligned with their headers, however long the values are" {
     for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
         'set density 700; set output table'; do
-        "$DOMINO" -e "${scene:+$scene > /dev/null; }show" | grep -v '^tol is now\|^$' |
+        "$DOMINO" -e "${scene:+$scene > /dev/null; }show all" | grep -v '^tol is now\|^$' |
             columns_in_line "show after '$scene'" 'name value range default meaning'
     done
     "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'

@@ -62,7 +62,8 @@ END
 }
 
 @test "diff: lists differences from the defaults" {
-    same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
+    same none "All parameters have their defaults, and no effect is on. 'show all' lists them." "$("$DOMINO" -e diff)"
+    same 'show is diff' "$("$DOMINO" -e 's = 0.3; friction = 0.2; set row 3; let x = 2; diff')" "$("$DOMINO" -e 's = 0.3; friction = 0.2; set row 3; let x = 2; show')"
     same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
     same 'and variables' 's x f(a)' "$(json 's = 0.3; let x = 2; let f(a) = 2*a; diff' | values name | grep -v output | paste -sd ' ' -)"
     same 'and gaps' "1 value of the row has been changed; 'row' lists the row." \

@@ -124,7 +124,7 @@ static void help_example(struct session *session, const char *example)
 
 static void help_show(struct session *session)
 {
-    const struct arguments none = {.count = 0};
+    const struct arguments all = {.count = 1};
     struct problem ignored = {.kind = PROBLEM_NONE};
     struct query query = session_query(session);
     struct answer answer = {.out = session->output->out,
@@ -132,7 +132,7 @@ static void help_show(struct session *session)
                             .columns = show_columns,
                             .rows = true};
     answer.style.format = &format_table;
-    query.given = &none;
+    query.given = &all;
     fputs("\nThe parameters now:\n", session->output->out);
     run_show(&query, &answer, &ignored);
 }

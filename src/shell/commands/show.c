@@ -87,7 +87,7 @@ static void columns_fit(struct answer *a)
 
 /* ---- show, diff and let ---- */
 
-enum listed { LIST_PARAMETERS, LIST_CHANGED, LIST_VARIABLES };
+enum listed { LIST_ALL, LIST_PARAMETERS, LIST_CHANGED, LIST_VARIABLES };
 
 static bool is_changed(const struct query *query, const struct parameter *p)
 {
@@ -109,6 +109,7 @@ static bool list(const struct query *query, struct answer *a, enum listed listed
             columns_fit(a);
         for (const struct parameter *p = session_parameters; p->name; p++) {
             if (given->parameter || given->variable ? p != given->parameter
+                : listed == LIST_ALL                ? false
                 : listed == LIST_PARAMETERS         ? p->effect != NULL
                                                     : listed == LIST_VARIABLES || !is_changed(query, p))
                 continue;
@@ -127,10 +128,20 @@ static bool list(const struct query *query, struct answer *a, enum listed listed
     return true;
 }
 
+const char *show_names(const void *context, int k)
+{
+    int count = 0;
+    while (parameter_names(context, count))
+        count++;
+    return k == count ? "all" : k < count ? parameter_names(context, k) : NULL;
+}
+
+/* In csv and json, 'show' is for programs and always has the same rows. */
 bool run_show(const struct query *query, struct answer *a, struct problem *problem)
 {
-    (void)problem;
-    return list(query, a, LIST_PARAMETERS);
+    if (query->given->count > 0)
+        return list(query, a, LIST_ALL);
+    return answer_for_people(a) ? run_diff(query, a, problem) : list(query, a, LIST_PARAMETERS);
 }
 
 bool show_variables(const struct query *query, struct answer *a)
@@ -152,7 +163,7 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
     if (p->name || query->state->variables.count > 0)
         list(query, a, LIST_CHANGED);
     else
-        answer_say(a, "All parameters have their defaults, and no effect is on.");
+        answer_say(a, "All parameters have their defaults, and no effect is on. 'show all' lists them.");
     if (changes > 0)
         answer_say(a, "%zu value%s of the row %s been changed; 'row' lists the row.", changes,
                    changes == 1 ? "" : "s", changes == 1 ? "has" : "have");

@@ -114,7 +114,8 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     q->item[i].number = k;
     if (k < 0 && is_topic && topic_by_synonym(word, 0))
         return true;
-    q->parameter = k >= 0 && !is_topic ? &session_parameters[k] : NULL;
+    /* 'show all' names no parameter. */
+    q->parameter = k >= 0 && !is_topic ? parameter_find(a->choices(NULL, k)) : NULL;
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
