@@ -270,6 +270,39 @@ END
     same 'one head' "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5')" "$(cat rows.csv)"
 }
 
+@test "'>>' and log begin a new line after a last line without an end" {
+    local call before
+    for call in 'rmax 0.3 >> a.csv' 'rmax 0.3 >> a.json' 'rmax 0.3 >> a.txt'; do
+        "$DOMINO" -e "${call/>>/>}"
+        before=$(cat a.*)
+        truncate -s -1 a.*
+        "$DOMINO" -e "$call; $call"
+        same "$call: before" "$before" "$(head -n "$(wc -l <<<"$before")" a.*)"
+        same "$call: lines" "$(($(wc -l <<<"$before") + 2 * $("$DOMINO" -e "set header off; ${call/>>*/> b.${call##*.}}"; wc -l <"b.${call##*.}")))" "$(wc -l <"$(echo a.*)")"
+        rm a.* b.*
+    done
+    printf 'print 1' >l.dom
+    "$DOMINO" -e 'log l.dom; fuel' >/dev/null
+    same 'a log' 'print 1' "$(head -n 1 l.dom)"
+    printf 'a,b' >l.csv
+    "$DOMINO" -e 'set output csv; log l.csv answers; fuel' >out
+    same 'answers' "a,b"$'\n'"$(cat out)" "$(cat l.csv)"
+}
+
+@test "'>>' repeats no head that has quotes, a byte order mark or other line ends" {
+    local head
+    "$DOMINO" -e 'pair 0.3 > plain.csv'
+    head=$(head -n 1 plain.csv)
+    for begin in "$head\\r\\n" "\\xef\\xbb\\xbf$head\\n" "\"${head//,/\",\"}\"\\n" "\\xef\\xbb\\xbf\"${head//,/\",\"}\"\\r\\n"; do
+        printf '%b' "$begin" >a.csv
+        "$DOMINO" -e 'pair 0.3 >> a.csv'
+        same "after $begin" "$(tail -n 1 plain.csv)" "$(tail -n +2 a.csv)"
+    done
+    printf '%b' "x$head\n" >a.csv # another head
+    "$DOMINO" -e 'pair 0.3 >> a.csv'
+    same 'another head' "$(cat plain.csv)" "$(tail -n +2 a.csv)"
+}
+
 @test "a file that the session is writing is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling

@@ -27,6 +27,10 @@ load common
 @test "history: without XDG_STATE_HOME it is in the home folder" { prompt history_home; }
 @test "history: it survives a signal and a lost terminal" { prompt history_signal; }
 @test "history: a file that cannot be written is reported" { prompt history_cannot; }
+@test "history: a folder that may not be written is reported as such" {
+    [ -d /sys ] || skip 'no folder in which not even root may make another'
+    prompt history_forbidden
+}
 @test "history and start-up file: not used in pipes" {
     export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
     export HOME=$BATS_TEST_TMPDIR DOMINO_HISTORY=$BATS_TEST_TMPDIR/own

@@ -30,6 +30,7 @@ same_at_the_prompt() { # FORMAT
 @test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
 @test "TAB TAB lists all possible words" { prompt complete_list; }
 @test "TAB completes files where a file belongs" { prompt complete_files; }
+@test "TAB completes no files in a safe session" { prompt complete_safe; }
 @test "TAB completes a file name with blanks so that it can be used" { prompt complete_files_blank; }
 @test "^C on a half-typed line clears it" { prompt interrupt_typed; }
 @test "^C on an empty line says how to leave" { prompt interrupt_empty; }
@@ -43,7 +44,8 @@ same_at_the_prompt() { # FORMAT
 @test "animate at a terminal: space stops, arrows go frame by frame, q ends; a file says what it has" { prompt play; }
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
-@test "^Z during a computation suspends the session when the computation is done" { prompt suspend; }
+@test "^Z during a computation suspends the session at once, and fg goes on" { prompt suspend; }
+@test "pasted lines run as those of a script: continued lines, comments, line ends of other systems" { prompt pasted; }
 @test "watch: keys move the point, and every way out restores the terminal" { prompt watch; }
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
