@@ -4,17 +4,310 @@
  * of dominoes. When a domino after the first is hit in the designed row, the moving dominoes have at least
  * `safety` times the energy that they need. The search uses the same computations as the public functions, so
  * their results agree.
+ *
+ * The separation s is a gap divided by the height of the domino after the gap. The search only tries
+ * multiples of 1 / GRID: s = k / GRID. If k increases by 1, the gaps of the standard domino become 0.05 mm
+ * wider.
  */
-#include "planning/planner.h"
+#include "dispatch/dispatch.h"
+#include "planning/boxes.h"
+#include "planning/shape.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <stdlib.h>
 #include <string.h>
+
+/* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
+ * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
+enum { GRID = 1000, COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
 
 /*
  * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
  * search for the shortest row can end earlier: once it has found a row, it gives up after LONGER successive
- * attempts that do not find a shorter one. With an engine, which is slow, it gives up after LONGER_IN_ENGINE
- * such attempts.
+ * attempts that do not find a shorter one, or LONGER_IN_ENGINE with an engine.
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
+
+/* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
+#define ROUGHER  1000
+#define ROUGHEST ((dom_real)1e-6)
+
+/* The state of a search for a design. If an error occurs, `status` is set to a value other than DOM_OK. From
+ * then on, nothing more is computed, and every test fails. */
+struct planner {
+    struct dom_train train;
+    /* settings of the search, which computes in double even if the result has another precision */
+    struct dom_compute compute;
+    const struct dom_wish *wish;
+    /* the sizes that the dominoes may have, or NULL if any sizes are allowed */
+    const struct dom_limits *limits;
+    struct dom_domino *domino; /* array of `room` dominoes */
+    size_t room;
+    enum dom_status status;
+    dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
+    /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
+    bool whole;
+    /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
+     * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
+    size_t weakest;
+    dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
+    dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
+    bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
+};
+
+/* A candidate row. Its separation is k / GRID. It has steps + 1 dominoes, so there are `steps` steps from the
+ * first domino to the last. */
+struct choice {
+    int k;
+    size_t steps;
+};
+
+static dom_real separation(int k)
+{
+    return (dom_real)k / GRID;
+}
+
+/* Returns the growth that leads from the first height to the last in `steps` steps. */
+static dom_real growth(const struct planner *p, size_t steps)
+{
+    return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
+}
+
+/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
+
+/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
+ * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
+ * larger tolerance in *compute and returns true. After any other failure, or if the tolerance is already
+ * large, returns false. */
+static bool tried_again(enum dom_status status, struct dom_compute *compute)
+{
+    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
+        return false;
+    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
+    return true;
+}
+
+/* Records a failed computation. If the computation did not converge, or if its result is not finite, only the
+ * present separation is skipped. Any other failure ends the search. */
+static void failure_keep(struct planner *p, enum dom_status status)
+{
+    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
+        p->failed_s = p->train.s;
+    else
+        p->status = status;
+}
+
+/* Returns the ratio of kinetic energy to barrier in an endless train with the separation s and the growth r.
+ * If there is no such ratio, for example because the next domino is out of reach, returns 0. */
+static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
+{
+    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
+    if (p->status != DOM_OK || s * r > 1)
+        return 0;
+    p->train.s = s;
+    p->train.r = r;
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        struct question q = question_make(&p->train, &compute);
+        status = ASK(q, barrier_find, &barrier);
+    } while (tried_again(status, &compute));
+    if (status == DOM_OK || status == DOM_STOPS)
+        return barrier.kinetic / barrier.barrier;
+    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
+        failure_keep(p, status);
+    return 0;
+}
+
+/*
+ * Records the smallest ratio of kinetic energy to barrier so far. The first domino does not count, since its
+ * energy depends on the push. Returns false to end the run: if p->whole is false, the run ends as soon as a
+ * ratio is smaller than the required safety.
+ */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    dom_real ratio = fall->kinetic / fall->barrier;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return p->whole || p->least >= p->wish->safety;
+}
+
+/* Returns a row with the dominoes that row_write wrote last. */
+static struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
+                             const struct dom_engine *engine)
+{
+    struct dom_row row = {
+        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
+    if (p->wish->boxes_above > 0) {
+        row.walls = p->wish->walls;
+        row.boxes_above = p->wish->boxes_above;
+    }
+    return row;
+}
+
+/* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
+ * into a domino, sets p->status and returns false. */
+static bool row_write(struct planner *p, struct choice c)
+{
+    size_t count = c.steps + 1;
+    if (count > p->room) {
+        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
+        if (!more) {
+            p->status = DOM_NO_MEMORY;
+            return false;
+        }
+        p->domino = more;
+        p->room = count;
+    }
+    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    p->train.s = separation(c.k);
+    p->train.r = growth(p, c.steps);
+    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
+    p->domino[c.steps].height = p->wish->height;
+    const struct dom_row row = row_of(p, c, p->wish->push, NULL);
+    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
+        struct dom_domino *d = &p->domino[k], *first = p->domino;
+        d->mass = wood_volume(&row, d) / wood_volume(&row, first);
+        if (!(d->mass > 0)) {
+            p->status = DOM_NO_ROOM;
+            return false;
+        }
+    }
+    if (p->limits) {
+        const struct shape shape = {&row, p->limits};
+        shape_round(&shape, p->domino);
+    }
+    return true;
+}
+
+/* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
+ * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
+ * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
+ * it are not run, the row may stop even if the ratio is above 1. */
+static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (p->status != DOM_OK || !row_write(p, c))
+        return 0;
+    const struct dom_row row = row_of(p, c, push, NULL);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        p->least = (dom_real)INFINITY;
+        p->weakest = 0;
+        p->whole = times;
+        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
+    } while (tried_again(status, &compute));
+    p->seconds = verdict.seconds;
+    if (status != DOM_OK)
+        failure_keep(p, status);
+    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+}
+
+/* ---- Lengths ---- */
+
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
+ * has the separation s. Its dimensions are not rounded to a grid. */
+static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
+{
+    dom_real r = growth(p, steps), height = p->wish->first, sum = 0;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        sum += (p->train.d + (k ? s : 0)) * height;
+    return sum;
+}
+
+/* Returns the length of a candidate row after its last domino has fallen forwards. The dimensions of the row
+ * are not rounded to a grid. */
+static dom_real length_of(const struct planner *p, struct choice c)
+{
+    return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
+}
+
+/* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
+ * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
+static int widest(const struct planner *p, size_t steps, dom_real hall)
+{
+    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
+    dom_real s = (hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
+}
+
+/* Returns the length of the standing row that row_write wrote last. */
+static dom_real row_feet(const struct planner *p, struct choice c)
+{
+    dom_real sum = 0;
+    for (size_t k = 0; p->limits && k <= c.steps; k++)
+        sum += p->domino[k].gap + p->domino[k].thickness;
+    return p->limits ? sum : feet_of(p, c.steps, separation(c.k));
+}
+
+/* Computes the chosen row with the requested precision and writes the result to *design. */
+static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
+                        struct dom_design *design)
+{
+    p->compute = *compute;
+    dom_real train = train_ratio(p, separation(c.k), growth(p, c.steps));
+    dom_real row = row_ratio(p, c, p->wish->push, true);
+    design->s = separation(c.k);
+    design->r = growth(p, c.steps);
+    design->steps = c.steps;
+    design->feet = row_feet(p, c);
+    design->length = design->feet + p->wish->height;
+    design->train = train > 0 ? train : DOM_NAN;
+    design->row = row > 0 ? row : DOM_NAN;
+    design->weakest = p->weakest;
+    design->seconds = p->wish->engine ? p->engine_seconds : p->seconds;
+}
+
+/* The result of a search that found no row. */
+static const struct dom_design no_design = {.s = DOM_NAN,
+                                            .r = DOM_NAN,
+                                            .feet = DOM_NAN,
+                                            .length = DOM_NAN,
+                                            .seconds = DOM_NAN,
+                                            .train = DOM_NAN,
+                                            .row = DOM_NAN,
+                                            .needs = DOM_NAN};
+
+/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
+ * caller must free the member `domino` of the result. */
+static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
+                                   const struct dom_limits *limits, const struct dom_compute *compute)
+{
+    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
+    p.compute.errors = false;
+    p.compute.method = DOM_METHOD_OURS;
+    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
+                   ? DOM_BAD_HEIGHT
+               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
+               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
+               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
+               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+               : limits                                        ? limits_check(limits)
+                                                               : DOM_OK;
+    if (p.status != DOM_OK)
+        return p;
+    p.train.s = separation(GRID / 2);
+    p.train.r = 1;
+    if (wish->boxes_above > 0)
+        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
+    struct question q = question_make(&p.train, &p.compute);
+    struct dom_angles angles;
+    p.status = ASK(q, angles_find, &angles);
+    p.compute.precision = DOM_DOUBLE;
+    p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
+    return p;
+}
 
 static bool train_enough(struct planner *p, struct choice c)
 {
@@ -121,10 +414,6 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Step sizes of the search for a separation, in units of 1/GRID. The steps are longer with an engine, because
- * an engine is about a thousand times slower than the model. */
-enum { STEP = 10, STEP_OF_ENGINE = 100 };
-
 /* ---- The number of dominoes ---- */
 
 /* After the rows with n steps (n + 1 dominoes) have been tried, returns the number of steps of the rows to
@@ -134,47 +423,38 @@ static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row that is safe enough. Only rows with at least `fewest` steps are tried. Returns false
- * if no row is found. */
-static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
+/*
+ * Finds the row with the fewest dominoes that is safe enough and fits into the hall. If `shortest` is true,
+ * finds the shortest row that is safe enough instead. Only rows with at least `fewest` steps are tried.
+ * Returns false if no row is found.
+ */
+static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
     size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
     for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
          n = steps_next(p, fewest, n)) {
-        if (length_of(p, (struct choice){0, n}) >= length)
-            break;
-        struct choice c = {nearest(p, n, k, GRID, STEP, enough), n};
-        if (c.k > 0)
+        const int most = shortest ? GRID : widest(p, n, p->wish->hall);
+        if (most <= 0 || length_of(p, (struct choice){0, n}) >= length)
+            break; /* a row with more dominoes would be too long, too */
+        struct choice c = {nearest(p, n, k, most, STEP, enough), n};
+        if (c.k > 0 && shortest)
             c.k = closest(p, n, c.k);
         if (c.k > 0 && p->wish->engine)
-            c.k = nearest(p, n, c.k, widest(p, n, length), STEP_OF_ENGINE, enough_in_engine);
-        bool shorter = c.k > 0 && length_of(p, c) < length;
+            c.k =
+                nearest(p, n, c.k, shortest ? widest(p, n, length) : most, STEP_OF_ENGINE, enough_in_engine);
+        const bool shorter = c.k > 0 && length_of(p, c) < length;
         longer = shorter || !isfinite(length) ? 0 : longer + 1;
-        if (shorter) {
-            *best = c;
-            length = length_of(p, c);
-            engine_seconds = p->engine_seconds;
-        }
+        if (!shorter)
+            continue;
+        *best = c;
+        length = length_of(p, c);
+        engine_seconds = p->engine_seconds;
+        if (!shortest)
+            break;
     }
     p->engine_seconds = engine_seconds;
     return p->status == DOM_OK && isfinite(length);
-}
-
-/* Finds the row with the fewest dominoes that is safe enough and fits into the hall. */
-static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
-{
-    for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
-        int most = widest(p, n, p->wish->hall);
-        if (most <= 0) /* a row with more dominoes would not fit either */
-            return false;
-        *best = (struct choice){nearest(p, n, k, most, STEP, enough), n};
-        if (best->k > 0 && p->wish->engine)
-            best->k = nearest(p, n, best->k, most, STEP_OF_ENGINE, enough_in_engine);
-        if (best->k > 0)
-            return true;
-    }
-    return false;
 }
 
 /* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
@@ -218,9 +498,9 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
     size_t fewest = 1;
     while (growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
-    bool fits = p->wish->least != DOM_LEAST_LENGTH && fewest_that_fits(p, fewest, k, &c);
+    bool fits = p->wish->least != DOM_LEAST_LENGTH && row_search(p, fewest, k, false, &c);
     bool searched = p->wish->least != DOM_LEAST_LENGTH && isinf(p->wish->hall);
-    if (!fits && !searched && shortest(p, fewest, k, &c)) {
+    if (!fits && !searched && row_search(p, fewest, k, true, &c)) {
         fits = length_of(p, c) <= p->wish->hall;
         design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
         design->needs = fits ? DOM_NAN : length_of(p, c);
