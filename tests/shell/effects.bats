@@ -7,12 +7,12 @@
 load common
 
 @test "effects are off by default, and then none of their code runs; each effect runs only its own code" {
-    run -0 json effects
+    run -0 json 'cost effects'
     same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
     same entered '0 0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
     same names 'friction slope walls edges row push placement floor feet bounce' "$(values effect <<<"$output" | paste -sd ' ' -)"
     while IFS='|' read -r commands pattern; do
-        entered=$(json "$commands; effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
+        entered=$(json "$commands; cost effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
         same "$commands" "$pattern" "$entered"
     done <<'END'
 effect friction 0.2|x 0 0 0 0 0 0 0 0 0
@@ -100,21 +100,21 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'out of reach' 'none null' "$(values ends_by <<<"$row") $(values r_max <<<"$row")"
     [[ $(values reason <<<"$row") == *'fall past each other'* ]]
     wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*the largest r for this s is 1.08726646'
-    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'with r above 1.08727 the head'* ]]
+    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why details") == *'with r above 1.08727 the head'* ]]
 }
 
 @test "edges: step, why, thetac and scene name their equations; there is no paper fuel and no proof; a row file keeps the radii" {
-    run -0 "$DOMINO" -e 'effect edges 0.01; step; step; step; why; thetac; scene'
+    run -0 "$DOMINO" -e 'effect edges 0.01; step details; step; step details; why; thetac; scene'
     for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Halley's method"; do
         [[ $output == *"$text"* ]]
     done
     [[ $output != *'- 1) omega_1'* && $output != *'1/J(0)'* && $output != *': sin theta_c'* && $output != *'no trigonometry'* ]]
-    run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step; effect row 4; scene'
+    run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step details; effect row 4; scene'
     [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Halley's method"* ]]
     # A domino that detaches keeps its potential energy, which depends on the floor and on the edges.
     for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in equations (41; A17) and (42; A18))|0.0625102'; do
         IFS='|' read -r effect label keeps <<<"$with"
-        run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step"
+        run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step details"
         [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps a potential energy of $keeps mgh/2."* ]]
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
@@ -292,16 +292,23 @@ END
     count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
     for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
         # Headers of numeric columns are right-aligned, like the numbers.
-        "$DOMINO" -e "$scene; effects" | sed '/^Each time is/,$d' | awk -v count="$count" '
+        "$DOMINO" -e "$scene; cost effects > /dev/null; details" | sed '/^Each time is/,$d' | awk -v count="$count" '
             NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
             END { exit bad || rows != count }'
     done
+    # 'effects' lists all of them, and each random error that is on; its details have sources, and the parts of 'scene'.
+    run -0 "$DOMINO" -e 'effect row 3; effect error_mass 1 %; effects'
+    [ "${#lines[@]}" -le 24 ]
+    same 'a random error' 'error_mass' "$(sed -n 's/^\(error_[a-z]*\) .*/\1/p' <<<"$output")"
+    for words in 'Am\. J\. Phys' '^A row of 3 dominoes with error_mass 0\.01\.$' '^contact  *3 '; do
+        "$DOMINO" -e 'effect row 3; effect error_mass 1 %; effects > /dev/null; details' | grep -q "$words"
+    done
     # 'effects' names the method that each effect needs, and agrees with 'scene' about the method of the
     # scene.
-    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene; this is now ([a-z]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
-    same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
-    same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"
-    same engine 'engine,rigid-body engine' "$(methods 'effect row 2; effect push 9; effect feet 0.5')"
+    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*This scene is computed by the ([a-z -]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
+    same balance 'energy balance,energy balance' "$(methods 'effect slope 1 deg')"
+    same motion 'equation of motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"
+    same engine 'rigid-body engine,rigid-body engine' "$(methods 'effect row 2; effect push 9; effect feet 0.5')"
     same 'of each' 'motion balance balance balance balance balance balance balance engine engine' "$("$DOMINO" -e 'set output json; effects' | values method | paste -sd ' ' -)"
 }

@@ -28,7 +28,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     study="$scene; effect placement 3 mm; effect feet 0.4; placement 20"
     first=$(json "set threads 1; $study")
     same 'two threads' "$first" "$(json "set threads 2; $study")"
-    study="$scene; effect row 3; effect feet 0.4; tolerance"
+    study="$scene; effect row 3; effect feet 0.4; tolerance details"
     first=$(json "set threads 1; $study")
     same 'windows with two threads' "$first" "$(json "set threads 2; $study")"
     first=$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")
@@ -46,11 +46,11 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 }
 
 @test "feet slide, and the answer says how far and how accurate it is" {
-    run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
+    run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall details"
     [[ $output == *' slid'* && $output == *'Feet slide. Domino '*' of its height.'* ]]
     [[ $output == *'Chipmunk 7'*'With half as many steps the verdict is the same, and times agree within '*' %.'* ]]
     # Without feet that slip, there is no column 'slid'. Times have error bounds.
-    run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall"
+    run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall details"
     [[ $output != *slid* && $output == *'Chipmunk 7'* ]]
     json "$scene; effect feet 0.5; set errors on; verdict" | values seconds_error | awk '{ exit !($1 > 0 && $1 < 0.01) }'
 }
@@ -104,9 +104,9 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     close 'highest last' "$(values height_high <<<"$model" | tail -n 1)" "$(values height_high <<<"$engine" | tail -n 1)" 0.02
     paste <(values height_low <<<"$model") <(values height_high <<<"$model") <(values height_low <<<"$engine") <(values height_high <<<"$engine") |
         awk '{ if (!($3 < 1.02 * $1 && $4 > 0.98 * $2)) { print; bad = 1 } } END { exit bad || NR != 3 }'
-    run -0 "$DOMINO" -n -e "$three; tolerance"
+    run -0 "$DOMINO" -n -e "$three; tolerance details"
     [[ $output == *"3 height windows end where the upper edge"* ]]
-    run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance"
+    run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance details"
     [[ $output == *'accurate to about 1 %'* && $output != *'where the upper edge'* ]]
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; tolerance'
 }

@@ -37,7 +37,7 @@ END
 }
 
 @test "plan: boards for solid blocks, for boxes, and for boxes with unknown walls" {
-    board() { "$DOMINO" -e "$1; effect row 3; plan" | sed -n '/^board/,/^$/p' | sed -n 2,4p | tr -s ' ' | paste -sd ';' -; }
+    board() { "$DOMINO" -e "$1; effect row 3; plan details" | sed -n '/^board/,/^$/p' | sed -n 2,4p | tr -s ' ' | paste -sd ';' -; }
     same solid ' 7.0 1 1 48.0 24.0; 10.5 2 1 72.0 36.0; 15.8 3 1 108.0 54.0' "$(board 'set r 1.5' | sed 's/ ;/;/g; s/ $//')"
     same box ' 1.0 1 2 48.0 5.0; 1 2 48.0 24.0; 1 2 22.0 5.0' "$(board 'effect walls 1 mm' | sed 's/ ;/;/g; s/ $//')"
     same 'blocks and boxes' ' 1.0 3 2 108.0 13.8; 3 2 108.0 54.0; 3 2 52.0 13.8' "$(board 'set r 1.5; effect walls 1 mm 9 cm' | sed 's/ ;/;/g; s/ $//')"
@@ -88,7 +88,7 @@ END
     "$DOMINO" -e "$leans; plan > lean.txt; plan > lean.svg"
     same text 'lean 0.0 -2.0 1.0' "$(sed -n '/^For the hall/,/^$/p' lean.txt | awk 'NR > 2 && NF { print $NF }' | paste -sd ' ' -)"
     grep -q '>-2.0<' lean.svg
-    run ! grep -q lean <<<"$("$DOMINO" -e 'effect row 3; plan')"
+    run ! grep -q lean <<<"$("$DOMINO" -e 'effect row 3; plan details')"
 }
 
 @test "plan: a table that fits on a page is not broken, the tables say what bold means, and boards set no limit of the fall" {
@@ -101,7 +101,7 @@ END
     same 'page 2' 1 "$(sed '1,/^reset/d' p.gp | grep -c "'For the workshop: boards")"
     tr -s ' \n' ' ' <p.txt | grep -qF 'What matters most (! in the tables): the place of domino 2'
     # The sides of a box do not touch if it is thicker than two boards. Whether it falls is another question.
-    "$DOMINO" -e 'set h 60 cm; set d 0.2; set r 1.2; effect row 4; effect walls 18 mm; effect push 3; plan' >box.txt
+    "$DOMINO" -e 'set h 60 cm; set d 0.2; set r 1.2; effect row 4; effect walls 18 mm; effect push 3; plan details' >box.txt
     same 'least thickness' 'any any! any any' "$(sed -n '/the sizes/,/^$/p' box.txt | awk 'NR > 3 && NF { print $6 }' | paste -sd ' ' -)"
     grep -q "'any': as thin as the boards allow" box.txt
     run ! grep -q "'any'" p.txt

@@ -253,12 +253,12 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
     return least;
 }
 
-/* Prints a sentence such as "A takes 12 times as long as B.", unless a time is missing. */
+/* Prints a line such as "paper   12 times as long", unless a time is missing. */
 static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
     if (isfinite(seconds / others))
-        answer_say(a, "%s %s times as long as %s.", what, measured((domq_real)(seconds / others), "", 3).text,
-                   than);
+        answer_say(a, "%-7s %s times as long as %s", what,
+                   measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
@@ -269,20 +269,16 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
     double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
-    char than[64 + CELL_TEXT] = "3 digits do";
-    if (isfinite(quad))
-        snprintf(than, sizeof than, "3 digits do; quad takes %s times as long as double",
-                 measured((domq_real)quad, "", 3).text);
-    answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
-    times_say(a, "For 6 digits the paper's recipe takes",
-              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "our method");
-    times_say(a, "For 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
-              six, "our method");
-    times_say(a, "12 digits take", twelve, few, than);
+    answer_say(a, "%s, the time for one answer:", measured_answers[which].meaning);
+    answer_say(a, "ours    %.3g us for 3 digits, %.3g us for 6, %.3g us for 12", 1e6 * few, 1e6 * six,
+               1e6 * twelve);
+    times_say(a, "quad", quad * twelve, twelve, "ours, for 12 digits");
+    times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
+    times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
+    times_say(a, "proved", proved, twelve, "ours, for 12 digits");
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
-    times_say(a, "A proof to 12 digits takes", proved, twelve, "our method without a proof");
 }
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
@@ -315,6 +311,19 @@ const struct command cost_commands[] = {
      .sweep_refusal =
          "it measures computing time, and points computed at the same time would slow each other down",
      .rows = true,
+     .brief = "",
      ANSWER(cost)},
+    {.name = "costs",
+     .phrase = "cost effects",
+     .summary = "how much time each effect takes",
+     .help = "For each effect, measures how long it takes to compute an answer for this scene without the "
+             "effect and with it. If the effect needs other effects, they are on in both cases. An effect "
+             "that is off is timed with its usual value.",
+     .see = "effects",
+     .sweep_refusal =
+         "it measures computing time, and points computed at the same time would slow each other down",
+     .rows = true,
+     .brief = "effect times",
+     ANSWER(costs)},
     {.name = NULL},
 };

@@ -104,7 +104,9 @@ static double price_with(const struct query *query, int effect, bool on)
     return scene_price(&scene);
 }
 
-static const struct column effects_columns[] = {
+/* ---- cost effects ---- */
+
+const struct column costs_columns[] = {
     {"effect", "", "name of the effect", 9},
     {"state", "", "off, or the values of the effect", 12},
     {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
@@ -112,63 +114,41 @@ static const struct column effects_columns[] = {
     {"with", "us", "time to compute an answer with the effect on", 9},
     {"times", "", "the time with the effect divided by the time without it", 8},
     {"entered", "", "how many times the effect's code runs while an answer is computed", 8},
-    {"adds", "", "what the effect adds to the paper's model", 26},
-    {"source", "", "source of the mathematics", 20},
     {NULL, NULL, NULL, 0},
 };
 
-static void effects_say(const struct query *query, struct answer *a)
+static const char *method_of(int effect)
 {
-    bool row = query->scene->effect[DOM_EFFECT_row].on;
-    answer_say(a,
-               "Each time is for one answer: %s. The code of an effect that is off does not run. The time of "
-               "'placement' is for one random row, which may stop early. The times of 'feet' and 'bounce' "
-               "are for one run of the rigid-body engine; an answer needs two or more runs.",
-               row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
-    answer_say(
-        a,
-        "There are three methods, here from the quickest to the slowest: balance (the energy balance), "
-        "motion (the equation of motion) and engine (the rigid-body engine, which runs rows only). The "
-        "program uses the quickest method that includes all effects of the scene; this is now %s.\n",
-        scene_has_engine(query->scene)               ? "engine"
-        : domq_law(&query->scene->train)->dissipates ? "motion"
-                                                     : "balance");
-    for (int k = 0; k < EFFECT_ENGINE_END; k++) {
-        const struct domq_effect *e = effect_at(k);
-        answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
-    }
-    answer_say(a, "\nEach of these random errors takes as much computing time as placement: error_place, "
-                  "error_thickness, error_mass, error_lean, error_radius, error_friction, error_slope, "
-                  "error_floor and error_push.");
+    return effect >= DOM_EFFECT_COUNT ? "engine" : effect_at(effect)->dissipates ? "motion" : "balance";
 }
 
-static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
+bool run_costs(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_work work = {0};
     size_t dominoes;
     struct domq_random_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    /* effects_say prints these columns as sentences below the table. */
-    answer_leave_out(a, "adds source");
+    answer_columns(a, costs_columns);
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
-        const struct domq_effect *e = effect_at(k);
         double without = price_with(query, k, false), with = price_with(query, k, true);
         if (dom_raised(query->scene->compute.interrupt))
             return query_status(query, problem, DOM_INTERRUPTED);
-        answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k)),
-                     cell_word(k >= DOM_EFFECT_COUNT ? "engine"
-                               : e->dissipates       ? "motion"
-                                                     : "balance"),
-                     cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
+        answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
+                     cell_word(method_of(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
+                     cell_brief(with / without),
                      cell_count((domq_real)(scene_has_engine(query->scene) ? query->scene->effect[k].on
                                             : k < DOM_EFFECT_COUNT         ? work.entered[k]
-                                                                           : 0)),
-                     cell_word(e->adds), cell_word(e->source));
+                                                                           : 0)));
     }
-    effects_say(query, a);
+    answer_detail(a,
+                  "Each time is for one answer: %s. The time of 'placement' is for one random row, which may "
+                  "stop early; errors of other kinds take as long. The times of 'feet' and 'bounce' are for "
+                  "one run of the rigid-body engine; an answer needs two or more runs.",
+                  query->scene->effect[DOM_EFFECT_row].on ? "whether the whole row falls"
+                                                          : "whether the train goes on ('barrier')");
     return true;
 }
 
@@ -247,7 +227,9 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
         part_row(a, "floor", domq_effect(DOM_EFFECT_floor)->plan, 0, "floor is on");
 }
 
-static bool run_scene(const struct query *query, struct answer *a, struct problem *problem)
+/* Writes the parts of the computation into `parts`. Adds a sentence to the details of `a`. */
+static bool scene_write(const struct query *query, struct answer *parts, struct answer *a,
+                        struct problem *problem)
 {
     struct dom_work work = {0};
     size_t count;
@@ -261,16 +243,51 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
             text_add(on, sizeof on, "%s%s %s", *on ? ", " : " with ", effect_at(k)->name,
                      effect_setting(query->scene, k));
     if (is_row)
-        answer_say(a, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
+        answer_say(parts, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
     else
-        answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
+        answer_say(parts, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
                    (double)t->r, (double)t->d, (double)t->q, on);
-    parts_list(query, a, is_engine ? count : work.longest);
+    parts_list(query, parts, is_engine ? count : work.longest);
     if (!is_engine)
-        answer_say(a, "The verdict takes %zu passes along the %s at tol = %g in %s precision.", work.passes,
-                   is_row ? "row" : "train", (double)query->scene->compute.tol,
-                   domq_arithmetic(query->scene->compute.precision)->name);
+        answer_detail(a, "The verdict takes %zu passes along the %s at tol = %g in %s precision.",
+                      work.passes, is_row ? "row" : "train", (double)query->scene->compute.tol,
+                      domq_arithmetic(query->scene->compute.precision)->name);
     return true;
+}
+
+static bool run_scene(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return scene_write(query, a, a, problem);
+}
+
+/* ---- effects ---- */
+
+static const struct column effects_columns[] = {
+    {"effect", "", "name of the effect", 9},
+    {"state", "", "off, or the values of the effect", 12},
+    {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
+    {"adds", "", "what the effect adds to the paper's model", 40},
+    {"source", "", "source of the mathematics", 20},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct answer parts = {.style = a->style, .columns = scene_columns, .rows = true};
+    for (int k = 0; k < EFFECT_ENGINE_END; k++)
+        column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
+    for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++)
+        if (k < EFFECT_ENGINE_END || query->scene->effect[k].on) /* there are many kinds of random errors */
+            answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
+                         cell_word(method_of(k)), cell_word(effect_at(k)->adds),
+                         cell_word(effect_at(k)->source));
+    answer_say(a, "An effect that is off costs nothing. This scene is computed by %s.",
+               scene_has_engine(query->scene)               ? "the rigid-body engine"
+               : domq_law(&query->scene->train)->dissipates ? "the equation of motion"
+                                                            : "the energy balance");
+    answer_detail(a, "%s", "");
+    parts.out = answer_rest(a);
+    return !parts.out || scene_write(query, &parts, a, problem);
 }
 
 const struct command effect_commands[] = {
@@ -286,29 +303,30 @@ const struct command effect_commands[] = {
              "'effect floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'effect "
              "friction off' turns friction off; an effect that is off costs no computing time.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
-     .see = "effects scene",
+     .see = "effects",
      .changes = true,
      .run = run_set},
     {.name = "effects",
-     .synonyms = "list switch",
-     .summary = "all effects: whether they are on, what they add, and the time they take",
-     .help =
-         "For each effect, measures how long it takes to compute an answer for this scene without the effect "
-         "and with it. If the effect needs other effects, they are on in both cases. An effect that is off "
-         "is timed with its usual value. Effects decide which of three methods finds the motion: the energy "
-         "balance; the equation of motion, if there is friction; or a rigid-body engine, for effects such "
-         "as 'feet' and 'bounce'. 'scene' shows which method this scene needs, and why.",
-     .see = "effect scene",
-     .sweep_refusal =
-         "it measures computing time, and points computed at the same time would slow each other down",
+     .synonyms = "list switch scene",
+     .summary = "what effects there are, which are on, and what each adds",
+     .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: the "
+             "energy balance; the equation of motion, if there is friction; or a rigid-body engine, for "
+             "effects such as 'feet' and 'bounce', which runs rows only. An effect that is off costs no "
+             "computing time. 'details' shows the parts of the computation, and the sources. 'cost effects' "
+             "measures how much time each effect takes.",
+     .example = "effect friction 0.2; effects; effect friction off",
+     .see = "effect cost",
      .rows = true,
+     .brief = "effect state adds",
      ANSWER(effects)},
     {.name = "scene",
      .synonyms = "setup settings list",
      .summary = "the row or train with its effects, and how its answers are computed",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
+     .is_hidden = true,
      .rows = true,
+     .brief = "*",
      ANSWER(scene)},
     {.name = NULL},
 };

@@ -39,7 +39,8 @@ static void help_list(FILE *out)
     for (const struct command_group *g = command_groups(); g->title; g++) {
         fprintf(out, "\n%s\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
-            topic_entry(out, "  ", command_usage(c), c->summary);
+            if (!c->is_hidden)
+                topic_entry(out, "  ", command_usage(c), c->summary);
     }
     putc('\n', out);
     for (const struct parameter *p = session_parameters; p->name; p++) {

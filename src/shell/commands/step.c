@@ -82,16 +82,16 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
     if (domq_law(&query->scene->train)->dissipates)
-        answer_say(a, "Friction between dominoes has dissipated %.4g %s since the launch.",
-                   (double)(table.last.friction_work * walk_units(query, 1).energy),
-                   walk_units(query, 1).energy_unit);
+        answer_detail(a, "Friction between dominoes has dissipated %.4g %s since the launch.",
+                      (double)(table.last.friction_work * walk_units(query, 1).energy),
+                      walk_units(query, 1).energy_unit);
     struct domq_least_force contact;
     if (answer_for_people(a) &&
         domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
-        answer_say(a, "The smallest contact force is %s times the weight of the domino that it pushes%s.",
-                   measured(contact.force, "", 4).text,
-                   contact.force > 0 ? ": the dominoes stay in contact" : "");
+        (contact.force > 0 ? answer_detail : answer_say)(
+            a, "The smallest contact force is %s times the weight of the domino that it pushes%s.",
+            measured(contact.force, "", 4).text, contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
         answer_say(a,
                    "The train stops, because it has too little energy to keep falling; 'why' explains it.");
@@ -304,6 +304,7 @@ const struct command walk_commands[] = {
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .rows = true,
+     .brief = "*",
      ANSWER(cycle)},
     {.name = "step",
      .in_joules = scene_has_mass,

@@ -38,6 +38,8 @@ extern const struct command help_commands[];    /* help.c */
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
 /* The parts of commands that are defined outside the files of their tables. */
+extern const struct column costs_columns[];
+bool run_costs(const struct query *query, struct answer *a, struct problem *problem);
 extern const struct column count_columns[], why_columns[], animate_columns[];
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);

@@ -46,7 +46,7 @@ const char *offered_commands(const void *context, int k)
 {
     (void)context;
     for (int i = 0; i < every_count; i++)
-        if (!every[i]->phrase && k-- == 0)
+        if (!every[i]->phrase && !every[i]->is_hidden && k-- == 0)
             return every[i]->name;
     return NULL;
 }

@@ -89,6 +89,7 @@ struct command {
      * command that precedes this one in its table, or that precedes others with such words. Help shows these
      * words, and `name` is a synonym that help does not mention. */
     const char *phrase;
+    bool is_hidden; /* help and completion do not mention the command, which remains for scripts */
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;  /* one line */
     const char *synonyms; /* other words that users may look for, separated by blanks */
@@ -156,9 +157,10 @@ const struct command_group *command_groups(void);
 
 /* Functions of type names_list (see names.h): */
 const char *command_names(const void *context, int k);
-const char *offered_commands(const void *context, int k); /* without those that two words stand for */
-const char *topic_names(const void *context, int k);      /* all commands and parameters */
-const char *answer_keys(const void *command, int k);      /* the columns of a command's answer */
+const char *offered_commands(const void *context,
+                             int k); /* without hidden ones and those that two words stand for */
+const char *topic_names(const void *context, int k);  /* all commands and parameters */
+const char *answer_keys(const void *command, int k);  /* the columns of a command's answer */
 const char *command_keys(const void *command, int k); /* the columns that sweeps and expressions can use */
 
 /* A names_list of the names that are known in expressions: the built-in names, 'ans', the variables of the

@@ -196,6 +196,38 @@ static void plan_rows(const struct plan *p, struct answer *a)
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 30 }; /* the size of the drawing in characters */
 
+/* Writes the guide as text into a file, or into the details of an answer that says what matters most. */
+static bool plan_text(const struct plan *p, struct answer *a)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    const size_t *critical = p->windows.critical;
+    struct answer guide = *a;
+    guide.out = a->path ? a->out : answer_rest(a);
+    if (!guide.out)
+        return false;
+    if (p->guide.title)
+        answer_say(&guide, "%s", p->guide.title);
+    if (!stage_text(&p->row.stage, display_of(guide.out), TEXT_WIDTH, TEXT_HEIGHT, guide.out))
+        return false;
+    for (int i = 0; i < p->guide.tables; i++)
+        guide_text(&p->guide.table[i], &guide);
+    answer_say(&guide, "\n'plan > hall.pdf' draws this guide for printing.");
+    if (a->path)
+        return true;
+    answer_say(
+        a, "%zu domino%s with feet on %s of floor: 'details' prints the guide, 'plan > hall.pdf' draws it.",
+        scene->row.count, scene->row.count == 1 ? "" : "es",
+        measured((domq_real)p->back[scene->row.count - 1] + scene->domino[scene->row.count - 1].thickness,
+                 "m", 3)
+            .text);
+    if (p->windows.count > 1)
+        answer_say(a,
+                   "What matters most: the place of domino %zu, the height of domino %zu and the thickness "
+                   "of domino %zu.",
+                   critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
+    return true;
+}
+
 bool run_plan(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct plan p;
@@ -221,15 +253,8 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
         good = problem_status(problem, query->scene, DOM_NO_MEMORY);
     else if (is_drawn)
         good = guide_show(&p.guide, a, query->scene->compute.interrupt, problem);
-    else {
-        if (p.guide.title)
-            answer_say(a, "%s", p.guide.title);
-        good = stage_text(&p.row.stage, display_of(a->out), TEXT_WIDTH, TEXT_HEIGHT, a->out) ||
-               problem_status(problem, query->scene, DOM_NO_MEMORY);
-        for (int i = 0; i < p.guide.tables; i++)
-            guide_text(&p.guide.table[i], a);
-        answer_say(a, "\n'plan > hall.pdf' draws this guide for printing.");
-    }
+    else
+        good = plan_text(&p, a) || problem_status(problem, query->scene, DOM_NO_MEMORY);
     plan_free(&p);
     return good;
 }

@@ -245,6 +245,7 @@ const struct command explain_commands[] = {
      .see = "paper explain rmax best fuel",
      .sweep_refusal = "the paper's steps are compared for one train at a time",
      .rows = true,
+     .brief = "step quantity paper program",
      ANSWER(recipe)},
     {.name = "paper",
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
@@ -258,6 +259,7 @@ const struct command explain_commands[] = {
      .see = "recipe explain curve plot",
      .sweep_refusal = "it does not depend on the scene",
      .rows = true,
+     .brief = "*",
      ANSWER(paper)},
     {.name = NULL},
 };

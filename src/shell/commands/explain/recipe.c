@@ -94,7 +94,7 @@ static void recipe_row(struct answer *a, int step, const char *quantity, domq_re
                    cell_without_bound(program), cell_word(says ? why : "")),
                NULL);
     if (says)
-        answer_say(a, "      %s.", why);
+        answer_detail(a, "      %s.", why);
 }
 
 static void steps_write(struct answer *a, const struct domq_train *t, const struct domq_angles *angles,

@@ -194,26 +194,28 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
     return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
 }
 
-/* Prints how safe the design is, and a list of its dominoes. */
+/* Prints how safe the design is. Adds a list of its dominoes to the details. */
 static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
                        const struct domq_design *d, const struct designed_row *plan)
 {
-    char growth[80] = "", least[160] = "", engine[120] = "";
-    if (isfinite(d->row))
-        snprintf(least, sizeof least,
-                 " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
-                 floor(100 * (double)d->row),
-                 wish->engine ? ", according to the model, which treats feet as hinges" : "");
-    if (wish->engine)
-        snprintf(engine, sizeof engine,
-                 " All dominoes also fall in the rigid-body engine, which is used because %s.",
-                 scene_engine_why(query->scene));
+    char growth[160] = "", weakest[CELL_TEXT + 120] = "";
+    if (d->weakest > 0)
+        snprintf(weakest, sizeof weakest, " The weakest, domino %zu, %s%s.", d->weakest,
+                 energy_words(d->row).text, wish->engine ? " in the model, which treats feet as hinges" : "");
     if (!plan->is_improved && !plan->limits)
-        snprintf(growth, sizeof growth, ", each %.4g times as large as the one before", (double)d->r);
-    answer_say(a, "\n%zu dominoes%s; the last is %s tall.%s%s\n", plan->count, growth,
-               measured(wish->height, "m", 4).text, least, engine);
-    struct answer list = {.out = a->out, .style = a->style};
-    designed_list(&list, plan, false);
+        snprintf(growth, sizeof growth,
+                 ", each %.4g times as large as the one before, with gaps of %.4g times the height",
+                 (double)d->r, (double)d->s);
+    answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", plan->count,
+               dominoes_words(query->scene->train.q, "dominoes").text, growth,
+               measured(wish->height, "m", 4).text, measured(d->length, "m", 4).text, weakest);
+    if (wish->engine)
+        answer_detail(a, "All dominoes also fall in the rigid-body engine, which is used because %s.",
+                      scene_engine_why(query->scene));
+    struct answer list = {.out = answer_rest(a), .style = a->style};
+    answer_detail(a, "%s", "");
+    if (list.out)
+        designed_list(&list, plan, false);
 }
 
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
@@ -296,8 +298,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
     if (answer_for_people(a))
         design_say(query, a, wish, d, plan);
     if (keeps)
-        answer_say(a, "\nThe session now has this row, with its s and r: 'fall' runs it, 'row > hall.csv' "
-                      "writes it, 'effect row off' removes it.");
+        answer_say(a, "The session now has this row: 'row' lists it, 'fall' runs it, 'undo' takes it back.");
     return true;
 }
 

@@ -40,7 +40,7 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
         {"relative", "", "", 9},   {"fail", "", "", 6},     {"rows", "", "", 7},
         {"falls", "share", "", 9}, {"low", "share", "", 9}, {NULL, NULL, NULL, 0},
     };
-    struct answer list = {.out = a->out, .style = a->style, .columns = columns, .rows = true};
+    struct answer list = {.out = answer_rest(a), .style = a->style, .columns = columns, .rows = true};
     list.style.errors = false;
     answer_leave_out(&list, has_masses ? "relative" : "mass");
     for (size_t i = 0; i < count && !answer_lost(&list); i++) {
@@ -141,7 +141,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
         }
         beyond += design->limit == DOM_DESIGN_FITS;
     }
-    if (answer_for_people(a) && !a->sink && count > 0)
+    if (answer_rest(a) && count > 0)
         table_write(a, tried, count, scene_mass(query->scene) > 0);
     if (design->limit != DOM_DESIGN_FITS)
         none_write(tried, count, wish, limits, probability, reason);

@@ -100,7 +100,7 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
 
 /* ---- The new row ---- */
 
-/* Lists all dominoes, with their sizes and gaps before and after the changes. */
+/* Lists all dominoes in the details, with their sizes and gaps before and after the changes. */
 static void changes_list(struct answer *a, const struct improvement *i)
 {
     static const struct column columns[] = {
@@ -108,7 +108,9 @@ static void changes_list(struct answer *a, const struct improvement *i)
         {"thickness", "m", "", 10}, {"to_thick", "m", "", 10}, {"gap", "m", "", 9},
         {"to_gap", "m", "", 9},     {NULL, NULL, NULL, 0},
     };
-    struct answer list = {.out = a->out, .style = a->style, .columns = columns, .rows = true};
+    struct answer list = {.out = answer_rest(a), .style = a->style, .columns = columns, .rows = true};
+    if (!list.out)
+        return;
     if (!i->limits.sizes)
         for (int c = 1; c < 5; c++)
             answer_leave_out(&list, columns[c].key);
@@ -165,21 +167,23 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                    i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.",
                    i->study[0].fall > 0 ? "" : " 'mend' looks for a change that makes the row fall.");
     else
-        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search itself used other random rows.",
-                   study_words(&i->study[0]).text, study_words(&i->study[1]).text);
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&i->study[0]).text,
+                   study_words(&i->study[1]).text);
     if (i->scene.row.engine)
-        answer_say(a,
-                   "The search used the model, which treats feet as hinges. The probability comes from the "
-                   "rigid-body engine, which is used because %s.",
-                   scene_engine_why(query->scene));
+        answer_detail(
+            a,
+            "The search used the model, which treats feet as hinges. The probability comes from the "
+            "rigid-body engine, which is used because %s.",
+            scene_engine_why(query->scene));
     if (i->changed == 0)
         return;
     if (i->study[1].fall < i->study[0].fall)
         answer_say(a, "The old row was outside these limits.");
+    answer_detail(a, "The search itself used other random rows.\n");
     changes_list(a, i);
     answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
-               query->next ? " 'row > hall.csv' writes the row, and 'undo' reverts the changes." : "");
+               query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
 }
 
 /* Reports that no row within the limits falls, and names these limits. Returns false. */

@@ -37,6 +37,7 @@ const struct command design_commands[] = {
      .principal = "steps",
      .holds = "a row meets the wishes",
      .changes = true,
+     .brief = "",
      ANSWER(design)},
     {.name = "plan",
      .synonyms = "guide print sheet cut list boards tape workshop hall build",
@@ -54,6 +55,7 @@ const struct command design_commands[] = {
      .sweep_refusal = "it is a text",
      .writes = WRITES_PICTURES,
      .rows = true,
+     .brief = "",
      ANSWER(plan)},
     {.name = "improve",
      .synonyms = "optimise optimize best robust reliable",
@@ -81,6 +83,7 @@ const struct command design_commands[] = {
      .see = "placement budget design change row",
      .principal = "probability",
      .changes = true,
+     .brief = "",
      ANSWER(improve)},
     {.name = "solve",
      .argument =

@@ -123,7 +123,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
     if (is_slippery(&run->scene))
         slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
-        answer_say(
+        answer_detail(
             a,
             "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
             "h is the height of the domino that was hit last. With half as many steps the verdict is the "
@@ -189,10 +189,7 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
-    if (answer_for_people(a)) /* sentences show the result, so no table is printed */
-        answer_keep(a, cells);
-    else
-        answer_row(a, cells, falls ? NULL : reason);
+    answer_row(a, cells, falls || answer_for_people(a) ? NULL : reason); /* sentences have the reason */
 }
 
 /* Runs the row and prints the answer: that of 'fall' if `listed` is true, and that of 'verdict' if it is

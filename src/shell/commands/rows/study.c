@@ -246,8 +246,6 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
         answer_describe(a, "sigma", NULL,
                         "the largest error, or factor for all errors, at which the share 'probability' of "
                         "the rows falls");
-    else if (answer_for_people(a))
-        answer_leave_out(a, "scaled");
     answer_row(a,
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
@@ -311,6 +309,7 @@ const struct command study_commands[] = {
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
+     .brief = "",
      ANSWER(placement)},
     {.name = "pool",
      .synonyms = "cluster parallel merge combine add",
@@ -325,6 +324,7 @@ const struct command study_commands[] = {
      .columns = placement_columns,
      .sweep_refusal = "it reads a file",
      .principal = "probability",
+     .brief = "",
      .files = true,
      .run = run_pool},
     {.name = "budget",
@@ -344,6 +344,7 @@ const struct command study_commands[] = {
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",
+     .brief = "",
      ANSWER(budget)},
     {.name = "slip",
      .synonyms = "foot feet slide slippery ground",
@@ -354,6 +355,7 @@ const struct command study_commands[] = {
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",
+     .brief = "motion hit slips slips_hit",
      ANSWER(slip)},
     {.name = NULL},
 };

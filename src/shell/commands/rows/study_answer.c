@@ -110,16 +110,17 @@ static void causes_say(struct answer *a, const struct study *s)
                  names[k], s->without[k]);
     if (domino > 0)
         snprintf(stops, sizeof stops, "; because of %s, rows stop most often at domino %zu", it, domino);
-    if (s->without[worst] > s->result.fall)
-        answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall%s. %s.",
-                   names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows, stops, others);
-    else
-        answer_say(a, "Leaving out any single kind of error would not make more of these rows fall.");
+    if (s->without[worst] > s->result.fall) {
+        answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall.",
+                   names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows);
+        answer_detail(a, "%s%s%s.", others, *others ? "" : "No other error is on", stops);
+    } else
+        answer_detail(a, "Leaving out any single kind of error would not make more of these rows fall.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)
 {
-    enum { SHOWN = 5 };
+    enum { SHOWN = 2 };
     const struct domq_study *study = &s->result;
     const size_t count = s->dominoes, others = study->rows - study->fall - study->unknown,
                  most = most_next(s->stops, count, count);
@@ -135,10 +136,6 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
                measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
     if (*text)
         answer_say(a, "The other rows stop at domino %s.", text);
-    causes_say(a, s);
-    /* The user knows the errors, and causes_say has printed the other three values in sentences. */
-    if (answer_for_people(a))
-        answer_leave_out(a, "errors costs_most without stops_there");
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,
                ROW(cell_real(s->sigma), cell_real(s->heights), cell_count((domq_real)study->rows),
@@ -152,4 +149,5 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
                          : cell_real(DOMQ_NAN),
                    there > 0 ? cell_count((domq_real)there) : cell_real(DOMQ_NAN)),
                reason);
+    causes_say(a, s);
 }

@@ -172,7 +172,7 @@ static struct measured length(domq_real value, int digits)
     return measured(value, "m", digits);
 }
 
-static void friction_say(struct answer *a, const struct windows *w)
+static void friction_detail(struct answer *a, const struct windows *w)
 {
     const struct domq_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
     const struct measured now = measured(f.now, "", DIGITS_NOW);
@@ -181,16 +181,18 @@ static void friction_say(struct answer *a, const struct windows *w)
         snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
     text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(a,
-                   "The search found no value of the friction between the dominoes that saves this row; the "
-                   "friction is %s now.",
-                   now.text);
+        answer_detail(
+            a,
+            "The search found no value of the friction between the dominoes that saves this row; the "
+            "friction is %s now.",
+            now.text);
     else if (!w->falls)
-        answer_say(a, "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
-                   range, now.text);
+        answer_detail(a,
+                      "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
+                      range, now.text);
     else
-        answer_say(a, "All dominoes fall if the friction between the dominoes is %s%s; it is %s now.", range,
-                   f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
+        answer_detail(a, "All dominoes fall if the friction between the dominoes is %s%s; it is %s now.",
+                      range, f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
 }
 
 /* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
@@ -204,7 +206,7 @@ static struct words off_plumb(domq_real value, int digits)
     return off;
 }
 
-static void lean_say(struct answer *a, const struct windows *w)
+static void lean_detail(struct answer *a, const struct windows *w)
 {
     const size_t k = w->critical[DOM_WINDOW_LEAN];
     if (k == 0)
@@ -212,24 +214,25 @@ static void lean_say(struct answer *a, const struct windows *w)
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
     const char *all = w->count > 1 ? ", the tightest limits of all" : "";
     if (!w->falls)
-        answer_say(a,
-                   "All dominoes would fall if the top of domino %zu were off by anything from %s to %s; it "
-                   "is off by %s now.",
-                   k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
-                   off_plumb(l.now, DIGITS_NOW).text);
+        answer_detail(
+            a,
+            "All dominoes would fall if the top of domino %zu were off by anything from %s to %s; it "
+            "is off by %s now.",
+            k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
+            off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
-        answer_say(a, "Set domino %zu %s: its top may be off by up to %s backwards or %s forwards%s.", k,
-                   w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
-                   length(l.high, DIGITS).text, all);
+        answer_detail(a, "Set domino %zu %s: its top may be off by up to %s backwards or %s forwards%s.", k,
+                      w->scene->row.alpha != 0 ? "square to the floor" : "plumb",
+                      length(0 - l.low, DIGITS).text, length(l.high, DIGITS).text, all);
     else
-        answer_say(a, "The top of domino %zu may be off by anything from %s to %s%s; it is off by %s now.", k,
-                   off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
-                   off_plumb(l.now, DIGITS_NOW).text);
+        answer_detail(a, "The top of domino %zu may be off by anything from %s to %s%s; it is off by %s now.",
+                      k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
+                      off_plumb(l.now, DIGITS_NOW).text);
 }
 
 /* Prints how many windows of heights may be too narrow, for two reasons: the search does not try very tall
  * dominoes, and the model does not include every contact. */
-static void heights_say(struct answer *a, const struct windows *w)
+static void heights_detail(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
     for (size_t k = 0; k < w->count; k++) {
@@ -238,22 +241,22 @@ static void heights_say(struct answer *a, const struct windows *w)
         passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
     }
     if (open > 0)
-        answer_say(a,
-                   "%zu height window%s end%s at 4 times the present height, because taller dominoes are "
-                   "not tried.",
-                   open, open == 1 ? "" : "s", open == 1 ? "s" : "");
+        answer_detail(a,
+                      "%zu height window%s end%s at 4 times the present height, because taller dominoes are "
+                      "not tried.",
+                      open, open == 1 ? "" : "s", open == 1 ? "s" : "");
     if (passing > 0)
-        answer_say(a,
-                   "%zu height window%s end%s where the upper edge of a domino would pass above the next "
-                   "domino. The face of the domino would then strike the next one. The model does not "
-                   "include this contact, so the row may also fall with heights outside %s. "
-                   "The rigid-body engine includes the contact: 'set method engine'.",
-                   passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "",
-                   passing == 1 ? "this window" : "these windows");
+        answer_detail(a,
+                      "%zu height window%s end%s where the upper edge of a domino would pass above the next "
+                      "domino. The face of the domino would then strike the next one. The model does not "
+                      "include this contact, so the row may also fall with heights outside %s. "
+                      "The rigid-body engine includes the contact: 'set method engine'.",
+                      passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "",
+                      passing == 1 ? "this window" : "these windows");
 }
 
 /* Prints the command that moves domino k, and no other domino, to the middle of its window. */
-static void place_change_say(struct answer *a, const struct windows *w, size_t k)
+static void place_change_detail(struct answer *a, const struct windows *w, size_t k)
 {
     const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
     const domq_real by = (p->low + p->high) / 2 - p->now;
@@ -261,8 +264,8 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
     char after[2 * CELL_TEXT] = "";
     if (k < w->count)
         snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
-    answer_say(a, "'change %zu gap %c%s%s' moves the domino to the middle of this range.", k,
-               by < 0 ? '-' : '+', shift.text, after);
+    answer_detail(a, "'change %zu gap %c%s%s' moves the domino to the middle of this range.", k,
+                  by < 0 ? '-' : '+', shift.text, after);
 }
 
 static const char *const size_names[] = {
@@ -276,51 +279,50 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
     const domq_real near = of->now < of->low ? of->low : of->high,
                     far = of->now < of->low ? of->high : of->low,
                     value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
-    answer_say(a, "'change %zu %s %s' %s.", k, size_names[kind], measured(value, "m", 4).text,
-               w->falls ? "chooses the middle of this range" : "saves the row");
+    (w->falls ? answer_detail : answer_say)(a, "'change %zu %s %s' %s.", k, size_names[kind],
+                                            measured(value, "m", 4).text,
+                                            w->falls ? "chooses the middle of this range" : "saves the row");
 }
 
-/* Prints the window of the domino whose height or thickness has the tightest limits. */
-static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
+/* Prints the window of the domino whose place, height or thickness has the tightest limits. */
+static void window_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
 {
     const size_t k = w->critical[kind];
     if (k == 0)
         return;
     const struct domq_window of = readable(&w->kind[kind][k - 1]);
-    answer_say(a, "The %s of domino %zu has %s limits: %s to %s; it is %s now.", size_names[kind], k,
+    answer_say(a, "The %s of domino %zu has %s limits: %s to %s.",
+               kind == DOM_WINDOW_PLACE ? "place" : size_names[kind], k,
                w->count > 1 ? "the tightest" : "these", length(of.low, DIGITS).text,
-               length(of.high, DIGITS).text, length(of.now, DIGITS_NOW).text);
-    change_say(a, w, kind, k);
+               length(of.high, DIGITS).text);
+    answer_detail(a, "The %s of domino %zu is %s now.", kind == DOM_WINDOW_PLACE ? "place" : size_names[kind],
+                  k, length(of.now, DIGITS_NOW).text);
+    if (kind == DOM_WINDOW_PLACE)
+        place_change_detail(a, w, k);
+    else
+        change_say(a, w, kind, k);
 }
 
 static void tolerance_say(struct answer *a, const struct windows *w)
 {
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
-    const size_t place = w->critical[DOM_WINDOW_PLACE];
-    answer_say(a, "\nA window is a range of values, for example of the height of a domino. All dominoes "
-                  "fall with any value in this range, as long as nothing else in the row changes. Places "
-                  "are measured from the back of domino 1 to the back of each domino.");
+    answer_detail(a, "\nA window is a range of values, for example of the height of a domino. All dominoes "
+                     "fall with any value in this range, as long as nothing else in the row changes. Places "
+                     "are measured from the back of domino 1 to the back of each domino.");
     if (w->scene->row.engine)
-        answer_say(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
-                      "and a window also ends where the engine reaches no verdict.");
+        answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
+                         "and a window also ends where the engine reaches no verdict.");
     if (!w->falls)
-        answer_say(a,
-                   "The row does not fall now. To save it, change one value, such as a gap or a height, so "
-                   "that it is in its window.");
+        answer_say(a, "The row does not fall now; a change of one value can save it.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
         if (least_room(w, sizes[i]) > 0)
             change_say(a, w, sizes[i], least_room(w, sizes[i]));
-    if (place) {
-        const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
-        answer_say(a, "The place of domino %zu has the tightest limits: %s to %s; it is %s now.", place,
-                   length(p.low, DIGITS).text, length(p.high, DIGITS).text, length(p.now, DIGITS_NOW).text);
-        place_change_say(a, w, place);
-    }
-    size_say(a, w, DOM_WINDOW_HEIGHT);
-    size_say(a, w, DOM_WINDOW_THICKNESS);
-    heights_say(a, w);
-    lean_say(a, w);
-    friction_say(a, w);
+    window_say(a, w, DOM_WINDOW_PLACE);
+    window_say(a, w, DOM_WINDOW_HEIGHT);
+    window_say(a, w, DOM_WINDOW_THICKNESS);
+    heights_detail(a, w);
+    lean_detail(a, w);
+    friction_detail(a, w);
 }
 
 /* ---- The answer ---- */
