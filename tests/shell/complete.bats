@@ -98,7 +98,7 @@ plot co|cost
 plot fit fr|friction
 plot co r|rmax
 plot cost rmax |width height font family title xlabel ylabel xrange yrange xscale yscale legend
-cost |fuel launch barrier duration rmax pair
+cost |effects fuel launch barrier duration rmax pair
 plot cost |width height font family title xlabel ylabel xrange yrange xscale yscale legend fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
