@@ -256,8 +256,8 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/
 # The reader of csv files.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # Completion and other functions that need the tables of commands.
-$(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
-$(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
+$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
+$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 

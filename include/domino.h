@@ -28,15 +28,11 @@
  * it. They have the numbers 1, 2, ..., counted backwards from the head.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
- * range. With any status other than DOM_OK, only the error bounds on the result are written, unless the
- * comment of the function says otherwise.
+ * range. With any status other than DOM_OK, the result is not written, unless the comment of the function
+ * says otherwise.
  *
- * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
- * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance. They do
- * not cover the first step, in which the parameters are rounded to the precision. A bound is NaN if
- * compute.errors is not set, or if no bound is known. No bounds are known for
- * - trains with rounded edges,
- * - the motion and the limits of trains with friction.
+ * Errors: to learn how accurate a number is, compute it again with DOM_QUAD and the tolerance 1e-30, by a
+ * function of <domino_quad.h>. The two numbers differ by the error of the first one.
  *
  * Precision: the parameters and results in this header are of type double. <domino_quad.h> includes this
  * header and declares its functions, structures and macros again for the widest floating-point type of the
@@ -150,10 +146,9 @@ struct dom_scale dom_scale_default(void);
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the results */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
-    /* Default DOM_METHOD_OURS. The other methods answer few questions, and none if `errors` is set. If a
-     * method cannot answer a question, the status is DOM_NO_METHOD. */
+    /* Default DOM_METHOD_OURS. The other methods answer few questions. If a method cannot answer a question,
+     * the status is DOM_NO_METHOD. */
     enum dom_method method;
-    bool errors;           /* true to compute error bounds, which takes more time */
     struct dom_work *work; /* counters to which the work is added; may be NULL */
     /* A long computation returns DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
@@ -195,16 +190,7 @@ enum dom_status dom_train_check(const struct dom_train *train, const struct dom_
  * is 1/s. With rounded edges it is (1 - 2 rho + rho pi/2)/s. Does not use train->r. */
 dom_real dom_train_reach(const struct dom_train *train);
 
-/* A number and an upper bound on its absolute error. */
-struct dom_value {
-    dom_real value, error;
-};
-
 /* ---- One domino leaning on the next (section 'Two dominoes' and appendix A) ---- */
-
-struct dom_angles_error {
-    dom_real theta_c, theta_u, theta_inf, theta_f, theta_leave;
-};
 
 struct dom_angles {
     dom_real theta_c;   /* the head hits the next domino at this angle: sin theta_c = r s (2; a2) */
@@ -214,16 +200,11 @@ struct dom_angles {
     /* The angle of a leader at which its follower detaches. NaN if no follower does. */
     dom_real theta_leave;
     bool detaches; /* true if followers detach from their leaders (41; A17) */
-    struct dom_angles_error error;
 };
 
 /* Finds the angles of a train. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
-
-struct dom_contact_error {
-    dom_real theta_1, slope, arm_a, arm_b;
-};
 
 /* The contact of a domino at the tilt theta with the follower that leans on it. */
 struct dom_contact {
@@ -232,7 +213,6 @@ struct dom_contact {
     dom_real slope;   /* d theta_1 / d theta (14; b10) */
     dom_real arm_a;   /* lever arm of the contact force on the leader, in h */
     dom_real arm_b;   /* lever arm of the contact force on the follower, in h */
-    struct dom_contact_error error;
 };
 
 /* Finds the contact of a domino that leans at theta, 0 <= theta <= theta_c. For a tilt outside this range,
@@ -241,10 +221,6 @@ enum dom_status dom_contact_find(const struct dom_train *train, const struct dom
                                  dom_real theta, struct dom_contact *contact);
 
 /* ---- The dominoes of the train at one tilt ---- */
-
-struct dom_link_error {
-    dom_real theta, slope, arm_a, arm_b, weight;
-};
 
 /* Domino i of the train. */
 struct dom_link {
@@ -255,7 +231,6 @@ struct dom_link {
      * not touch. */
     dom_real arm_a, arm_b;
     dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
-    struct dom_link_error error;
 };
 
 /* Visits the dominoes of a train while its head leans at theta. Calls visit for the head, and then for each
@@ -267,30 +242,20 @@ enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_c
 
 /* ---- Energy ---- */
 
-struct dom_energy_error {
-    dom_real dH, J, J0;
-};
-
 struct dom_energy {
     dom_real dH; /* H(theta) - H(0), where H is the potential energy (19; c1), in m g h / 2 */
     dom_real J;  /* inertia: the kinetic energy is J tau^2 omega^2 (20; c2) */
     dom_real J0; /* J(0) = 1 + r^(-(q+1)) J(theta_c), by equation (50; d8, corrected) */
-    struct dom_energy_error error;
 };
 
 /* Finds the energy of the train when the head leans at theta. */
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy);
 
-struct dom_fuels_error {
-    dom_real exact, paper;
-};
-
 struct dom_fuels {
     dom_real exact; /* the potential energy lost in one cycle: H(0) - H(theta_c) */
     /* the paper's closed form (25; c7), h(0) - h(theta_f), which holds only for r = 1 */
     dom_real paper;
-    struct dom_fuels_error error;
 };
 
 /* Finds the fuel, which is the energy that drives a cycle, by both formulas. Both fuels are in m g h / 2. If
@@ -299,10 +264,6 @@ enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_co
                               struct dom_fuels *fuels);
 
 /* ---- Collision ---- */
-
-struct dom_launch_error {
-    dom_real fuel, J0, velocity_ratio, omegasq, kinetic;
-};
 
 struct dom_launch {
     /* The fuel P that train->fuel selects. With friction, this member is instead the kinetic energy that a
@@ -314,7 +275,6 @@ struct dom_launch {
     dom_real velocity_ratio;
     dom_real omegasq; /* tau^2 omega(0)^2 after the collision (24; c6) */
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
-    struct dom_launch_error error;
 };
 
 /*
@@ -331,10 +291,6 @@ enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_
 
 /* ---- Barrier and verdict ---- */
 
-struct dom_barrier_error {
-    dom_real theta_m, barrier, kinetic, margin;
-};
-
 struct dom_barrier {
     dom_real theta_m; /* the tilt at the top of the barrier, 0 <= theta_m <= theta_c */
     /* The energy that the train must climb in a cycle: the maximum of H(theta) - H(0), >= 0. With friction,
@@ -342,7 +298,6 @@ struct dom_barrier {
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
-    struct dom_barrier_error error;
 };
 
 /*
@@ -369,7 +324,7 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
  * if the train stops before theta.
  */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
-                                  dom_real theta, struct dom_value *omegasq);
+                                  dom_real theta, dom_real *omegasq);
 
 /*
  * Finds the tilt at which a train that stops comes to rest. It is the smallest tilt at which the climb
@@ -379,7 +334,7 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
  * status is DOM_NO_FUEL.
  */
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
-                               struct dom_value *theta);
+                               dom_real *theta);
 
 /*
  * Finds the duration t_f of a cycle, in tau. It is the integral of 1/(tau omega) over the tilts from 0 to
@@ -392,7 +347,7 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_c
  * there is no complete cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                   struct dom_value *duration);
+                                   dom_real *duration);
 
 /* ---- One cycle, event by event ---- */
 
@@ -412,10 +367,6 @@ struct dom_event {
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
 
-struct dom_state_error {
-    dom_real theta, time, omegasq, acceleration, kinetic, climbed, fallen, before, lost, friction_work;
-};
-
 /* The train at one tilt of a cycle. Energies are in units of m g h / 2 of the head. Unless the paper's fuel
  * is used, the energies balance: before - lost - climbed - friction_work = kinetic. */
 struct dom_state {
@@ -430,7 +381,6 @@ struct dom_state {
     /* The energy that is lost in the collision. By equation (22; c4) it is `before` / J(0). */
     dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
-    struct dom_state_error error;
 };
 
 /* Finds the state at theta. The status is DOM_STOPS if the train stops before theta, and DOM_NO_FUEL if it
@@ -513,17 +463,12 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
 
 /* ---- The limits of growth ---- */
 
-struct dom_limit_error {
-    dom_real r_max;
-};
-
 struct dom_limit {
     dom_real r_max;    /* the largest growth; NaN with DOM_END_NONE */
     enum dom_end ends; /* what limits the growth */
     /* With DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or DOM_OUT_OF_REACH.
      * Otherwise DOM_OK. */
     enum dom_status why;
-    struct dom_limit_error error;
 };
 
 /*
@@ -554,14 +499,9 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
-struct dom_best_error {
-    dom_real s, r_max;
-};
-
 struct dom_best {
     dom_real s;     /* the separation that allows the largest growth */
     dom_real r_max; /* the largest growth at the separation s */
-    struct dom_best_error error;
 };
 
 /*
@@ -663,17 +603,12 @@ dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *tr
  * `duration` is in tau. Does not check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
-struct dom_count_error {
-    dom_real exact, last;
-};
-
 struct dom_count {
     /* The number n of dominoes: the smallest integer with first * r^n >= height. It is infinite if r = 1 and
      * height > first. */
     dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r; equal to `dominoes` if r = 1 */
     dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
-    struct dom_count_error error;
 };
 
 /*
@@ -686,7 +621,7 @@ struct dom_count {
  *
  * The status is DOM_BAD_HEIGHT if a height is not a finite number > 0, or if n or height / first is too large
  * or too small for the precision. It is DOM_BAD_R if r is not a finite number >= 1. Only compute->precision
- * and compute->errors are used.
+ * is used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

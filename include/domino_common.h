@@ -162,8 +162,8 @@ enum dom_question {
     DOM_ASK_FUEL,     /* dom_fuel_find fills a struct dom_fuels */
     DOM_ASK_LAUNCH,   /* dom_launch_find fills a struct dom_launch */
     DOM_ASK_BARRIER,  /* dom_barrier_find fills a struct dom_barrier */
-    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a struct dom_value; needs a tilt */
-    DOM_ASK_DURATION, /* dom_cycle_duration fills a struct dom_value */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq fills a dom_real; needs a tilt */
+    DOM_ASK_DURATION, /* dom_cycle_duration fills a dom_real */
     DOM_ASK_RMAX,     /* dom_limit_rmax fills a struct dom_limit */
     DOM_ASK_PAIR,     /* dom_limit_pair fills a struct dom_limit */
     DOM_ASK_BEST      /* dom_limit_best fills a struct dom_best */

@@ -14,30 +14,30 @@ typedef enum dom_status find_tilt(const struct dom_train *train, const struct do
     static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       void *answer)                                                          \
     {                                                                                                        \
-        return dom_##find(train, compute, (struct kind *)answer);                                            \
+        return dom_##find(train, compute, (kind *)answer);                                                   \
     }
 #define FINDS_AT(find, kind)                                                                                 \
     static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       dom_real theta, void *answer)                                          \
     {                                                                                                        \
-        return dom_##find(train, compute, theta, (struct kind *)answer);                                     \
+        return dom_##find(train, compute, theta, (kind *)answer);                                            \
     }
-FINDS(angles_find, dom_angles)
-FINDS_AT(contact_find, dom_contact)
-FINDS_AT(energy_find, dom_energy)
-FINDS(fuel_find, dom_fuels)
-FINDS(launch_find, dom_launch)
-FINDS(barrier_find, dom_barrier)
-FINDS_AT(cycle_omegasq, dom_value)
-FINDS(cycle_duration, dom_value)
-FINDS(limit_rmax, dom_limit)
-FINDS(limit_pair, dom_limit)
-FINDS(limit_best, dom_best)
+FINDS(angles_find, struct dom_angles)
+FINDS_AT(contact_find, struct dom_contact)
+FINDS_AT(energy_find, struct dom_energy)
+FINDS(fuel_find, struct dom_fuels)
+FINDS(launch_find, struct dom_launch)
+FINDS(barrier_find, struct dom_barrier)
+FINDS_AT(cycle_omegasq, dom_real)
+FINDS(cycle_duration, dom_real)
+FINDS(limit_rmax, struct dom_limit)
+FINDS(limit_pair, struct dom_limit)
+FINDS(limit_best, struct dom_best)
 
 static const struct {
     find_train *train; /* for questions without a tilt, otherwise NULL */
     find_tilt *tilt;   /* for questions with a tilt, otherwise NULL */
-    size_t size;       /* size of the structure with the result */
+    size_t size;       /* size of the result */
 } questions[] = {
     [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},
     [DOM_ASK_CONTACT] = {NULL, ask_contact_find, sizeof(struct dom_contact)},
@@ -45,8 +45,8 @@ static const struct {
     [DOM_ASK_FUEL] = {ask_fuel_find, NULL, sizeof(struct dom_fuels)},
     [DOM_ASK_LAUNCH] = {ask_launch_find, NULL, sizeof(struct dom_launch)},
     [DOM_ASK_BARRIER] = {ask_barrier_find, NULL, sizeof(struct dom_barrier)},
-    [DOM_ASK_OMEGASQ] = {NULL, ask_cycle_omegasq, sizeof(struct dom_value)},
-    [DOM_ASK_DURATION] = {ask_cycle_duration, NULL, sizeof(struct dom_value)},
+    [DOM_ASK_OMEGASQ] = {NULL, ask_cycle_omegasq, sizeof(dom_real)},
+    [DOM_ASK_DURATION] = {ask_cycle_duration, NULL, sizeof(dom_real)},
     [DOM_ASK_RMAX] = {ask_limit_rmax, NULL, sizeof(struct dom_limit)},
     [DOM_ASK_PAIR] = {ask_limit_pair, NULL, sizeof(struct dom_limit)},
     [DOM_ASK_BEST] = {ask_limit_best, NULL, sizeof(struct dom_best)},

@@ -11,20 +11,6 @@ static struct question question_of_limit(const struct dom_train *train, const st
     return question_make(&t, compute);
 }
 
-/* Sets the error bounds to NaN if they were not requested. Returns `status`. */
-static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
-{
-    if (!q->request.errors)
-        bounds_set_nan(bounds, size);
-    return status;
-}
-
-/* Calls a function of the kernel that fills in a result and its error bounds. Bounds that are not requested
- * or not found are NaN. */
-#define FIND(question, member, bounds, ...)                                                                  \
-    (bounds_set_nan(&(bounds), sizeof(bounds)),                                                              \
-     found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
-
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_angles angles;
@@ -36,14 +22,14 @@ enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_
                                 struct dom_angles *angles)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, angles_find, angles->error, angles);
+    return ASK(q, angles_find, angles);
 }
 
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, contact_find, contact->error, theta, contact);
+    return ASK(q, contact_find, theta, contact);
 }
 
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -57,50 +43,50 @@ enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_
                                 dom_real theta, struct dom_energy *energy)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, energy_find, energy->error, theta, energy);
+    return ASK(q, energy_find, theta, energy);
 }
 
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, fuel_find, fuels->error, fuels);
+    return ASK(q, fuel_find, fuels);
 }
 
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, launch_find, launch->error, launch);
+    return ASK(q, launch_find, launch);
 }
 
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, barrier_find, barrier->error, barrier);
+    return ASK(q, barrier_find, barrier);
 }
 
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
-                                  dom_real theta, struct dom_value *omegasq)
+                                  dom_real theta, dom_real *omegasq)
 {
     struct question q = question_make(train, compute);
-    omegasq->value = DOM_NAN;
-    return FIND(q, cycle_omegasq, omegasq->error, theta, omegasq);
+    *omegasq = DOM_NAN;
+    return ASK(q, cycle_omegasq, theta, omegasq);
 }
 
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
-                               struct dom_value *theta)
+                               dom_real *theta)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, cycle_stop, theta->error, theta);
+    return ASK(q, cycle_stop, theta);
 }
 
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
-                                   struct dom_value *duration)
+                                   dom_real *duration)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, cycle_duration, duration->error, duration);
+    return ASK(q, cycle_duration, duration);
 }
 
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
@@ -115,7 +101,7 @@ enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_
                                 dom_real theta, struct dom_state *state)
 {
     struct question q = question_make(train, compute);
-    return FIND(q, cycle_state, state->error, theta, state);
+    return ASK(q, cycle_state, theta, state);
 }
 
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
@@ -159,7 +145,6 @@ static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;
     coarse->precision = DOM_DOUBLE;
-    coarse->errors = false;
     coarse->tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
     return q->status == DOM_OK && q->request.precision == DOM_QUAD && q->request.method == DOM_METHOD_OURS;
 }
@@ -173,14 +158,14 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
     if (coarse_first(&q, &coarse) && kernels[DOM_DOUBLE]->limit_rmax(&coarse, &near) == DOM_OK &&
         near.ends == DOM_END_BARRIER && near.r_max > 1)
         q.request.near = near.r_max;
-    return FIND(q, limit_rmax, limit->error, limit);
+    return ASK(q, limit_rmax, limit);
 }
 
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
-    return FIND(q, limit_pair, limit->error, limit);
+    return ASK(q, limit_pair, limit);
 }
 
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
@@ -195,7 +180,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
         q.request.s = near.s;
         q.request.near = near.r_max;
     }
-    return FIND(q, limit_best, best->error, best);
+    return ASK(q, limit_best, best);
 }
 
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
@@ -217,12 +202,8 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
 {
     struct dom_compute compute = compute_or_default(given);
     enum dom_status status = precision_check(compute.precision);
-    if (status != DOM_OK)
-        return status;
-    status = kernels[compute.precision]->count_find(first, height, r, &compute, count);
-    if (status != DOM_OK || !compute.errors)
-        bounds_set_nan(&count->error, sizeof count->error);
-    return status;
+    return status == DOM_OK ? kernels[compute.precision]->count_find(first, height, r, &compute, count)
+                            : status;
 }
 
 /* ---- Simple API ---- */
@@ -247,12 +228,12 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d)
 {
     struct dom_train train = dom_train_default();
     struct dom_scale scale = dom_scale_default();
-    struct dom_value duration;
+    dom_real duration;
     train.s = s;
     train.d = d;
     train.r = 1;
     scale.h = h;
     return h > 0 && dom_cycle_duration(&train, NULL, &duration) == DOM_OK
-               ? dom_scale_speed(&scale, &train, duration.value)
+               ? dom_scale_speed(&scale, &train, duration)
                : DOM_NAN;
 }

@@ -30,14 +30,6 @@ static enum dom_status ask_rmax(const struct domq_train *train, const struct dom
     return domq_limit_rmax(train, compute, &limit);
 }
 
-static enum dom_status ask_rmax_bound(const struct domq_train *train, const struct domq_compute *compute)
-{
-    struct domq_limit limit;
-    struct domq_compute with = *compute;
-    with.errors = true;
-    return domq_limit_rmax(train, &with, &limit);
-}
-
 /* Computes r_max for s from 0.02 to 0.9, with both values of q, as the benchmark does. */
 static enum dom_status ask_curve(const struct domq_train *train, const struct domq_compute *compute)
 {
@@ -96,9 +88,7 @@ static bool visit_link(const struct domq_link *link, void *context)
 
 static enum dom_status ask_chain(const struct domq_train *train, const struct domq_compute *compute)
 {
-    struct domq_compute with = *compute;
-    with.errors = true;
-    return domq_chain_walk(train, &with, 0.1, visit_link, NULL);
+    return domq_chain_walk(train, compute, 0.1, visit_link, NULL);
 }
 
 static enum dom_status ask_count(const struct domq_train *train, const struct domq_compute *compute)
@@ -176,7 +166,6 @@ static const struct counted table[] = {
     {.name = "rmax 0.5 massive", .ask = ask_rmax, .s = 0.5},
     {.name = "rmax float", .ask = ask_rmax, .single = true},
     {.name = "rmax quad", .ask = ask_rmax, .quad = true},
-    {.name = "rmax with its bound", .ask = ask_rmax_bound},
     {.name = "rmax with edges", .ask = ask_rmax, .rho = 0.01},
     {.name = "rmax with friction", .ask = ask_rmax, .mu = 0.2},
     {.name = "curve", .ask = ask_curve},

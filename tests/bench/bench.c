@@ -114,7 +114,7 @@ static size_t duration_questions(struct question *question)
             struct setup train = setup_default();
             train.q = q;
             train.s = separations[i];
-            ask_limit_rmax(&train, &limit, NULL);
+            ask_limit_rmax(&train, &limit);
             train.r = (double)(1 + (domq_real)0.8 * (limit.r_max - 1));
             question[n] = (struct question){.task = DURATION, .train = train};
         }

@@ -65,8 +65,8 @@ static domq_real ask_train(const struct question *q, const struct setup *train)
     struct domq_limit limit = {.r_max = DOMQ_NAN};
     domq_real duration = DOMQ_NAN;
     if (q->task == DURATION)
-        return ask_cycle_duration(train, &duration, NULL) == DOM_OK ? duration : DOMQ_NAN;
-    return ask_limit_rmax(train, &limit, NULL) == DOM_OK ? limit.r_max : DOMQ_NAN;
+        return ask_cycle_duration(train, &duration) == DOM_OK ? duration : DOMQ_NAN;
+    return ask_limit_rmax(train, &limit) == DOM_OK ? limit.r_max : DOMQ_NAN;
 }
 
 domq_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)

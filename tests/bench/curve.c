@@ -22,7 +22,7 @@ static void *curve_run(void *context)
     while ((first = atomic_fetch_add(&curve->next, AT_ONCE)) < curve->points)
         for (size_t i = first; i < first + AT_ONCE && i < curve->points; i++) {
             train.s = 0.02 + 0.88 * (double)i / (double)(curve->points - 1);
-            if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK)
+            if (ask_limit_rmax(&train, &limit) != DOM_OK)
                 curve->failed = true;
         }
     return NULL;

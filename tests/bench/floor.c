@@ -110,7 +110,7 @@ static double dominoes_at_answer(const struct question *question, size_t n)
         struct setup train = question[i].train;
         train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
         train.work = &work;
-        ask_fuel_find(&train, &fuels, NULL);
+        ask_fuel_find(&train, &fuels);
     }
     return (double)work.dominoes / (double)n;
 }

@@ -76,7 +76,7 @@ static double our_speed(const struct front *f)
     train.d = f->d;
     train.r = 1;
     train.tol = TOLERANCE;
-    if (ask_cycle_duration(&train, &duration, NULL) != DOM_OK)
+    if (ask_cycle_duration(&train, &duration) != DOM_OK)
         return NONE;
     return (f->s + f->d) / ((double)duration * sqrt((1 + f->d * f->d) / 3));
 }

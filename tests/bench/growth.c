@@ -42,12 +42,12 @@ static double energy_seconds(double s, double r, struct dom_work *work)
         int batch = 1 + (int)(LEAST_SECONDS / 1e-8 / (1 + (double)work->longest)) / 10;
         double begun = seconds_now();
         for (int i = 0; i < batch; i++)
-            if (ask_fuel_find(&train, &fuels, NULL) != DOM_OK)
+            if (ask_fuel_find(&train, &fuels) != DOM_OK)
                 return NAN;
         least = fmin(least, (seconds_now() - begun) / batch);
         *work = (struct dom_work){.passes = 0};
         train.work = work;
-        if (ask_fuel_find(&train, &fuels, NULL) != DOM_OK)
+        if (ask_fuel_find(&train, &fuels) != DOM_OK)
             return NAN;
         train.work = NULL;
     }

@@ -35,7 +35,7 @@ static double library_seconds(void)
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &from);
     for (int i = 0; i < 2 * SOME; i++) {
         train.fuel = i % 2 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK)
+        if (ask_limit_rmax(&train, &limit) != DOM_OK)
             return NONE;
     }
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &to);

@@ -33,15 +33,13 @@ void library_nothing(struct answers *answers)
         answers->value[k] = answers->error[k] = DOMQ_NAN;
 }
 
-static void note(struct answers *answers, enum ref_quantity quantity, enum dom_status status, domq_real value,
-                 domq_real error)
+static void note(struct answers *answers, enum ref_quantity quantity, enum dom_status status, domq_real value)
 {
     answers->status[quantity] = status;
     answers->value[quantity] = value;
-    answers->error[quantity] = error;
 }
 
-#define NOTE(QUANTITY, from, member) note(answers, REF_##QUANTITY, status, from.member, from.error.member)
+#define NOTE(QUANTITY, from, member) note(answers, REF_##QUANTITY, status, from.member)
 
 struct look {
     size_t wanted;
@@ -55,10 +53,10 @@ static bool look_at_link(const struct domq_link *link, void *context)
     return link->i < look->wanted;
 }
 
-void library_link(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
+static void link_find(const struct setup *setup, domq_real tilt, size_t wanted, struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup, true);
+    const struct domq_compute compute = setup_compute(setup);
     struct look look = {.wanted = wanted};
     enum dom_status status = domq_chain_walk(&train, &compute, tilt, look_at_link, &look);
     struct domq_link link = look.link;
@@ -81,7 +79,7 @@ union found {
     struct domq_fuels fuels;
     struct domq_launch launch;
     struct domq_barrier barrier;
-    struct domq_value value;
+    domq_real value;
     struct domq_limit limit;
     struct domq_best best;
 };
@@ -92,7 +90,7 @@ static void ask_cycle(const struct domq_train *train, const struct domq_compute 
     enum dom_status status = quantity == REF_OMEGASQ ? domq_cycle_omegasq(train, compute, tilt, &f->value)
                              : quantity == REF_STOP  ? domq_cycle_stop(train, compute, &f->value)
                                                      : domq_cycle_duration(train, compute, &f->value);
-    note(answers, quantity, status, f->value.value, f->value.error);
+    note(answers, quantity, status, f->value);
 }
 
 static void ask_growth(const struct domq_train *train, const struct domq_compute *compute,
@@ -111,14 +109,14 @@ static void ask_growth(const struct domq_train *train, const struct domq_compute
         answers->ends = f->limit.ends;
         answers->why = f->limit.why;
     }
-    note(answers, quantity, status, f->limit.r_max, f->limit.error.r_max);
+    note(answers, quantity, status, f->limit.r_max);
 }
 
-void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
-                 struct answers *answers)
+static void quantity_find(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
+                          struct answers *answers)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup, true);
+    const struct domq_compute compute = setup_compute(setup);
     union found f;
     enum dom_status status;
     memset(&f, 0xff, sizeof f);
@@ -137,7 +135,7 @@ void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity qu
         NOTE(ARM_A, f.contact, arm_a);
         NOTE(ARM_B, f.contact, arm_b);
     } else if (quantity <= REF_LINK_WEIGHT) {
-        library_link(setup, tilt, 1, answers);
+        link_find(setup, tilt, 1, answers);
     } else if (quantity <= REF_J0) {
         status = domq_energy_find(&train, &compute, tilt, &f.energy);
         NOTE(DH, f.energy, dH);
@@ -162,4 +160,53 @@ void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity qu
     } else {
         ask_growth(&train, &compute, quantity, &f, answers);
     }
+}
+
+/* ---- Errors ---- */
+
+/* The tolerance of a computation in quad precision with which a result is compared. */
+static domq_real exact_tol(const struct setup *setup)
+{
+    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    if (setup->precision != DOM_QUAD || setup->tol > 100 * quad->tol_default)
+        return quad->tol_default;
+    return setup->tol >= 100 * quad->tol_floor ? setup->tol / 100 : setup->tol * 100;
+}
+
+static struct setup exact_of(const struct setup *setup)
+{
+    struct setup exact = *setup;
+    exact.tol = exact_tol(setup);
+    exact.precision = DOM_QUAD;
+    return exact;
+}
+
+static void errors_find(const struct setup *setup, const struct answers *exact, struct answers *answers)
+{
+    for (int k = 0; k < REF_COUNT; k++) {
+        const domq_real value = answers->value[k], off = value - exact->value[k];
+        answers->error[k] = (off < 0 ? -off : off) +
+                            (domq_real)(2 * library_unit(setup->precision)) * (value < 0 ? -value : value);
+    }
+}
+
+void library_link(const struct setup *setup, domq_real tilt, size_t link, struct answers *answers)
+{
+    const struct setup exactly = exact_of(setup);
+    struct answers exact;
+    library_nothing(&exact);
+    link_find(&exactly, tilt, link, &exact);
+    link_find(setup, tilt, link, answers);
+    errors_find(setup, &exact, answers);
+}
+
+void library_ask(const struct setup *setup, domq_real tilt, enum ref_quantity quantity,
+                 struct answers *answers)
+{
+    const struct setup exactly = exact_of(setup);
+    struct answers exact;
+    library_nothing(&exact);
+    quantity_find(&exactly, tilt, quantity, &exact);
+    quantity_find(setup, tilt, quantity, answers);
+    errors_find(setup, &exact, answers);
 }

@@ -38,27 +38,15 @@ void tally_mistake(struct tally *tally, const struct comparison *c, const char *
     snprintf(tally->what, sizeof tally->what, "%s", what);
 }
 
-/* Compares an error with its bound. An error of 0 counts as half a unit in the last place, since 0 says
- * little about a bound. */
+/* Compares the true error with the error that the calculator would show. */
 static void compare_bound(struct tally *tally, const struct comparison *c, double error)
 {
-    const double bound = (double)c->bound, want = fabs(wanted(c));
+    const double bound = (double)c->bound;
     if (isnan(bound)) {
         tally->without_bound++;
         return;
     }
-    if (bound < 0)
-        tally_mistake(tally, c, "a negative bound");
     keep_worst(&tally->bound, c, error == 0 ? 0 : error / bound);
-    if (!c->sharp)
-        return;
-    double ratio = bound / (error > 0 ? error : want * c->unit);
-    int bin = ratio > 0 && ratio < (double)INFINITY ? TALLY_BINS / 2 + (int)floor(16 * log2(ratio))
-                                                    : TALLY_BINS - 1;
-    if (want == 0 && error == 0) /* an exact 0 */
-        return;
-    tally->bounds++;
-    tally->bin[bin < 0 ? 0 : bin >= TALLY_BINS ? TALLY_BINS - 1 : bin]++;
 }
 
 /* Compares an error in units with the largest one so far. The full scale is computed only if the error may be
@@ -110,20 +98,6 @@ void tally_merge(struct tally *into, const struct tally *from)
     into->wrong += from->wrong;
     into->checked += from->checked;
     into->without_bound += from->without_bound;
-    into->bounds += from->bounds;
-    for (int k = 0; k < TALLY_BINS; k++)
-        into->bin[k] += from->bin[k];
-}
-
-double tally_median(const struct tally *tally)
-{
-    long below = 0;
-    for (int k = 0; k < TALLY_BINS; k++) {
-        below += tally->bin[k];
-        if (2 * below > tally->bounds)
-            return exp2((k + 1 - TALLY_BINS / 2) / 16.0);
-    }
-    return (double)NAN;
 }
 
 /* Prints a number as a hexadecimal C constant, or as a sum of such constants. */

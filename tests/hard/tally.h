@@ -7,7 +7,7 @@
 
 /* Errors of fewer than TALLY_UNITS units are not compared with each other, since their scale would take five
  * more references. */
-enum { TALLY_UNITS = 2, TALLY_BINS = 2048 };
+enum { TALLY_UNITS = 2 };
 
 struct sample {
     struct ref_input input;
@@ -18,12 +18,10 @@ struct sample {
 
 struct tally {
     long checked;
-    struct sample units; /* the largest error in units (reference.h) */
-    struct sample tol;   /* the largest error divided by what the tolerance allows */
-    struct sample bound; /* the largest error divided by the library's own error bound */
-    long without_bound;  /* number of results with a value but no bound */
-    long bounds;
-    long bin[TALLY_BINS];  /* a histogram of log2(bound / error), with 16 bins for each factor of 2 */
+    struct sample units;   /* the largest error in units (reference.h) */
+    struct sample tol;     /* the largest error divided by what the tolerance allows */
+    struct sample bound;   /* the largest error divided by the error that the calculator would show */
+    long without_bound;    /* number of results with a value but without such an error */
     long wrong;            /* number of values or statuses that contradict the reference */
     struct sample mistake; /* the first value or status that contradicts the reference */
     char what[80];
@@ -43,8 +41,6 @@ struct comparison {
 void tally_compare(struct tally *tally, const struct comparison *c);
 void tally_mistake(struct tally *tally, const struct comparison *c, const char *what);
 void tally_merge(struct tally *into, const struct tally *from);
-/* Returns the median of bound / error, or NaN if there are no bounds. */
-double tally_median(const struct tally *tally);
 /* Prints a sample as a command with which it can be repeated. */
 void tally_print(const char *label, enum ref_quantity quantity, const struct sample *sample);
 

@@ -37,7 +37,7 @@ static double share(const struct setup *train, double r)
     struct setup at = *train;
     at.r = r;
     at.tol = 1e-6;
-    enum dom_status status = ask_barrier_find(&at, &b, NULL);
+    enum dom_status status = ask_barrier_find(&at, &b);
     if (status != DOM_OK && status != DOM_STOPS)
         return -1;
     return (double)(b.margin / (b.kinetic + b.barrier));
@@ -64,7 +64,7 @@ TEST(no_train_stops_below_r_max)
     for (int i = 0; i < part_of(1000); i++) {
         struct setup train = any_train(&seed, 0);
         struct domq_limit limit;
-        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        if (ask_limit_rmax(&train, &limit) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         reached += limit.ends == DOM_END_REACH;
@@ -88,7 +88,7 @@ TEST(few_trains_with_friction_stop_below_r_max)
     for (int i = 0; i < part_of(100); i++) {
         struct setup train = any_train(&seed, 0.4);
         struct domq_limit limit;
-        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        if (ask_limit_rmax(&train, &limit) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         missed += first_stop(&train, (double)limit.r_max, 30) > 0;
@@ -126,7 +126,7 @@ TEST(pairs_succeed_in_their_first_band)
         struct domq_limit limit;
         double s = (double)train.s, d = (double)train.d, q = (double)train.q;
         train.fuel = DOM_FUEL_EXACT;
-        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &limit), DOM_OK);
         double end = limit.ends == DOM_END_NONE ? 0 : (double)limit.r_max, first = 0, last = 0;
         for (int k = 0; k <= 100 && last == 0; k++) {
             double r = pow(s, -k / 100.0), left = pair_share(s, d, q, r);
@@ -153,7 +153,7 @@ TEST(no_separation_allows_more)
         struct setup train = any_train(&seed, 0);
         struct domq_best best;
         struct domq_limit limit;
-        enum dom_status status = ask_limit_best(&train, &best, NULL);
+        enum dom_status status = ask_limit_best(&train, &best);
         /* for thin dominoes with q < 1 the search takes too much work */
         if (status == DOM_TOO_LONG && ++refused)
             continue;
@@ -167,7 +167,7 @@ TEST(no_separation_allows_more)
                              : (double)best.s * (0.98 + 0.04 * random_unit(&seed));
             if (train.s > 1 || (status != DOM_OK && k >= 60))
                 continue;
-            assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
             if (limit.ends != DOM_END_NONE && (double)limit.r_max > most * (1 + 1e-5) && ++missed)
                 print_error("d %.17g q %.17g fuel %d: %.12g at s %.12g, best %.12g at %.12g\n",
                             (double)train.d, (double)train.q, train.fuel, (double)limit.r_max,

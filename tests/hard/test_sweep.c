@@ -2,7 +2,8 @@
 /*
  * Random trains over the whole parameter space, in every precision. At the smallest tolerance, each result is
  * as accurate as its inputs allow (reference.h), and at any other tolerance as accurate as the tolerance. The
- * library's own error bounds are true, and not much too large. The largest error of each quantity is printed.
+ * difference from a computation in quad precision covers the true error. The largest error of each quantity
+ * is printed.
  */
 #include "../unit/support.h"
 #include "sweep.h"
@@ -11,9 +12,6 @@
 static const double units_allowed[REF_COUNT] = {
     [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding error */
 };
-
-/* The largest allowed median of bound / error. */
-static const double closeness = 100;
 
 struct outcome {
     struct sweep sweep;
@@ -53,9 +51,9 @@ static void report(const struct outcome *outcome)
         const struct tally *t = &outcome->tally[k];
         if (t->checked > 0)
             fprintf(stderr,
-                    "# %-6s %-15s %6ld: %8.3g units, %8.3g of tol, %8.3g of bound, bound %8.3g times\n",
+                    "# %-6s %-15s %6ld: %8.3g units, %8.3g of tol, %8.3g of the difference from quad\n",
                     label(outcome), ref_name((enum ref_quantity)k), t->checked,
-                    fmax(t->units.excess, TALLY_UNITS), t->tol.excess, t->bound.excess, tally_median(t));
+                    fmax(t->units.excess, TALLY_UNITS), t->tol.excess, t->bound.excess);
     }
 }
 
@@ -128,42 +126,29 @@ TEST(tolerances_are_kept)
     check_all(beyond_tolerance);
 }
 
-static int beyond_bound(const struct outcome *outcome)
+/*
+ * In float and double, the difference from quad covers the true error. In quad, two runs with different
+ * tolerances have many rounding errors in common, so the true error may be larger by some of these: a link
+ * has one for each domino before it. A result has no error if quad comes to another conclusion, for example
+ * that the follower has already detached. This happens rarely.
+ */
+static int beyond_difference(const struct outcome *outcome)
 {
+    const double allowed = outcome->sweep.precision == DOM_QUAD ? 256 : 1;
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++) {
         const struct tally *t = &outcome->tally[k];
-        failures += beyond(outcome, k, &t->bound, "of the library's bound", 1);
-        if (t->without_bound && ++failures)
-            fprintf(stderr, "# %s %s: %ld values have no bound\n", label(outcome),
+        failures += beyond(outcome, k, &t->bound, "of the difference from quad", allowed);
+        if (20 * t->without_bound > t->checked + 20 && ++failures)
+            fprintf(stderr, "# %s %s: %ld values have no error\n", label(outcome),
                     ref_name((enum ref_quantity)k), t->without_bound);
     }
     return failures;
 }
 
-TEST(bounds_hold)
+TEST(differences_from_quad_cover_the_errors)
 {
-    check_all(beyond_bound);
-}
-
-static int wide(const struct outcome *outcome)
-{
-    int failures = 0;
-    for (int k = 0; k < REF_COUNT; k++) {
-        if (outcome->tally[k].bounds == 0 || tally_median(&outcome->tally[k]) <= closeness)
-            continue;
-        failures++;
-        fprintf(stderr, "# %s %s: half of the bounds are more than %.3g times the error, %.3g allowed\n",
-                label(outcome), ref_name((enum ref_quantity)k), tally_median(&outcome->tally[k]), closeness);
-    }
-    return failures;
-}
-
-TEST(bounds_are_close)
-{
-    if (size < 1)
-        skip();
-    check_all(wide);
+    check_all(beyond_difference);
 }
 
 static int contradictions(const struct outcome *outcome)

@@ -47,79 +47,66 @@ static inline struct domq_train setup_train(const struct setup *a)
                                DOMQ_TRAIN_PARAMETERS(SETUP_COPY_NUMBER) DOM_DYNAMICS(SETUP_COPY_EFFECT)};
 }
 
-static inline struct domq_compute setup_compute(const struct setup *a, bool errors)
+static inline struct domq_compute setup_compute(const struct setup *a)
 {
     return (struct domq_compute){.tol = a->tol,
                                  .precision = a->precision,
                                  .method = a->method,
-                                 .errors = errors,
                                  .work = a->work,
                                  .interrupt = a->interrupt};
 }
 
 /* The first two arguments of a call of the library: the train and how to compute. */
-#define ASKED(a, errors)                                                                                     \
+#define ASKED(a)                                                                                             \
     (const struct domq_train[]){setup_train(a)}, (const struct domq_compute[])                               \
     {                                                                                                        \
-        setup_compute(a, errors)                                                                             \
+        setup_compute(a)                                                                                     \
     }
 
-/* Copies the error bounds of a result into a structure of the same type. `first` is the first member that has
- * a bound. */
-#define ASK_BOUNDS(result, copy, first)                                                                      \
-    (void)((copy) ? memcpy(&(copy)->first, &(result)->error, sizeof(result)->error) : NULL)
-
-/* Defines ask_NAME, which calls domq_NAME for a result and, unless `error` is NULL, for its error bounds. */
-#define ASK(name, type, first, PARAMETER, ARGUMENT)                                                          \
-    static inline enum dom_status ask_##name(                                                                \
-        const struct setup *setup, PARAMETER struct domq_##type *result, struct domq_##type *error)          \
+/* Defines ask_NAME, which calls domq_NAME. */
+#define ASK(name, type, PARAMETER, ARGUMENT)                                                                 \
+    static inline enum dom_status ask_##name(const struct setup *setup,                                      \
+                                             PARAMETER struct domq_##type *result)                           \
     {                                                                                                        \
-        enum dom_status status = domq_##name(ASKED(setup, error), ARGUMENT result);                          \
-        ASK_BOUNDS(result, error, first);                                                                    \
-        return status;                                                                                       \
+        return domq_##name(ASKED(setup), ARGUMENT result);                                                   \
     }
 
 /* Defines ask_NAME for a function whose result is one number, which is NaN if there is no result. */
 #define ASK_NUMBER(name, PARAMETER, ARGUMENT)                                                                \
-    static inline enum dom_status ask_##name(const struct setup *setup, PARAMETER domq_real *number,         \
-                                             domq_real *error)                                               \
+    static inline enum dom_status ask_##name(const struct setup *setup, PARAMETER domq_real *number)         \
     {                                                                                                        \
-        struct domq_value value = {DOMQ_NAN, DOMQ_NAN};                                                      \
-        enum dom_status status = domq_##name(ASKED(setup, error), ARGUMENT & value);                         \
-        *number = value.value;                                                                               \
-        if (error)                                                                                           \
-            *error = value.error;                                                                            \
-        return status;                                                                                       \
+        *number = DOMQ_NAN;                                                                                  \
+        return domq_##name(ASKED(setup), ARGUMENT number);                                                   \
     }
 
 #define ASK_AT_PARAMETER domq_real theta,
 #define ASK_AT_ARGUMENT  theta,
 
 /* clang-format off: these macros do not look like functions. */
-ASK(angles_find, angles, theta_c, , )
-ASK(contact_find, contact, theta_1, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
-ASK(energy_find, energy, dH, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
-ASK(fuel_find, fuels, exact, , )
-ASK(launch_find, launch, fuel, , )
-ASK(barrier_find, barrier, theta_m, , )
-ASK(cycle_state, state, theta, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
-ASK(limit_rmax, limit, r_max, , )
-ASK(limit_pair, limit, r_max, , )
-ASK(limit_best, best, s, , )
+ASK(angles_find, angles, , )
+ASK(contact_find, contact, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(energy_find, energy, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(fuel_find, fuels, , )
+ASK(launch_find, launch, , )
+ASK(barrier_find, barrier, , )
+ASK(cycle_state, state, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(limit_rmax, limit, , )
+ASK(limit_pair, limit, , )
+ASK(limit_best, best, , )
 ASK_NUMBER(cycle_omegasq, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
 ASK_NUMBER(cycle_stop, , )
 ASK_NUMBER(cycle_duration, , )
 /* clang-format on */
 
-/* Functions whose results have no error bounds, and walks along a chain or a cycle. */
-#define ask_train_check(a)            domq_train_check(ASKED(a, false))
-#define ask_cycle_events(a, ...)      domq_cycle_events(ASKED(a, false), __VA_ARGS__)
-#define ask_cycle_tilt(a, ...)        domq_cycle_tilt(ASKED(a, false), __VA_ARGS__)
-#define ask_cycle_forces(a, ...)      domq_cycle_forces(ASKED(a, false), __VA_ARGS__)
-#define ask_cycle_least_force(a, ...) domq_cycle_least_force(ASKED(a, false), __VA_ARGS__)
-#define ask_cycle_floor(a, ...)       domq_cycle_floor(ASKED(a, false), __VA_ARGS__)
-#define ask_chain_walk(a, ...)        domq_chain_walk(ASKED(a, false), __VA_ARGS__)
-#define ask_cycle_walk(a, ...)        domq_cycle_walk(ASKED(a, false), __VA_ARGS__)
+/* Functions with several results, and walks along a chain or a cycle. */
+#define ask_train_check(a)            domq_train_check(ASKED(a))
+#define ask_cycle_events(a, ...)      domq_cycle_events(ASKED(a), __VA_ARGS__)
+#define ask_cycle_tilt(a, ...)        domq_cycle_tilt(ASKED(a), __VA_ARGS__)
+#define ask_cycle_forces(a, ...)      domq_cycle_forces(ASKED(a), __VA_ARGS__)
+#define ask_cycle_least_force(a, ...) domq_cycle_least_force(ASKED(a), __VA_ARGS__)
+#define ask_cycle_floor(a, ...)       domq_cycle_floor(ASKED(a), __VA_ARGS__)
+#define ask_chain_walk(a, ...)        domq_chain_walk(ASKED(a), __VA_ARGS__)
+#define ask_cycle_walk(a, ...)        domq_cycle_walk(ASKED(a), __VA_ARGS__)
 #define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){setup_train(a)}, __VA_ARGS__)
 
 static inline domq_real ask_scale_speed(const struct domq_scale *scale, const struct setup *setup,
@@ -130,16 +117,11 @@ static inline domq_real ask_scale_speed(const struct domq_scale *scale, const st
 }
 
 static inline enum dom_status ask_count_find(enum dom_precision precision, domq_real first, domq_real height,
-                                             domq_real r, struct domq_count *count, struct domq_count *error)
+                                             domq_real r, struct domq_count *count)
 {
     struct domq_compute compute = domq_compute_default();
     compute.precision = precision;
-    compute.errors = error;
-    enum dom_status status = domq_count_find(first, height, r, &compute, count);
-    ASK_BOUNDS(count, error, exact);
-    if (error)
-        error->dominoes = 0; /* a whole number */
-    return status;
+    return domq_count_find(first, height, r, &compute, count);
 }
 
 /* ---- Rows ---- */

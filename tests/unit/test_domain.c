@@ -15,11 +15,11 @@ TEST(no_cycle_without_fuel)
         t.r = trains[i][1];
         t.d = trains[i][2];
         t.q = trains[i][3];
-        assert_status(ask_launch_find(&t, &launch, NULL), DOM_NO_FUEL);
-        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
-        assert_status(ask_cycle_omegasq(&t, 1e-3, &value, NULL), DOM_NO_FUEL);
-        assert_status(ask_cycle_stop(&t, &value, NULL), DOM_NO_FUEL);
-        assert_status(ask_cycle_duration(&t, &value, NULL), DOM_NO_FUEL);
+        assert_status(ask_launch_find(&t, &launch), DOM_NO_FUEL);
+        assert_status(ask_barrier_find(&t, &barrier), DOM_NO_FUEL);
+        assert_status(ask_cycle_omegasq(&t, 1e-3, &value), DOM_NO_FUEL);
+        assert_status(ask_cycle_stop(&t, &value), DOM_NO_FUEL);
+        assert_status(ask_cycle_duration(&t, &value), DOM_NO_FUEL);
     }
 }
 
@@ -31,14 +31,14 @@ TEST(no_fuel_below_a_separation)
     double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
     assert_near("edge", edge, 0.0063378, 1e-5);
     train.s = edge * (1 - 1e-9);
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_true(isnan(limit.r_max));
     assert_status(limit.why, DOM_NO_FUEL);
     train.s = edge * (1 + 1e-3);
     struct domq_fuels fuels;
     train.r = 1;
-    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels), DOM_OK);
     assert_true(fuels.exact > 0 && fuels.paper > 0);
 }
 
@@ -49,10 +49,10 @@ TEST(thick_dominoes_do_not_grow)
     struct domq_best best;
     struct domq_limit limit;
     train.d = 1.5;
-    assert_status(ask_limit_best(&train, &best, NULL), DOM_NO_GROWTH);
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_best(&train, &best), DOM_NO_GROWTH);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_pair(&train, &limit), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
@@ -76,7 +76,7 @@ TEST(metres_and_seconds)
     domq_real duration;
     train.r = 1;
     train.s = 13.0 / 48;
-    assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
+    assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
     assert_near("speed", ask_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
     /* In a growing train, the front moves in each cycle by the pitch of the next, larger domino. */
     train.r = 1.5;

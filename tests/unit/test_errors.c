@@ -1,180 +1,157 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Error bounds compared with quad, for random trains with a slope, friction and rounded edges, in float and
- * double. Each number that has an error bound differs from the number in quad by no more than the bound, and
- * the bounds of a quantity are not much wider than its errors.
+ * The errors that the calculator shows (src/shell/answer/reference.h), compared with the tables of 40 digits
+ * in tests/reference. The parameters are the decimal numbers of the tables, so the errors also contain what
+ * is lost when they are rounded to double. tests/hard/test_sweep.c does the same for random trains.
  */
 #include "support.h"
 
-enum { SCENES = 160, LINKS = 24, MEMBERS = 10 };
+#include "commands/tables.h"
+#include "interpreter/interpret.h"
+#include "language/quad.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
-/* A bound is too wide if it is larger than the tolerance, and also larger than this many times the error and
- * the unit roundoff. At most half of the bounds of a quantity may be too wide. */
-static const double wide = 100;
+static struct session session;
+static char *text;
+static size_t length;
 
-enum result {
-    ANGLES,
-    CONTACT,
-    LINK,
-    ENERGY,
-    FUELS,
-    LAUNCH,
-    BARRIER,
-    STATE,
-    OMEGASQ,
-    STOP,
-    DURATION,
-    RMAX,
-    PAIR,
-    RESULTS
-};
-
-static const char *const result_name[] = {"angles",   "contact", "chain", "energy",  "fuels",
-                                          "launch",   "barrier", "state", "omegasq", "stop",
-                                          "duration", "rmax",    "pair"};
-
-/* The number of bounds of a quantity, and the number of those that are too wide. */
-static struct tally {
-    long bounds, wide;
-} tally[RESULTS][MEMBERS];
-
-static struct domq_train train;
-static struct domq_compute compute, exact;
-
-static double uniform(double lo, double hi)
+/* Runs a line in the session and returns what it has printed. */
+static const char *answer_to(const char *line)
 {
-    static uint64_t seed = 1;
-    return lo + (hi - lo) * random_unit(&seed);
+    rewind(session.output->out);
+    command_run_text(&session, line);
+    fflush(session.output->out);
+    return text;
 }
 
-static double either(double a, double b)
+static void begin(void)
 {
-    return uniform(0, 1) < 0.5 ? a : b;
+    command_registry(all_commands);
+    session_init(&session, open_memstream(&text, &length));
+    answer_to("set output json; set errors on");
+    assert_int_equal(session.errors, 0);
 }
 
-static domq_real rounded(double value)
+/* Returns the number after a key, or NaN if it is null. */
+static domq_real number_of(const char *answer, const char *key, const char *suffix)
 {
-    return compute.precision == DOM_FLOAT ? (domq_real)(float)value : value;
+    char member[64];
+    snprintf(member, sizeof member, "\"%s%s\":", key, suffix);
+    const char *at = strstr(answer, member);
+    if (!at)
+        fail_msg("no %s in %s", member, answer);
+    at = at ? at + strlen(member) : "";
+    return strncmp(at, "null", 4) == 0 ? DOMQ_NAN : quad_read(at, NULL);
 }
 
-static void scene(int k)
+/* Counts the numbers that have been compared. */
+static int compared;
+
+/* Checks that the error of a number covers its difference from the table. `digits` is the relative accuracy
+ * of the table. */
+static void covered(const char *answer, const char *key, const struct csv *csv, const char *column,
+                    double digits)
 {
-    double d = exp(uniform(log(1e-3), log(k % 8 ? 0.8 : 20))), s = exp(uniform(log(0.02), log(0.99)));
-    double rho = k % 3 == 0 ? uniform(0, fmin(d / 2, 0.49)) : 0;
-    compute = exact = domq_compute_default();
-    compute.precision = k % 2 ? DOM_FLOAT : DOM_DOUBLE;
-    compute.errors = true;
-    compute.tol = domq_arithmetic(compute.precision)->tol_default * either(1, 10);
-    exact.precision = DOM_QUAD;
-    exact.tol = 1e-24;
-    train = domq_train_default();
-    train.s = rounded(s);
-    train.d = rounded(d);
-    train.r = rounded(1 + (1 / s - 1) * uniform(0, 1) * either(1, 0.05));
-    train.q = rounded(either(3, uniform(2, 5)));
-    train.alpha = k % 4 < 2 ? rounded(atan(d) * uniform(-1, 1) * either(0.9999, 0.3)) : 0;
-    train.mu = k % 5 == 0 ? rounded(uniform(0, 0.5)) : 0;
-    train.rho = rounded(rho);
-}
-
-/* Compares the members of a result with the same result in quad. */
-static void compare(enum result result, const domq_real *got, const domq_real *want, const domq_real *error,
-                    size_t size)
-{
-    const double unit = domq_arithmetic(compute.precision)->epsilon / 2;
-    for (size_t i = 0; i < size / sizeof *error; i++) {
-        struct tally *t = &tally[result][i];
-        double off = fabs((double)(got[i] - want[i])), bound = (double)error[i];
-        if (train.rho != 0)
-            assert_true(isnan(bound));
-        if (isnan(bound) || isnan((double)want[i]) || isnan((double)got[i]))
-            continue;
-        t->bounds++;
-        t->wide += bound > fmax(wide * off, fmax(wide * unit, (double)compute.tol) * fabs((double)want[i]));
-        if (off <= bound)
-            continue;
-        print_message("%s: %s[%zu] = %.20g, in quad %.20g: the error of %.3g is %.3g times its bound\n"
-                      "s %.17g r %.17g d %.17g q %.17g alpha %.17g mu %.17g rho %.17g\n",
-                      domq_arithmetic(compute.precision)->name, result_name[result], i, (double)got[i],
-                      (double)want[i], off, off / bound, (double)train.s, (double)train.r, (double)train.d,
-                      (double)train.q, (double)train.alpha, (double)train.mu, (double)train.rho);
-        fail();
-    }
-}
-
-/* Compares the result of a call with its result in quad. The call reads `how` and writes to `answer`. */
-#define COMPARE(result, type, first, call)                                                                   \
-    do {                                                                                                     \
-        struct domq_##type got, want, *answer = &got;                                                        \
-        const struct domq_compute *how = &compute;                                                           \
-        enum dom_status status = call;                                                                       \
-        answer = &want;                                                                                      \
-        how = &exact;                                                                                        \
-        if (status == DOM_OK && call == DOM_OK)                                                              \
-            compare(result, &got.first, &want.first, (const domq_real *)&got.error, sizeof got.error);       \
-    } while (0)
-
-struct chain {
-    struct domq_link link[LINKS];
-    size_t count;
-};
-
-static bool link_seen(const struct domq_link *link, void *context)
-{
-    struct chain *chain = context;
-    chain->link[chain->count++] = *link;
-    return chain->count < LINKS;
-}
-
-static void compare_chains(domq_real theta)
-{
-    struct chain got = {.count = 0}, want = {.count = 0};
-    if (domq_chain_walk(&train, &compute, theta, link_seen, &got) != DOM_OK ||
-        domq_chain_walk(&train, &exact, theta, link_seen, &want) != DOM_OK)
+    const char *field = csv_text(csv, column);
+    const domq_real got = number_of(answer, key, ""), error = number_of(answer, key, "_error");
+    if (!*field)
         return;
-    for (size_t i = 0; i < got.count && i < want.count; i++)
-        compare(LINK, &got.link[i].theta, &want.link[i].theta, (domq_real *)&got.link[i].error,
-                sizeof got.link[i].error);
+    const domq_real want = quad_read(field, NULL), off = quad(fabs)(got - want);
+    if (isnan(error))
+        fail_msg("%s has no error in %s", key, answer);
+    if (!(off <= error + (domq_real)digits * quad(fabs)(want)))
+        fail_msg("%s is off by %.3g, with an error of %.3g, in %s", key, (double)off, (double)error, answer);
+    compared++;
 }
 
-TEST(bounds_hold)
+static const char *ask(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static const char *ask(const char *format, ...)
 {
-    for (int k = 0; k < SCENES; k++) {
-        struct domq_angles angles;
-        scene(k);
-        if (domq_angles_find(&train, &compute, &angles) != DOM_OK)
-            continue;
-        domq_real theta = rounded((double)angles.theta_c * uniform(0, 0.9999));
-        COMPARE(ANGLES, angles, theta_c, domq_angles_find(&train, how, answer));
-        COMPARE(CONTACT, contact, theta_1, domq_contact_find(&train, how, theta, answer));
-        compare_chains(theta);
-        COMPARE(ENERGY, energy, dH, domq_energy_find(&train, how, theta, answer));
-        COMPARE(FUELS, fuels, exact, domq_fuel_find(&train, how, answer));
-        COMPARE(LAUNCH, launch, fuel, domq_launch_find(&train, how, answer));
-        COMPARE(BARRIER, barrier, theta_m, domq_barrier_find(&train, how, answer));
-        COMPARE(STATE, state, theta, domq_cycle_state(&train, how, theta, answer));
-        COMPARE(OMEGASQ, value, value, domq_cycle_omegasq(&train, how, theta, answer));
-        COMPARE(STOP, value, value, domq_cycle_stop(&train, how, answer));
-        COMPARE(DURATION, value, value, domq_cycle_duration(&train, how, answer));
-        if (k % 5 == 1) {
-            COMPARE(RMAX, limit, r_max, domq_limit_rmax(&train, how, answer));
-            COMPARE(PAIR, limit, r_max, domq_limit_pair(&train, how, answer));
-        }
+    char line[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    return answer_to(line);
+}
+
+/* Points.csv has 25 digits, but only 14 of the durations. */
+static const double all = 1e-19, duration_digits = 1e-13;
+
+static void points(const char *precision)
+{
+    struct csv *csv = csv_open("tests/reference/points.csv");
+    compared = 0;
+    while (csv_next(csv)) {
+        const char *theta = csv_text(csv, "theta");
+        ask("reset; set output json; set errors on; set precision %s; s = %s; r = %s; q = %s; d = %s",
+            precision, csv_text(csv, "s"), csv_text(csv, "r"), csv_text(csv, "q"), csv_text(csv, "d"));
+        const char *a = ask("thetac");
+        covered(a, "theta_c", csv, "theta_c", all);
+        covered(a, "theta_f", csv, "theta_f", all);
+        covered(a, "theta_leave", csv, "theta_leave", all);
+        a = ask("theta1 %s", theta);
+        covered(a, "theta_1", csv, "theta_1", all);
+        covered(a, "slope", csv, "dtheta_1", all);
+        a = ask("energy %s", theta);
+        covered(a, "J0", csv, "J0", all);
+        covered(a, "J", csv, "J", all);
+        covered(a, "dH", csv, "dH", all);
+        a = ask("fuel");
+        covered(a, "fuel_exact", csv, "fuel_exact", all);
+        covered(a, "fuel_paper", csv, "fuel_paper", all);
+        a = ask("barrier");
+        covered(a, "theta_m", csv, "theta_m", all);
+        covered(a, "barrier", csv, "barrier", all);
+        a = ask("launch");
+        if (!isnan(number_of(a, "omega0sq", "")))
+            covered(a, "omega0sq", csv, "omega0sq_exact", all);
+        a = ask("duration");
+        if (!isnan(number_of(a, "duration", "")))
+            covered(a, "duration", csv, "duration_exact", duration_digits);
     }
+    print_message("# %s: %d numbers\n", precision, compared);
+    assert_true(compared > 180);
 }
 
-TEST(bounds_are_close)
+TEST(errors_cover_the_differences_from_the_tables)
 {
-    int failures = 0;
-    for (int i = 0; i < RESULTS; i++)
-        for (int k = 0; k < MEMBERS; k++) {
-            const struct tally *t = &tally[i][k];
-            if (2 * t->wide <= t->bounds)
-                continue;
-            print_message("%s[%d]: %ld of %ld bounds are too wide\n", result_name[i], k, t->wide, t->bounds);
-            failures++;
-        }
-    for (int i = 0; i < RESULTS; i++)
-        assert_true(tally[i][0].bounds > 0);
-    assert_int_equal(failures, 0);
+    begin();
+    points("float");
+    points("double");
+}
+
+/* This table is for the numbers in double precision that are nearest to its parameters. */
+TEST(errors_with_friction)
+{
+    struct csv *csv = csv_open("tests/reference/friction.csv");
+    compared = 0;
+    while (csv_next(csv)) {
+        ask("reset; set output json; set errors on; s = %.60g; r = %.60g; q = %.60g; d = %.60g; effect "
+            "friction %.60g",
+            csv_number(csv, "s"), csv_number(csv, "r"), csv_number(csv, "q"), csv_number(csv, "d"),
+            csv_number(csv, "mu"));
+        covered(ask("launch"), "omega0sq", csv, "omegasq_0", all);
+        covered(ask("omega %.60g", csv_number(csv, "theta_1")), "omegasq", csv, "omegasq_1", all);
+        covered(ask("omega %.60g", csv_number(csv, "theta_2")), "omegasq", csv, "omegasq_2", all);
+        covered(ask("duration"), "duration", csv, "duration", all);
+        covered(ask("rmax"), "r_max", csv, "r_max", all);
+    }
+    print_message("# %d numbers\n", compared);
+    assert_true(compared > 100);
+}
+
+TEST(errors_of_growths)
+{
+    struct csv *csv = csv_open("tests/reference/rmax.csv");
+    compared = 0;
+    while (csv_next(csv)) {
+        ask("reset; set output json; set errors on; s = %s; q = %s; d = %s; set fuel %s", csv_text(csv, "s"),
+            csv_text(csv, "q"), csv_text(csv, "d"), csv_text(csv, "fuel"));
+        /* The table has 18 digits of a growth in double precision. */
+        covered(ask("rmax"), "r_max", csv, "r_max", 2e-15);
+    }
+    assert_true(compared > 40);
 }

@@ -58,8 +58,8 @@ TEST(events_are_in_order)
         assert_true(events[0].kind == DOM_EVENT_LAUNCH && events[0].theta == 0 && events[0].time == 0);
         for (int k = 1; k < n; k++)
             assert_true(events[k].theta >= events[k - 1].theta && events[k].time >= events[k - 1].time);
-        bool good = ask_barrier_find(&train, &barrier, NULL) == DOM_OK;
-        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+        bool good = ask_barrier_find(&train, &barrier) == DOM_OK;
+        assert_status(ask_angles_find(&train, &angles), DOM_OK);
         assert_true(events[n - 1].kind == (good ? DOM_EVENT_HIT : DOM_EVENT_STOP));
         if (good)
             assert_near("hit", events[n - 1].theta, angles.theta_c, 1e-15);
@@ -74,8 +74,7 @@ TEST(events_are_in_order)
                 /* The leader of the domino has reached theta_leave, and the domino has the tilt theta_f. */
                 struct domq_contact c = {.theta_1 = events[k].theta};
                 for (size_t j = 1; j < events[k].domino; j++)
-                    assert_status(ask_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
-                                  DOM_OK);
+                    assert_status(ask_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c), DOM_OK);
                 double leader = events[k].domino == 1 ? (double)events[k].theta : (double)c.theta_1;
                 assert_near("leader", leader, angles.theta_leave, 1e-12);
             }
@@ -100,7 +99,7 @@ TEST(ledger_closes)
             double theta = k % 2 ? ((double)events[k / 2].theta + (double)events[k / 2 + 1].theta) / 2
                                  : (double)events[k / 2].theta;
             struct domq_state s;
-            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_state(&train, theta, &s), DOM_OK);
             double size = (double)s.before + fabs((double)s.climbed);
             double open = (double)(s.before - s.lost - s.climbed - s.friction_work - s.kinetic);
             if (!(fabs(open) <= (i % 5 ? 1e-11 : 1e-12) * size))
@@ -131,9 +130,9 @@ TEST(acceleration_is_the_slope_of_omega)
                h = 1e-4 * end;
         if (near_event(events, n, theta, 20 * h))
             continue;
-        assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &s), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta - h, &below), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta + h, &above), DOM_OK);
         double slope = (double)(above.omegasq - below.omegasq) / (4 * h);
         double scale = fabs((double)s.acceleration) + (double)s.omegasq / end;
         if (!(fabs(slope - (double)s.acceleration) <= (i % 5 ? 1e-5 : 1e-6) * scale))
@@ -182,9 +181,9 @@ TEST(forces_hold_the_train_together)
             struct smallest seen = {.train = &train, .head = 0, .force = 1, .impulse = 1};
             struct domq_state s;
             struct domq_contact c;
-            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_state(&train, theta, &s), DOM_OK);
             assert_status(ask_cycle_forces(&train, theta, force_seen, &seen), DOM_OK);
-            assert_status(ask_contact_find(&train, theta, &c, NULL), DOM_OK);
+            assert_status(ask_contact_find(&train, theta, &c), DOM_OK);
             double d = (double)train.d, gravity = (sin(theta) - d * cos(theta)) / 2;
             double torque = isnan((double)c.arm_a) ? 0 : seen.head * (double)c.arm_a;
             double scale = fabs(gravity) + fabs((double)s.acceleration) + fabs(torque);
@@ -214,13 +213,13 @@ TEST(tilt_inverts_time)
         double whole = (double)events[n - 1].time;
         for (int k = 1; k < 4; k++) {
             assert_status(ask_cycle_tilt(&train, k * whole / 4, &theta), DOM_OK);
-            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_state(&train, theta, &s), DOM_OK);
             assert_near("time", s.time, k * whole / 4, 1e-9);
             checked++;
         }
         assert_status(ask_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TIME);
         assert_status(ask_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TIME);
-        if (events[n - 1].kind == DOM_EVENT_HIT && ask_cycle_duration(&train, &duration, NULL) == DOM_OK)
+        if (events[n - 1].kind == DOM_EVENT_HIT && ask_cycle_duration(&train, &duration) == DOM_OK)
             assert_near("duration", duration, whole, 1e-9);
     }
     assert_true(checked > 50);

@@ -19,20 +19,20 @@ static void check_geometry(const struct csv *csv, const struct setup *train, dou
     struct domq_angles angles;
     struct domq_contact first, second;
     double theta = csv_number(csv, "theta");
-    assert_status(ask_angles_find(train, &angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(train, &angles), DOM_OK);
     assert_near("theta_c", angles.theta_c, csv_number(csv, "theta_c"), bound);
     assert_near("theta_f", angles.theta_f, csv_number(csv, "theta_f"), bound);
     double leave = csv_number(csv, "theta_leave");
     assert_int_equal(angles.detaches, !isnan(leave));
     if (angles.detaches)
         assert_near("theta_leave", angles.theta_leave, leave, bound);
-    assert_status(ask_contact_find(train, theta, &first, NULL), DOM_OK);
+    assert_status(ask_contact_find(train, theta, &first), DOM_OK);
     assert_near("theta_1", first.theta_1, csv_number(csv, "theta_1"), bound);
     assert_near("slope", first.slope, csv_number(csv, "dtheta_1"), bound);
     assert_near("a / b", first.arm_a / first.arm_b, first.slope, 1e-12);
     double theta_2 = csv_number(csv, "theta_2");
     if (!isnan(theta_2) && first.theta_1 < angles.theta_c) {
-        assert_status(ask_contact_find(train, first.theta_1, &second, NULL), DOM_OK);
+        assert_status(ask_contact_find(train, first.theta_1, &second), DOM_OK);
         assert_near("theta_2", second.theta_1, theta_2, bound);
     }
 }
@@ -47,27 +47,27 @@ static void check_dynamics(const struct csv *csv, struct setup train, const stru
     struct domq_barrier barrier;
     train.fuel = paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
 
-    assert_status(ask_energy_find(&train, theta, &energy, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, theta, &energy), DOM_OK);
     assert_near("J0", energy.J0, csv_number(csv, "J0"), bounds->digits);
     assert_near("J", energy.J, csv_number(csv, "J"), bounds->digits);
     assert_near("dH", energy.dH, csv_number(csv, "dH"), bounds->digits);
-    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels), DOM_OK);
     assert_near("fuel_paper", fuels.paper, csv_number(csv, "fuel_paper"), bounds->digits);
     assert_near("fuel_exact", fuels.exact, csv_number(csv, "fuel_exact"), bounds->digits);
 
     double P = paper ? fuels.paper : fuels.exact;
     double omega0sq = csv_number(csv, paper ? "omega0sq_paper" : "omega0sq_exact");
-    assert_status(ask_launch_find(&train, &launch, NULL), P > 0 ? DOM_OK : DOM_NO_FUEL);
-    enum dom_status verdict = ask_barrier_find(&train, &barrier, NULL);
+    assert_status(ask_launch_find(&train, &launch), P > 0 ? DOM_OK : DOM_NO_FUEL);
+    enum dom_status verdict = ask_barrier_find(&train, &barrier);
     assert_near("barrier", barrier.barrier, csv_number(csv, "barrier"), bounds->digits);
     /* The tilt of a flat maximum is the zero of H', and is as well conditioned as H'. */
     assert_near("theta_m", barrier.theta_m, csv_number(csv, "theta_m"), 10 * bounds->digits);
     if (P <= 0) {
         assert_status(verdict, DOM_NO_FUEL);
         assert_true(isnan(launch.omegasq) && isnan(barrier.kinetic) && isnan(barrier.margin));
-        assert_status(ask_cycle_omegasq(&train, theta, &omegasq, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_omegasq(&train, theta, &omegasq), DOM_NO_FUEL);
         assert_true(isnan(omegasq));
-        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_duration(&train, &duration), DOM_NO_FUEL);
         return;
     }
     assert_near("omega0sq", launch.omegasq, omega0sq, bounds->digits);
@@ -76,13 +76,13 @@ static void check_dynamics(const struct csv *csv, struct setup train, const stru
     assert_status(verdict, margin >= 0 ? DOM_OK : DOM_STOPS);
 
     double formal = csv_number(csv, paper ? "omegasq_paper" : "omegasq_exact");
-    enum dom_status way = ask_cycle_omegasq(&train, theta, &omegasq, NULL);
+    enum dom_status way = ask_cycle_omegasq(&train, theta, &omegasq);
     if (way == DOM_OK)
         assert_near("omegasq", omegasq, formal, bounds->digits);
     else
         assert_true(verdict == DOM_STOPS && isnan(omegasq));
     double expected = csv_number(csv, paper ? "duration_paper" : "duration_exact");
-    enum dom_status whole = ask_cycle_duration(&train, &duration, NULL);
+    enum dom_status whole = ask_cycle_duration(&train, &duration);
     assert_status(whole, verdict);
     if (!isnan(expected))
         assert_near("duration", duration, expected, bounds->duration);
@@ -126,11 +126,11 @@ TEST(largest_growth)
         train.d = csv_number(csv, "d");
         train.fuel = strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         train.tol = 1e-15;
-        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
         assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
         assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
         train.tol = 1e-12;
-        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
         assert_near("r_max at 1e-12", limit.r_max, csv_number(csv, "r_max"), 1e-12);
     }
     assert_int_equal(rows, 42);
@@ -144,7 +144,7 @@ TEST(largest_growth_of_a_pair)
         struct domq_limit limit;
         struct setup train = csv_train(csv);
         train.tol = 1e-15;
-        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &limit), DOM_OK);
         assert_near("pair r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
         assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
     }

@@ -50,7 +50,7 @@ union result {
     struct dom_fuels fuels;
     struct dom_launch launch;
     struct dom_barrier barrier;
-    struct dom_value value;
+    double value;
     struct dom_state state;
     struct dom_event events[DOM_EVENTS_MAX];
     struct dom_least_force least;
@@ -197,7 +197,7 @@ TEST(tilts_and_times)
 {
     const struct dom_train t = dom_train_default();
     struct dom_angles angles;
-    struct dom_value whole, value;
+    double whole, value;
     union result result;
     double theta = -7;
     assert_status(dom_angles_find(&t, NULL, &angles), DOM_OK);
@@ -211,7 +211,7 @@ TEST(tilts_and_times)
         assert_named(dom_cycle_omegasq(&t, NULL, bad[k], &value), DOM_BAD_TILT);
         assert_named(dom_cycle_state(&t, NULL, bad[k], &result.state), DOM_BAD_TILT);
         assert_named(dom_cycle_forces(&t, NULL, bad[k], never_force, NULL), DOM_BAD_TILT);
-        double time = k == 1 ? whole.value * (1 + 1e-9) : bad[k];
+        double time = k == 1 ? whole * (1 + 1e-9) : bad[k];
         assert_named(dom_cycle_tilt(&t, NULL, time, &theta), DOM_BAD_TIME);
     }
     assert_true(theta == -7);

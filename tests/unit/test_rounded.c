@@ -19,7 +19,7 @@ static struct setup train_of(double s, double rho, double mu)
 static double rmax_of(const struct setup *train)
 {
     struct domq_limit limit = {.r_max = DOM_NAN};
-    assert_status(ask_limit_rmax(train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(train, &limit), DOM_OK);
     return (double)limit.r_max;
 }
 
@@ -41,8 +41,8 @@ TEST(edges_become_sharp)
         slight.rho = 1e-12;
         assert_near("r_max", rmax_of(&slight), rmax_of(&sharp), 1e-9);
         struct domq_best a, b;
-        assert_status(ask_limit_best(&sharp, &a, NULL), DOM_OK);
-        assert_status(ask_limit_best(&slight, &b, NULL), DOM_OK);
+        assert_status(ask_limit_best(&sharp, &a), DOM_OK);
+        assert_status(ask_limit_best(&slight, &b), DOM_OK);
         assert_near("best", (double)b.r_max, (double)a.r_max, 1e-7);
         k += 2 * (k < 3);
     }
@@ -62,10 +62,10 @@ TEST(contacts)
         train.rho = train.d / 2 * random_log(&seed, 1e-9, 1);
         train.r = 1 + (1 / train.s - 1) * random_unit(&seed);
         train.precision = n % 8 ? DOM_DOUBLE : DOM_QUAD;
-        if (ask_angles_find(&train, &angles, NULL) != DOM_OK)
+        if (ask_angles_find(&train, &angles) != DOM_OK)
             continue;
         domq_real theta = angles.theta_c * random_log(&seed, 1e-6, 1);
-        assert_status(ask_contact_find(&train, theta, &contact, NULL), DOM_OK);
+        assert_status(ask_contact_find(&train, theta, &contact), DOM_OK);
         if (isnan((double)contact.arm_a)) /* the follower has detached */
             continue;
         const long double rho = (long double)train.rho, r = (long double)train.r, d = (long double)train.d,
@@ -146,7 +146,7 @@ TEST(trains_anywhere)
         struct domq_barrier barrier, finer;
         train.precision = n % 4 ? DOM_DOUBLE : DOM_FLOAT;
         train.tol = domq_arithmetic(train.precision)->tol_default;
-        const enum dom_status status = ask_barrier_find(&train, &barrier, NULL);
+        const enum dom_status status = ask_barrier_find(&train, &barrier);
         goes += status == DOM_OK;
         stops += status == DOM_STOPS;
         if (status != DOM_OK && status != DOM_STOPS && status != DOM_LOCKS && status != DOM_NO_FUEL)
@@ -156,7 +156,7 @@ TEST(trains_anywhere)
             continue;
         train.precision = DOM_QUAD;
         train.tol = 1e-16;
-        assert_status(ask_barrier_find(&train, &finer, NULL), status);
+        assert_status(ask_barrier_find(&train, &finer), status);
         assert_near("kinetic", (double)barrier.kinetic, (double)finer.kinetic, 1e-10);
         assert_near("barrier", (double)barrier.barrier, (double)finer.barrier, 1e-10);
     }
@@ -180,7 +180,7 @@ TEST(best_separations)
         train.d = table[i].d;
         train.q = table[i].q;
         train.alpha = table[i].alpha;
-        assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
+        assert_status(ask_limit_best(&train, &best), DOM_OK);
         train.s = best.s;
         assert_near("r_max of the best", rmax_of(&train), (double)best.r_max, 1e-11);
         for (int k = -8; k <= 8; k++) {
@@ -310,7 +310,7 @@ TEST(newtons_law)
         double none[MOST], turned[MOST];
         double mu = scene[k][3], theta = scene[k][4], step = 1e-4;
         train.r = scene[k][1];
-        assert_status(ask_cycle_state(&train, theta, &at, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &at), DOM_OK);
         train_make(now, MOST, &train, scene[k][2]);
         train_make(low, MOST, &train, scene[k][2]);
         train_make(high, MOST, &train, scene[k][2]);
@@ -335,8 +335,8 @@ TEST(newtons_law)
          * theta_c. */
         struct domq_launch launch;
         struct domq_angles angles;
-        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch), DOM_OK);
+        assert_status(ask_angles_find(&train, &angles), DOM_OK);
         lean(now, MOST, 0);
         lean(high, MOST, step);
         assert_near("theta_c", now[1].theta, (double)angles.theta_c, 1e-12);
@@ -399,8 +399,8 @@ TEST(rows_are_trains)
         }
         assert_status(ask_row_run(&row, true, last_seen, &last, &verdict), DOM_OK);
         assert_int_equal(verdict.end, DOM_ROW_FALLS);
-        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
         scale.h = domino[COUNT - 1].height;
         double tau = (double)domq_scale_tau(&scale, &train_tau);
         assert_near("omega", (double)last.omega * tau, sqrt((double)launch.omegasq), 1e-9);
@@ -416,14 +416,14 @@ TEST(radii_that_do_not_fit)
     train.rho = train.d / 2 + 1e-9;
     assert_status(ask_train_check(&train), DOM_NO_ROUND);
     train.rho = train.d / 2;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
     assert_true(limit.r_max > 1);
     train.rho = 0.01;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
     train.method = DOM_METHOD_GSL;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.method = DOM_METHOD_OURS;
     train.s = 1; /* the reach of a rounded domino is less than its height */
     train.r = 1;

@@ -163,9 +163,9 @@ TEST(uniform_rows_become_the_train)
         train.r = some[i][1];
         train.q = some[i][2];
         train.mu = some[i][3];
-        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
-        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch), DOM_OK);
+        assert_status(ask_barrier_find(&train, &barrier), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
         make_row(&run, MOST, some[i][0], some[i][1], some[i][3]);
         ask_row_of_train(&train, &scale, 0.01, run.domino, MOST);
         run.row.push = 5 * push_over(run.domino);

@@ -58,7 +58,7 @@ TEST(two_are_the_pair)
         struct family f = family_of(0.1 * i, 7.0 / 48, i % 2 ? 3 : 4);
         struct domq_limit pair;
         struct row_setup row = row_of(2, DOMQ_NAN);
-        assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&f.train, &pair), DOM_OK);
         if (pair.ends == DOM_END_NONE)
             continue;
         struct domq_row_growth growth = growth_of(&f, &row);
@@ -83,7 +83,7 @@ TEST(falls_from_above_one)
         struct domq_limit pair;
         struct row_setup row = row_of(2, DOMQ_NAN);
         row.alpha = f.train.alpha = (domq_real)scenes[i][3];
-        assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&f.train, &pair), DOM_OK);
         struct domq_row_growth growth = growth_of(&f, &row);
         assert_true(pair.ends != DOM_END_NONE);
         assert_near("r_max", growth.r_max, pair.r_max, 1e-11);
@@ -101,7 +101,7 @@ TEST(long_rows_are_the_train)
         struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
         struct domq_limit limit;
         struct row_setup row = row_of(60, 60);
-        assert_status(ask_limit_rmax(&f.train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&f.train, &limit), DOM_OK);
         struct domq_row_growth growth = growth_of(&f, &row);
         assert_near("r_max", growth.r_max, limit.r_max, 1e-6);
         assert_int_equal(growth.ends, limit.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);

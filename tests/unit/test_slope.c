@@ -24,7 +24,7 @@ TEST(largest_growths)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct domq_limit limit;
         struct setup train = train_of(table[i][0], table[i][1], 0);
-        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
         assert_near("r_max", (double)limit.r_max, table[i][2], 3e-9);
     }
 }
@@ -39,7 +39,7 @@ TEST(slopes_that_do_not_hold)
         train.alpha = side * edge * (1 + 1e-12);
         assert_status(ask_train_check(&train), DOM_NO_STAND);
         train.alpha = side * edge * (1 - 1e-12);
-        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_status(ask_angles_find(&train, &angles), DOM_OK);
         assert_near("theta_u", (double)angles.theta_u, edge - (double)train.alpha, 1e-3);
     }
     train.alpha = 2;
@@ -47,11 +47,11 @@ TEST(slopes_that_do_not_hold)
     train.alpha = 0.01;
     train.method = DOM_METHOD_GSL;
     struct domq_limit limit;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
     train.method = DOM_METHOD_OURS;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
-    assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+    assert_status(ask_limit_pair(&train, &limit), DOM_OK);
     struct domq_launch launch;
-    assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
+    assert_status(ask_launch_find(&train, &launch), DOM_NO_METHOD);
 }

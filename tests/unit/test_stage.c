@@ -14,7 +14,7 @@ static const double some_trains[][4] = {/* s, r, d, q */
 static enum dom_status setup_stage(const struct setup *setup, domq_real theta, struct stage *stage)
 {
     const struct domq_train train = setup_train(setup);
-    const struct domq_compute compute = setup_compute(setup, false);
+    const struct domq_compute compute = setup_compute(setup);
     return stage_train(stage, &train, &compute, theta, 0);
 }
 
@@ -49,7 +49,7 @@ static bool view_next(struct view *v, int k)
         v->train.q = some_trains[which][3];
     } else if (k % TILTS == 0)
         v->train = random_train(&seed);
-    assert_status(ask_angles_find(&v->train, &v->angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(&v->train, &v->angles), DOM_OK);
     v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
     assert_status(setup_stage(&v->train, v->theta, &v->stage), DOM_OK);
     return true;

@@ -95,14 +95,14 @@ static long solve(int job, void *context)
     if (job >= GROWTHS) {
         scene_duration(scene, &a->found);
         a->row = scene_duration_of_row(scene);
-        a->exact = ask_cycle_duration(&train, &duration, NULL) == DOM_OK ? (double)duration : (double)NAN;
+        a->exact = ask_cycle_duration(&train, &duration) == DOM_OK ? (double)duration : (double)NAN;
         return 0;
     }
     scene_growth(scene, &a->found);
     a->row = scene_growth_of_row(scene);
-    a->exact = ask_limit_rmax(&train, &limit, NULL) == DOM_OK ? (double)limit.r_max : (double)NAN;
+    a->exact = ask_limit_rmax(&train, &limit) == DOM_OK ? (double)limit.r_max : (double)NAN;
     train.fuel = DOM_FUEL_PAPER;
-    if (ask_limit_rmax(&train, &limit, NULL) == DOM_OK)
+    if (ask_limit_rmax(&train, &limit) == DOM_OK)
         a->paper = (double)limit.r_max;
     a->again = a->found.other_contact && fabs(off(a->found.value, a->row)) > scene_still;
     if (a->again) {

@@ -28,7 +28,7 @@ static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
     struct sums at = {0};
-    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at);
     return -at.dH;
 }
 
@@ -84,7 +84,7 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
     enum dom_status status = geometry_set(&c->geometry, (double)c->train->s, r);
     if (status == DOM_OK) {
         far_make(&c->geometry, 16);
-        status = c->geometry.dynamics->collide(&c->geometry, c->train->fuel, &launch, NULL);
+        status = c->geometry.dynamics->collide(&c->geometry, c->train->fuel, &launch);
     }
     if (status == DOM_OK)
         status = gsl_barrier(c, b);
@@ -100,8 +100,8 @@ static enum dom_status gsl_barrier_find(const struct request *train, struct dom_
     dom_quiet_begin();
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     dom_quiet_end();
-    if (status != DOM_OK || train->errors)
-        return status != DOM_OK ? status : DOM_NO_METHOD;
+    if (status != DOM_OK)
+        return status;
     if (!(c.kinetic > 0))
         c.kinetic = (double)DOM_NAN;
     *barrier = (struct dom_barrier){
@@ -136,8 +136,6 @@ static enum dom_status gsl_root(struct gsl_context *c, double lo, double hi, dou
 
 static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_limit *limit)
 {
-    if (train->errors)
-        return DOM_NO_METHOD;
     dom_quiet_begin();
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
@@ -162,7 +160,7 @@ static double gsl_slowness(double theta, void *context)
 {
     struct gsl_context *c = context;
     struct sums at = {.J = 1};
-    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at);
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
@@ -181,10 +179,8 @@ static enum dom_status gsl_integral(struct gsl_context *c, dom_real *duration)
     return c->status != DOM_OK ? c->status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 
-static enum dom_status gsl_cycle_duration(const struct request *train, struct dom_value *duration)
+static enum dom_status gsl_cycle_duration(const struct request *train, dom_real *duration)
 {
-    if (train->errors)
-        return DOM_NO_METHOD;
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
     struct barrier b;
@@ -193,7 +189,7 @@ static enum dom_status gsl_cycle_duration(const struct request *train, struct do
     if (status == DOM_OK && c.kinetic < b.height)
         status = DOM_STOPS;
     if (status == DOM_OK)
-        status = gsl_integral(&c, &duration->value);
+        status = gsl_integral(&c, duration);
     dom_quiet_end();
     return status;
 }

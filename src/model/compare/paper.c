@@ -96,7 +96,7 @@ static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *h
 static enum dom_status paper_launch_find(const struct request *train, struct dom_launch *launch)
 {
     struct paper p;
-    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
         *launch = (struct dom_launch){.fuel = p.P,
                                       .J0 = p.J0,
@@ -111,7 +111,7 @@ static enum dom_status paper_fuel_find(const struct request *train, struct dom_f
     struct request exact = *train;
     struct paper p;
     exact.fuel = DOM_FUEL_EXACT;
-    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(&exact, (double)train->r, &p);
+    enum dom_status status = paper_begin(&exact, (double)train->r, &p);
     if (status == DOM_OK)
         *fuels = (struct dom_fuels){.exact = p.P, .paper = 1 - cos(p.theta_f) - p.d * sin(p.theta_f)};
     return status;
@@ -121,7 +121,7 @@ static enum dom_status paper_barrier_find(const struct request *train, struct do
 {
     struct paper p;
     double theta_m, height;
-    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
         status = paper_barrier(&p, &theta_m, &height);
     if (status != DOM_OK)
@@ -134,8 +134,6 @@ static enum dom_status paper_barrier_find(const struct request *train, struct do
 static enum dom_status paper_limit_rmax(const struct request *train, struct dom_limit *limit)
 {
     double reach = 1 / (double)train->s, step = sqrt((double)train->tol) / 2, before = 0;
-    if (train->errors)
-        return DOM_NO_METHOD;
     for (size_t k = 1; 1 + (double)k * step < reach; k++) {
         double r = 1 + (double)k * step;
         struct paper p;
@@ -160,10 +158,10 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
 }
 
 /* Integrates 1/(tau omega) with the trapezoidal rule, since the paper names no method. */
-static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
+static enum dom_status paper_cycle_duration(const struct request *train, dom_real *duration)
 {
     struct paper p;
-    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = paper_begin(train, (double)train->r, &p);
     if (status != DOM_OK)
         return status;
     size_t steps = (size_t)ceil(2 / sqrt(p.tol));
@@ -176,7 +174,7 @@ static enum dom_status paper_cycle_duration(const struct request *train, struct 
         sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
     }
     if (p.status == DOM_OK)
-        duration->value = sum * p.theta_c / (double)steps;
+        *duration = sum * p.theta_c / (double)steps;
     return p.status;
 }
 

@@ -66,10 +66,7 @@ struct question question_make(const struct dom_train *train, const struct dom_co
     struct question q = {
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
                     .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
-                    .method = compute.method,
-                    /* with rounded edges, no error bounds are known */
-                    .errors = compute.errors && train->rho == 0, .work = compute.work,
-                    .interrupt = compute.interrupt}};
+                    .method = compute.method, .work = compute.work, .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
     q.status = request_check(&q.request);

@@ -40,10 +40,9 @@ struct launch {
 /* The state in which a motion begins, with the head at the tilt `from`. */
 struct start {
     struct tilt from;
-    real J;             /* inertia of all moving dominoes (20; c2) */
-    real omegasq;       /* tau^2 omega^2 */
-    real kinetic;       /* J omegasq */
-    real kinetic_error; /* error bound on `kinetic` */
+    real J;       /* inertia of all moving dominoes (20; c2) */
+    real omegasq; /* tau^2 omega^2 */
+    real kinetic; /* J omegasq */
 };
 
 /* A law of motion. A function whose comment begins with "Optional" may be NULL. */
@@ -70,10 +69,8 @@ struct dynamics {
      * Sets *braked to true if the motion slows down just before this tilt, and to false if it speeds up. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
-    /* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). Also
-     * finds error bounds unless `error` is NULL. */
-    enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
-                               struct launch *error);
+    /* Finds the launch of a train in which each cycle repeats the cycle before, scaled by r (24; c6). */
+    enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch);
     /*
      * Finds the inertia ratio of the collision in which the head of the chain `hitting` hits the domino
      * described by `next`. In this collision, the head has the tilt `at`, and the chain has the inertia J.
@@ -91,9 +88,9 @@ struct dynamics {
     /* Optional. Returns an estimate of the error of required energies. The error may be large compared with a
      * small barrier. */
     real (*required_energy_error)(const struct geometry *geometry);
-    /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
+    /* Finds tau^2 omega^2 at a tilt. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
-                             real *omegasq, real *error);
+                             real *omegasq);
     /* Finds 1 / (tau^2 omega^2) at the tilt `end - by` of a motion whose energy is used up at `end`.
      * *slowness is NaN if no energy is left at `end - by`. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
@@ -111,9 +108,8 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if bounds are known for this motion, both on errors and on all trains of a strip
- * (growth/strip.h). If no bounds are known, error bounds are NaN, and searches for a growth or a separation
- * rely on samples alone. */
+/* Returns true if bounds are known on all trains of a strip (growth/strip.h). If no bounds are known,
+ * searches for a growth or a separation rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

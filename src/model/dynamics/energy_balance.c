@@ -3,20 +3,6 @@
 
 /* ---- Fuel ---- */
 
-/* Returns the error bound on the paper's fuel. It covers the rounding errors of two terms and the error of
- * theta_f. */
-static real fuel_paper_error(const struct geometry *geometry)
-{
-    real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
-    if (geometry->detaches) {
-        real rises = x * geometry->f.y + y * geometry->f.x, half = y * geometry->f.x / (1 + geometry->f.y);
-        return rises * geometry_error_f(geometry) + 12 * ROUNDOFF * geometry->f.x * (half + x);
-    }
-    real made_of = s * fabs((y - x) * (y + x)) + 2 * geometry->d * x * x;
-    return 4 * ROUNDOFF * s * made_of / (geometry->L * (y * s + x * geometry->L * geometry->inf.x)) +
-           10 * ROUNDOFF * fabs(geometry->law->paper_fuel(geometry));
-}
-
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c)
 {
     return (struct fuel){.exact = -at_c->dH,
@@ -24,19 +10,13 @@ KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *a
                          .inertia_ratio = geometry->inertia * at_c->J / geometry->upright_inertia};
 }
 
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel)
 {
-    struct sums at_c, e;
-    enum dom_status status =
-        chain_change(geometry, standing, geometry->c, PASS_SHIFT, &at_c, error ? &e : NULL);
-    if (status != DOM_OK)
-        return status;
-    *fuel = fuel_of(geometry, &at_c);
-    if (error) {
-        *error = (struct fuel){e.dH, fuel_paper_error(geometry),
-                               geometry->inertia * e.J + 4 * ROUNDOFF * fuel->inertia_ratio};
-    }
-    return DOM_OK;
+    struct sums at_c;
+    enum dom_status status = chain_change(geometry, standing, geometry->c, PASS_SHIFT, &at_c);
+    if (status == DOM_OK)
+        *fuel = fuel_of(geometry, &at_c);
+    return status;
 }
 
 /* ---- Collision ---- */
@@ -58,35 +38,16 @@ KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fu
 }
 
 static enum dom_status energy_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                      struct launch *launch, struct launch *error)
+                                      struct launch *launch)
 {
-    struct fuel f, e;
+    struct fuel f;
     if (fuel == DOM_FUEL_PAPER && !energy_paper_holds(geometry))
         return DOM_NO_METHOD;
-    enum dom_status status = energy_fuel(geometry, &f, error ? &e : NULL);
+    enum dom_status status = energy_fuel(geometry, &f);
     if (status != DOM_OK)
         return status;
     *launch = launch_of(geometry, fuel, &f);
-    real J0 = launch->J0, kinetic = launch->kinetic;
-    if (error) {
-        real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
-        /* relative rounding error of the denominator and of the operations after it */
-        real powers = 12 * ROUNDOFF;
-        real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
-                          size * (e.inertia_ratio / f.inertia_ratio + powers);
-        real of_J0 = e.inertia_ratio + ROUNDOFF * J0;
-        *error = (struct launch){
-            .fuel = P_error,
-            .J0 = of_J0,
-            .inertia_ratio = e.inertia_ratio,
-            .velocity_ratio =
-                (e.inertia_ratio + of_J0 * f.inertia_ratio / J0) / J0 + ROUNDOFF * f.inertia_ratio / J0,
-            .omegasq = (of_kinetic + size * (of_J0 / J0 + ROUNDOFF)) / J0,
-            .kinetic = of_kinetic,
-            .kinetic_at_hit = of_kinetic + e.exact,
-        };
-    }
-    return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
+    return isfinite(launch->kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 static enum dom_status energy_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
@@ -115,25 +76,23 @@ static enum dom_status energy_required(const struct geometry *geometry, struct t
                                        real *energy)
 {
     struct sums sums;
-    enum dom_status status = chain_change(geometry, from, tilt_half(p), PASS_PLAIN, &sums, NULL);
+    enum dom_status status = chain_change(geometry, from, tilt_half(p), PASS_PLAIN, &sums);
     *energy = sums.dH;
     return status;
 }
 
 /* Solves (21; c3) for tau^2 omega(theta)^2. */
 static enum dom_status energy_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                    real *omegasq, real *error)
+                                    real *omegasq)
 {
     struct tilt head;
-    struct sums at = {0}, e = {0};
+    struct sums at = {0};
     enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_change(geometry, start->from, head, PASS_PLAIN, &at, error ? &e : NULL);
+        status = chain_change(geometry, start->from, head, PASS_PLAIN, &at);
     if (status != DOM_OK)
         return status;
     *omegasq = (start->kinetic - at.dH) / at.J;
-    if (error)
-        *error = (start->kinetic_error + e.dH + fabs(*omegasq) * (e.J + 3 * ROUNDOFF * at.J)) / at.J;
     return DOM_OK;
 }
 
@@ -146,7 +105,7 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);
     if (status == DOM_OK)
-        status = geometry->law->change(geometry, rest, head, tan(-by / 2), PASS_PLAIN, &at, NULL);
+        status = geometry->law->change(geometry, rest, head, tan(-by / 2), PASS_PLAIN, &at);
     if (status == DOM_OK)
         *slowness = at.dH < 0 ? at.J / -at.dH : REAL_NAN;
     return status;

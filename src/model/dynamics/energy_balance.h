@@ -34,7 +34,7 @@ KERNEL bool energy_paper_holds(const struct geometry *geometry)
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
 
 /* Finds the fuel, and its error bounds unless error is NULL. */
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error);
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel);
 
 /* Returns the launch (24; c6) of a train with the fuel and the inertia ratio in *f. */
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f);

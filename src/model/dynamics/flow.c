@@ -248,7 +248,7 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
  * collision. The cycles repeat if the product kappa w(theta_c) equals w(0).
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                    struct launch *launch, struct launch *error)
+                                    struct launch *launch)
 {
     real ln_G, u;
     if (fuel == DOM_FUEL_PAPER)
@@ -270,8 +270,6 @@ KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fu
         .kinetic = flow->J0 * omegasq,
         .kinetic_at_hit = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
     };
-    if (error)
-        *error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
     return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -301,7 +299,7 @@ KERNEL real flow_required_error(const struct geometry *geometry)
 }
 
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                  real *omegasq, real *error)
+                                  real *omegasq)
 {
     struct tilt head;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
@@ -310,8 +308,6 @@ KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct 
     real ln_G, u;
     flow_at(geometry, theta, &ln_G, &u);
     *omegasq = exp(ln_G) * (start->omegasq - u);
-    if (error)
-        *error = REAL_NAN;
     return DOM_OK;
 }
 

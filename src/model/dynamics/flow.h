@@ -30,11 +30,11 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J,
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
                                   const real edge[2], real *hi);
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                    struct launch *launch, struct launch *error);
+                                    struct launch *launch);
 KERNEL enum dom_status flow_required(const struct geometry *geometry, struct tilt from, real p, real *energy);
 KERNEL real flow_required_error(const struct geometry *geometry);
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                  real *omegasq, real *error);
+                                  real *omegasq);
 KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
 KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
                       real J_at);

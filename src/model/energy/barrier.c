@@ -108,8 +108,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (at)
             here = *at;
         else
-            status =
-                chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here, NULL);
+            status = chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here);
         if (status != DOM_OK)
             return status;
         at = NULL;
@@ -353,11 +352,11 @@ KERNEL real balance_tol(real tol, real left, real whole)
 }
 
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
-                                       struct launch *launch, struct launch *error, struct barrier *b)
+                                       struct launch *launch, struct barrier *b)
 {
     real tol;
     do {
-        enum dom_status status = geometry->dynamics->collide(geometry, fuel, launch, error);
+        enum dom_status status = geometry->dynamics->collide(geometry, fuel, launch);
         if (status == DOM_OK)
             status = barrier_search(geometry, end, geometry->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)
@@ -373,85 +372,8 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
 {
     struct sums at;
     if (!geometry->dynamics->conservative || b->height <= 0 ||
-        chain_change(geometry, from, tilt_half(b->half), PASS_SECOND_DERIVATIVE, &at, NULL) != DOM_OK)
+        chain_change(geometry, from, tilt_half(b->half), PASS_SECOND_DERIVATIVE, &at) != DOM_OK)
         return REAL_NAN;
     bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
-}
-
-/* Finds the sign of H' at a tilt, and an upper bound on |H'|. If rounding errors hide the sign, sets *sign to
- * 0. */
-static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
-{
-    struct sums at, e;
-    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
-    if (status != DOM_OK)
-        return status;
-    *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
-    *size = fabs(at.H1) + e.H1;
-    return DOM_OK;
-}
-
-/*
- * Sets *error to a bound on the distance between theta and the exact top of H in [first, last]. The function
- * tries a distance and doubles it until the top is certainly within this distance of theta: H' must be
- * positive at theta minus the distance, and negative at theta plus the distance. A tilt outside [first, last]
- * needs no test. The first distance follows from H''.
- *
- * *steepest is an upper bound on |H'| at the tilts that were tried.
- */
-static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
-                                 real *error, real *steepest)
-{
-    struct tilt head;
-    struct sums at;
-    int sign = 0;
-    real size = 0, least = 8 * ROUNDOFF * theta;
-    enum dom_status status = sure_slope(geometry, theta, &sign, steepest);
-    if (status == DOM_OK)
-        status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_change(geometry, standing, head, PASS_SECOND_DERIVATIVE, &at, NULL);
-    if (status != DOM_OK)
-        return status;
-    *error = least;
-    bool begins = theta <= first && sign < 0, ends = theta >= last * (1 - 4 * REAL_EPSILON) && sign > 0;
-    if (begins || ends)
-        return DOM_OK;
-    real off = fmax(fmin(2 * *steepest / fabs(at.H2), last), fmax(least, REAL_MIN));
-    for (bool sure = false; !sure; off *= 2) {
-        real lo = theta - off, hi = theta + off;
-        int before = 1, after = -1;
-        if (lo > first)
-            status = sure_slope(geometry, lo, &before, &size);
-        *steepest = fmax(*steepest, size);
-        if (status == DOM_OK && hi < last)
-            status = sure_slope(geometry, hi, &after, &size);
-        if (status != DOM_OK)
-            return status;
-        *steepest = fmax(*steepest, size);
-        sure = before > 0 && after < 0;
-        *error = off + least;
-    }
-    return DOM_OK;
-}
-
-KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *b,
-                                     struct barrier *error)
-{
-    struct sums at, e;
-    real steepest = 0;
-    *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (!dynamics_bounded(geometry)) {
-        error->theta_m = error->height = REAL_NAN;
-        return DOM_OK;
-    }
-    real first = b->edge[0], theta = fmax(b->theta_m, first);
-    enum dom_status status =
-        top_error(geometry, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
-    if (status == DOM_OK)
-        status = chain_energy_at(geometry, theta, &at, &e);
-    if (status == DOM_OK && error->theta_m > 0)
-        error->height = e.dH + steepest * error->theta_m;
-    return status;
 }

@@ -62,14 +62,13 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
                                      const struct barrier *whole, real end, struct barrier *barrier);
 
 /*
- * Finds the launch of an endless train and its barrier over [0, end]. Finds error bounds on the launch unless
- * `error` is NULL.
+ * Finds the launch of an endless train and its barrier over [0, end].
  *
  * If the kinetic energy and the barrier are nearly equal, their difference is inexact. Then both are computed
  * again with a finer tolerance, and geometry->tol is set to this tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
-                                       struct launch *launch, struct launch *error, struct barrier *barrier);
+                                       struct launch *launch, struct barrier *barrier);
 
 /*
  * Decides whether a train keeps falling (26; c8). Both arguments come from barrier_balance for a whole cycle.
@@ -90,9 +89,5 @@ KERNEL real balance_tol(real tol, real left, real whole);
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
-
-/* Finds error bounds on theta_m and on the height of the barrier. Unknown bounds are NaN. */
-KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *barrier,
-                                     struct barrier *error);
 
 #endif

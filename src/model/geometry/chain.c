@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
-#include "geometry/bound.h"
 
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    enum pass pass, struct sums *sums, struct sums *error)
+                                    enum pass pass, struct sums *sums)
 {
-    return geometry->law->change(geometry, from, head, tan_half_between(from, head), pass, sums, error);
+    return geometry->law->change(geometry, from, head, tan_half_between(from, head), pass, sums);
 }
 
-KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
-                                       struct sums *error)
+KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums)
 {
     struct tilt head;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
-    return status == DOM_OK ? chain_change(geometry, standing, head, PASS_PLAIN, sums, error) : status;
+    return status == DOM_OK ? chain_change(geometry, standing, head, PASS_PLAIN, sums) : status;
 }
 
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
@@ -84,25 +82,15 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
-static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
-                                   const struct bound *e)
+static struct dom_link link_public(const struct geometry *geometry, const struct link *k)
 {
-    real a = REAL_NAN, b = REAL_NAN, a_error = REAL_NAN, b_error = REAL_NAN;
-    if (k->leads) { /* (table 1) */
-        a = k->contact.arm / geometry->r;
-        b = geometry->law->arms(k).b / geometry->r;
-        a_error = (e->arm + ROUNDOFF * k->contact.arm) / geometry->r;
-        b_error = e->Y / geometry->r + ROUNDOFF * k->contact.Y / geometry->r;
-    }
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
-        .arm_a = a,
-        .arm_b = b,
+        .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN, /* (table 1) */
+        .arm_b = k->leads ? geometry->law->arms(k).b / geometry->r : REAL_NAN,
         .weight = k->weight,
-        .error = {e->angle + 2 * ROUNDOFF * tilt_angle(k->tilt), e->slope, a_error, b_error,
-                  e->weight * k->weight},
     };
 }
 
@@ -119,19 +107,13 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         return status;
     struct walk walk = geometry.law->begin(&geometry, head);
     const struct link *k = &walk.link;
-    struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
         if (dom_interrupted(geometry.interrupt)) /* checked at every domino, since the callback may be slow */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, k, &e);
-        if (!train->errors)
-            bounds_set_nan(&link.error, sizeof link.error);
+        struct dom_link link = link_public(&geometry, k);
         if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
             return DOM_OK;
-        const struct link leader = *k;
         geometry.law->next(&walk);
-        if (train->errors)
-            bound_next(&geometry, &leader, k, &e);
     }
 }
 
@@ -143,21 +125,14 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     if (status != DOM_OK)
         return status;
     struct walk walk = geometry.law->begin(&geometry, head);
-    const struct link *k = &walk.link, leader = *k;
-    struct bound e = bound_head(&geometry, k, geometry_error_head(head));
-    struct dom_link link = link_public(&geometry, k, &e), follower = {.theta = tilt_angle(geometry.f)};
-    follower.error.theta = geometry_error_f(&geometry) + 2 * ROUNDOFF * tilt_angle(geometry.f);
+    const struct link *k = &walk.link;
+    struct dom_link link = link_public(&geometry, k);
+    *contact =
+        (struct dom_contact){.theta_1 = tilt_angle(geometry.f), .arm_a = link.arm_a, .arm_b = link.arm_b};
     if (k->leads) {
         geometry.law->next(&walk);
-        bound_next(&geometry, &leader, k, &e);
-        follower = link_public(&geometry, k, &e);
+        contact->theta_1 = tilt_angle(k->tilt);
+        contact->slope = k->slope;
     }
-    *contact = (struct dom_contact){
-        .theta_1 = follower.theta,
-        .slope = follower.slope,
-        .arm_a = link.arm_a,
-        .arm_b = link.arm_b,
-        .error = {follower.error.theta, follower.error.slope, link.error.arm_a, link.error.arm_b},
-    };
     return DOM_OK;
 }

@@ -13,12 +13,10 @@
 
 /* Does the same as `change` of struct contact_law, but computes t from the two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    enum pass pass, struct sums *sums, struct sums *error);
+                                    enum pass pass, struct sums *sums);
 
-/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c]. With sharp edges, also finds error bounds unless
- * `error` is NULL. */
-KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
-                                       struct sums *error);
+/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c]. */
+KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums);
 
 /*
  * Finds the tilt of the head at which a domino detaches. At most one domino detaches while the head moves

@@ -41,36 +41,3 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
     *sine = -geometry_lift(geometry, geometry->c) / u;
     *cosine = geometry_height(geometry, geometry->c) / u;
 }
-
-/* ---- Errors of tilts, as angles: a coordinate has a relative error of a few rounding units ---- */
-
-KERNEL real tilt_error(struct tilt t, real units)
-{
-    return units * ROUNDOFF * t.x * t.y;
-}
-
-KERNEL real geometry_error_head(struct tilt head)
-{
-    return tilt_error(head, 4);
-}
-
-/* On a level floor, h.x and h.y are exact. The caller adds the rounding error of atan(h.x / h.y) itself. */
-KERNEL real geometry_error_u(const struct geometry *geometry)
-{
-    real steepest = geometry->steepest;
-    struct tilt u = tilt_make(geometry->h.x / steepest, geometry->h.y / steepest);
-    return geometry->g.along == 0 ? 0 : 3 * ROUNDOFF * geometry_height_terms(geometry, u) / steepest;
-}
-
-KERNEL real geometry_error_f(const struct geometry *geometry)
-{
-    return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
-}
-
-/* theta_leave is known through v = 1 - cos theta_leave, and dv/dtheta is sin theta_leave. */
-KERNEL real geometry_error_leave(const struct geometry *geometry)
-{
-    return geometry->leave.x > 0
-               ? 6 * ROUNDOFF * geometry->leave.v / geometry->leave.x + tilt_error(geometry->leave, 2)
-               : REAL_MIN;
-}

@@ -144,14 +144,6 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
-/* Returns the sum of the absolute values of the terms of dh/dtheta, from which error bounds are computed. On
- * a slope, h.x and h.y are themselves rounded sums, so the result is doubled. */
-KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
-{
-    real d = geometry->d, along = fabs(geometry->g.along), down = geometry->g.down;
-    return (along == 0 ? (real)1 : (real)2) * ((d * down + along) * t.y + (down + d * along) * t.x);
-}
-
 /* Returns dh/dtheta of one domino with sharp or rounded edges. */
 KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
 {
@@ -198,15 +190,6 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
 /* Converts an angle to a tilt. If the angle equals theta_c apart from rounding, the result is theta_c.
  * Returns DOM_BAD_TILT if the angle is less than the lean of the head (0 in a train), or exceeds theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
-
-/* Returns an upper bound on the error of the angle of t. `units` is the relative error of t.x plus the
- * relative error of t.y, in units of ROUNDOFF. */
-KERNEL real tilt_error(struct tilt t, real units);
-/* These functions return upper bounds on the errors of the head's tilt, theta_u, theta_f and theta_leave. */
-KERNEL real geometry_error_head(struct tilt head);
-KERNEL real geometry_error_u(const struct geometry *geometry);
-KERNEL real geometry_error_f(const struct geometry *geometry);
-KERNEL real geometry_error_leave(const struct geometry *geometry);
 
 KERNEL struct tilt tilt_make(real x, real y)
 {

@@ -43,7 +43,6 @@ struct moving {
 /* The kinds of passes down the chain. Each pass computes J, H1 and dH. */
 enum pass {
     PASS_PLAIN = 0,
-    PASS_ERROR = 1, /* also bounds on the errors; used only inside sharp_change.c */
     /* For a head that falls from upright to theta_c. At the start, each follower has the tilt that its leader
      * will have at the end. So the chain at the start is the chain at the end, shifted by one domino, and
      * only one of the two must be computed. */
@@ -53,8 +52,8 @@ enum pass {
 };
 
 struct contact_law {
-    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Error bounds,
-     * bounds for strips of growths, and shortcuts for random rows exist only for such a law. */
+    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Bounds for strips
+     * of growths, and shortcuts for random rows exist only for such a law. */
     bool closed_form;
     /* The maximum number of dominoes that a search may visit. In double, this takes about a second. */
     size_t work_most;
@@ -110,16 +109,14 @@ struct contact_law {
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
      * Finds J, H1 and H(head) - H(from), and also what `pass` selects (see enum pass; the constants cannot be
-     * combined). With sharp edges, also finds error bounds (bound.h), unless `error` is NULL. With rounded
-     * edges, *error is left unchanged.
+     * combined).
      * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
      *   computing t here from two close tilts would be inaccurate.
-     * - If the tilt `from` is not upright, `error` must be NULL, and no domino may detach between the two
-     *   tilts.
+     * - If the tilt `from` is not upright, no domino may detach between the two tilts.
      * - PASS_SHIFT may be used for an endless train that falls from upright to theta_c. It halves the work.
      */
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
-                              enum pass pass, struct sums *sums, struct sums *error);
+                              enum pass pass, struct sums *sums);
     /* Finds the sums at `head` (including H2) and the sums at theta_c, both in one pass. This is faster than
      * two calls of `change`. The train must be endless, and no domino may detach. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
@@ -152,7 +149,7 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* Members of `sharp_edges` that are not defined in sharp.c. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real t, enum pass pass, struct sums *sums, struct sums *error);
+                                    real t, enum pass pass, struct sums *sums);
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c);
 KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,

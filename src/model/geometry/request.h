@@ -5,7 +5,6 @@
 
 #include "numerics/api.h"
 #include "numerics/interrupt.h"
-#include <string.h>
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
@@ -17,7 +16,6 @@ struct request {
     dom_real effect[DOM_DYNAMICS_COUNT]; /* indexed by enum dom_effect_name; 0 means off */
     enum dom_precision precision;
     enum dom_method method;
-    bool errors;
     dom_real near; /* r_max as found by a coarser kernel, or 0 if there is none */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
@@ -44,12 +42,5 @@ struct row_request {
 };
 
 #undef MEMBER
-
-static inline void bounds_set_nan(void *bounds, size_t size)
-{
-    const dom_real none = DOM_NAN;
-    for (size_t at = 0; at < size; at += sizeof none)
-        memcpy((char *)bounds + at, &none, sizeof none);
-}
 
 #endif

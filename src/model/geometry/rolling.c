@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain with rounded edges (rounded.h). No error bounds are known. */
+/* The passes down a chain with rounded edges (rounded.h). */
 #include "geometry/far.h"
 #include "geometry/rounded.h"
 
@@ -290,11 +290,10 @@ static void rolling_add_far(struct rolling_pair *p, const struct walk *b)
     p->H2 += far_H2(&p->a.link, p->a.second_derivative, &rest);
 }
 
-/* Like energy_change_between for sharp edges, but without error bounds. */
+/* Like energy_change_between for sharp edges. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real t, enum pass pass, struct sums *sums, struct sums *error)
+                                      real t, enum pass pass, struct sums *sums)
 {
-    (void)error;
     bool pushes = pass == PASS_PUSHES;
     struct rolling_pair p;
     struct walk b;

@@ -52,11 +52,11 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 /* Counts one more pass in geometry->work, under the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
-/* Members of struct contact_law, without error bounds. */
+/* Members of struct contact_law. */
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real t, enum pass pass, struct sums *sums, struct sums *error);
+                                      real t, enum pass pass, struct sums *sums);
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c);
 KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds differences of the energy H between two chains with sharp edges. Each pass visits the dominoes of
  * both chains in parallel. Power series replace the far tails (far.h). */
-#include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
 
@@ -15,36 +14,6 @@
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
-}
-
-/* Error bounds for the current dominoes of the chains a and b, for the quantity t of energy_change_between,
- * and for the sums. */
-struct energy_change_bound {
-    struct bound a, b;
-    real t;
-    struct sums sums;
-};
-
-static struct energy_change_bound error_head(const struct geometry *geometry, const struct link *a,
-                                             const struct link *b, real t)
-{
-    real angle = geometry_error_head(a->tilt);
-    return (struct energy_change_bound){
-        .a = bound_head(geometry, a, angle),
-        .b = bound_head(geometry, b, 0),
-        .t = (1 + t * t) * angle / 2 + 3 * ROUNDOFF * t,
-    };
-}
-
-static void error_add(const struct geometry *geometry, struct energy_change_bound *e, const struct link *a,
-                      const struct link *b, real t)
-{
-    real term = fabs(energy_change(geometry, a->tilt, b->tilt, t));
-    e->sums.J += bound_J(a, &e->a);
-    e->sums.H1 += bound_H1(geometry, a, &e->a);
-    e->sums.dH +=
-        a->weight * (bound_energy_change(geometry, a->tilt, b->tilt, e->a.angle, e->b.angle, t, e->t) +
-                     term * (e->a.weight + ROUNDOFF));
 }
 
 /*
@@ -171,17 +140,13 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
-                                                  struct sums *sums, struct sums *error)
+                                                  struct sums *sums)
 {
     struct sum_state state = {0};
     struct link a = link_head(geometry, head), b = link_head(geometry, from);
-    struct energy_change_bound e;
     real H2 = 0, second_derivative = 0;
-    bool ended = true, pushes = true,
-         closes = !(pass & PASS_ERROR) && geometry->far.order > 0 && !geometry->follower &&
-                  geometry->n == CHAIN_ENDLESS;
-    if (pass & PASS_ERROR)
-        e = error_head(geometry, &a, &b, t);
+    bool pushes = true,
+         closes = geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS;
     for (;;) {
         enum dom_status status = chain_watch(geometry, a.i);
         if (status != DOM_OK)
@@ -195,8 +160,6 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         pair_add(&state, &a, &b, t);
         if (pass & PASS_SECOND_DERIVATIVE)
             H2 += H2_term(&a, second_derivative);
-        if (pass & PASS_ERROR)
-            error_add(geometry, &e, &a, &b, t);
         if (a.i + 1 >= geometry->n || !b.leads)
             break;
         if (!a.leads) {
@@ -211,81 +174,43 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
             real t_f = leaving_half_turn(geometry, &leader);
             state.left = b.weight * energy_change(geometry, geometry->f, b.tilt, t_f);
             series_add(&state.dH, state.left);
-            if (pass & PASS_ERROR) {
-                real angle = geometry_error_f(geometry),
-                     t_error = bound_leaving(geometry, &leader, &e.b, t_f);
-                bound_next(geometry, &leader, &b, &e.b);
-                e.sums.dH +=
-                    b.weight *
-                    (bound_energy_change(geometry, geometry->f, b.tilt, angle, e.b.angle, t_f, t_error) +
-                     fabs(energy_change(geometry, geometry->f, b.tilt, t_f)) * (e.b.weight + ROUNDOFF));
-            }
             break;
         }
         if (pass & PASS_PUSHES)
             pushes = pushes && contact_pushes(&a, &b);
         real shrink = pair_shrink(&a, &b, t);
-        ended = false;
         if (pair_done(&state, &a, t, shrink, geometry->tol))
             break;
-        ended = true;
-        if (pass & PASS_ERROR)
-            e.t = bound_tan_half(&a, &b, &e.a, &e.b, t, e.t);
         t *= shrink;
         if (pass & PASS_SECOND_DERIVATIVE)
             second_derivative = link_second_derivative(&a, second_derivative);
-        struct link leader_a = a, leader_b = b;
-        link_next(&a);
         if (pass & PASS_SHIFT) {
-            b.tilt = leader_a.tilt;
-            b.contact = leader_a.contact;
+            b.tilt = a.tilt;
+            b.contact = a.contact;
         } else {
             link_next(&b);
         }
-        if (pass & PASS_ERROR) {
-            bound_next(geometry, &leader_a, &a, &e.a);
-            bound_next(geometry, &leader_b, &b, &e.b);
-        }
+        link_next(&a);
     }
-    if (pass & PASS_ERROR)
-        *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
-                               .H1 = e.sums.H1 + series_error(&state.H1, ended),
-                               .dH = e.sums.dH + series_error(&state.dH, ended)};
     enum dom_status status = sum_result(geometry, &state, H2, a.i + 1, sums);
     sums->pushes = pushes;
     return status;
 }
 
-/*
- * In each of these calls `pass` is a constant, so the compiler removes the sums that are not needed. If error
- * bounds are requested, a second pass without series visits all dominoes. The difference between the sums of
- * the two passes is added to the bounds.
- */
+/* In each of these calls `pass` is a constant, so the compiler removes the sums that are not needed. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real t, enum pass pass, struct sums *sums, struct sums *error)
+                                    real t, enum pass pass, struct sums *sums)
 {
-    enum dom_status status;
-    struct sums whole;
     switch (pass) {
     case PASS_SHIFT:
-        status = energy_change_between(geometry, from, head, t, PASS_SHIFT, sums, NULL);
-        break;
+        return energy_change_between(geometry, from, head, t, PASS_SHIFT, sums);
     case PASS_SECOND_DERIVATIVE:
-        status = energy_change_between(geometry, from, head, t, PASS_SECOND_DERIVATIVE, sums, NULL);
-        break;
+        return energy_change_between(geometry, from, head, t, PASS_SECOND_DERIVATIVE, sums);
     case PASS_PUSHES:
-        status = energy_change_between(geometry, from, head, t, PASS_PUSHES, sums, NULL);
-        break;
+        return energy_change_between(geometry, from, head, t, PASS_PUSHES, sums);
     default:
-        status = energy_change_between(geometry, from, head, t, PASS_PLAIN, sums, NULL);
+        return energy_change_between(geometry, from, head, t, PASS_PLAIN, sums);
     }
-    if (status != DOM_OK || !error)
-        return status;
-    status = energy_change_between(geometry, from, head, t, PASS_ERROR, &whole, error);
-    error->J += fabs(sums->J - whole.J);
-    error->H1 += fabs(sums->H1 - whole.H1);
-    error->dH += fabs(sums->dH - whole.dH);
-    return status;
 }
 
 /* Makes both passes in one loop to save time: while the processor waits for a square root of one chain, it

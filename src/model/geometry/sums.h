@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sums over the dominoes of a chain, compensated for rounding, with bounds on their tails. */
+/* The sums over the dominoes of a chain, compensated for rounding. */
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
@@ -40,12 +40,10 @@ struct equation_of_motion {
  * stays within the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
-/* A compensated sum, with bounds on its next terms. */
+/* A compensated sum. */
 struct series {
     real sum, size; /* sum of the terms, and sum of their absolute values */
     real lost;      /* sum of the rounding errors, to be added at the end */
-    /* Upper bounds on the next term, and on the ratio of each later term to the term before it. */
-    real next, ratio;
 };
 
 /* Adds a term by Fast2Sum, which needs the larger number first. */
@@ -62,19 +60,9 @@ KERNEL_LOOP void series_add(struct series *s, real term)
  * is an upper bound on the ratio of each later term to the term before it. A tail below the unit roundoff of
  * the sum is always left out.
  */
-KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
+KERNEL_LOOP bool series_done(const struct series *s, real term, real ratio, real tol)
 {
-    s->next = term * ratio;
-    s->ratio = ratio;
-    return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), ROUNDOFF / 2 * s->size);
-}
-
-/* Returns a bound on the error of a sum: its rounding error, and the terms that were left out. If `ended` is
- * true, no terms were left out. */
-KERNEL real series_error(const struct series *s, bool ended)
-{
-    real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
-    return 2 * ROUNDOFF * (fabs(s->sum) + ROUNDOFF * s->size) + tail;
+    return term * ratio <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), ROUNDOFF / 2 * s->size);
 }
 
 KERNEL void chain_count(const struct geometry *geometry, size_t n)

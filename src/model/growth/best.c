@@ -347,57 +347,6 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return status;
 }
 
-/* Returns |r_max(s + step) - top|, where top = r_max(s). Returns 0 if r_max jumps in between. */
-static real best_fall(struct margin_context *c, real s, real step, real top)
-{
-    real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
-    /* the lower side of a jump does not belong to the maximum */
-    return near > far / 2 && far > 64 * ROUNDOFF * top ? 0 : far;
-}
-
-/* Finds the error bounds on s and r_max, or NaN if dynamics_bounded is false. */
-static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
-{
-    struct margin_context *c = b->c;
-    real s = b->s, r = b->r_max, r_error = 0;
-    *error = (struct dom_best_error){.s = REAL_NAN, .r_max = REAL_NAN};
-    if (!dynamics_bounded(&c->geometry))
-        return DOM_OK;
-    struct limit limit;
-    c->s = s;
-    enum dom_status status = limit_find(c, &limit);
-    if (status == DOM_OK)
-        status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps at a separation where the margin begins to have a dip. Shallow dips are not resolved
-     * (scan.c), so the place of a jump is less accurate. */
-    real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
-    if (status == DOM_OK && smooth) {
-        real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
-        real second_derivative = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
-        c->s = s;
-        c->errors = true;
-        margin_at(r, c);
-        const real wrong = c->error;
-        c->errors = false;
-        /* If the step h is doubled, the error of the nine-point rule becomes 256 times as large. So `rule`
-         * exceeds the error at the step h by a factor of about 8. The absolute values of the rule's weights
-         * add up to 1750 / (840 h). So the error `wrong` of a margin adds up to 2.1 wrong / h to the error of
-         * the slope. */
-        real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An error in r also causes an error in the slope. */
-        const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
-        real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
-        /* The slope is 0 at the maximum. So the error of the slope, divided by the derivative of the slope,
-         * is the error of s. */
-        s_error += 2 * ROUNDOFF * s +
-                   (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
-    }
-    if (c->status == DOM_OK && status == DOM_OK)
-        r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
-    *error = (struct dom_best_error){.s = s_error, .r_max = r_error};
-    return status != DOM_OK ? status : c->status;
-}
-
 /* Searches all separations, without the help of a coarser kernel. */
 static enum dom_status search_all(struct search *b, bool *smooth)
 {
@@ -487,8 +436,6 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     if (status == DOM_OK && !found)
         status = search_all(&b, &smooth);
     struct dom_best answer = {.s = b.s, .r_max = b.r_max};
-    if (status == DOM_OK && c->train->errors)
-        status = best_error(&b, smooth, &answer.error);
     if (status == DOM_OK)
         *best = answer;
     return c->status = status;

@@ -28,6 +28,7 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
 KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_,
                                   const struct dom_compute *compute, struct dom_count *count)
 {
+    (void)compute;
     real first = (real)first_, height = (real)height_, r = (real)r_;
     if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
         return DOM_BAD_HEIGHT;
@@ -50,7 +51,5 @@ KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
     real last = first * pow(r, n);
     *count = (struct dom_count){.dominoes = n, .exact = exact, .last = last};
-    if (compute->errors)
-        count->error = (struct dom_count_error){.exact = error_of_exact, .last = 4 * ROUNDOFF * last};
     return DOM_OK;
 }

@@ -9,44 +9,9 @@
  */
 #include "growth/limit.h"
 
-/* The error bound is 2 (|margin| + error of the margin) / |d margin / dr| at r_max. */
-KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
+static struct dom_limit limit_public(const struct limit *limit)
 {
-    real r = limit->r_max, reach = c->geometry.span / c->s;
-    bool bounded = dynamics_bounded(&c->geometry);
-    *error = bounded ? ROUNDOFF * r : REAL_NAN;
-    if (limit->ends != DOM_END_BARRIER || !bounded)
-        return DOM_OK;
-    c->errors = true;
-    real margin = margin_at(r, c), wrong = c->error, slope = 0;
-    c->errors = false;
-    real widest = fmin((reach - r) / 4, r / 4), h = fmin(sqrt(REAL_EPSILON) * 64 * r, widest);
-    /* Widen the step h of the difference quotient until the difference exceeds the errors of both margins. */
-    for (; c->status == DOM_OK && slope == 0; h = fmin(8 * h, widest)) {
-        real lo = fmax(r - h, 1), above = margin_at(r + h, c);
-        real below = c->status == DOM_OK ? margin_at(lo, c) : above;
-        if (fabs(above - below) > 8 * wrong || h >= widest)
-            slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
-    }
-    /* Without a slope, r is only known to lie between 1 and the reach. */
-    *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved. Increase *error until both ends certainly have the right sign. */
-    for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
-        real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
-        sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
-    }
-    return c->status;
-}
-
-static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *result)
-{
-    real r_error = 0;
-    enum dom_status status = c->train->errors ? limit_error(c, limit, &r_error) : DOM_OK;
-    if (status == DOM_OK)
-        *result = (struct dom_limit){
-            .r_max = limit->r_max, .ends = limit->ends, .why = limit->why, .error.r_max = r_error};
-    return status;
+    return (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends, .why = limit->why};
 }
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
@@ -122,7 +87,9 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     struct limit found;
     limit_begin(&c);
     enum dom_status status = limit_find(&c, &found);
-    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
+    if (status == DOM_OK)
+        *limit = limit_public(&found);
+    return status;
 }
 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
@@ -147,5 +114,7 @@ KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit 
     struct limit found;
     limit_begin(&c);
     enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
-    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
+    if (status == DOM_OK)
+        *limit = limit_public(&found);
+    return status;
 }

@@ -95,9 +95,6 @@ struct limit {
 /* Finds r_max at the separation c->s. If c->near is set, looks close to it first. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
-/* Finds the error bound on r_max, or NaN if none is known. */
-KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
-
 /* Starts counting the work of a search. If the work exceeds the limit, the search ends with DOM_TOO_LONG. */
 KERNEL void limit_begin(struct margin_context *c);
 

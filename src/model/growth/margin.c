@@ -10,7 +10,7 @@
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
-    struct barrier *b = &c->barrier, b_error = {0};
+    struct barrier *b = &c->barrier;
     real most = barrier_most(geometry), sure = 4 * geometry->tol;
     if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
         m->barrier = most;
@@ -35,18 +35,13 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     }
     if (status != DOM_OK)
         /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
-         * second order instead of third order, so the tilt needs a finer tolerance. A tight error bound needs
-         * it, too. */
-        status = barrier_search(
-            geometry, tilt_angle(geometry->c),
-            c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
-    if (status == DOM_OK && c->errors)
-        status = barrier_error(geometry, b, &b_error);
+         * second order instead of third order, so the tilt needs a finer tolerance. */
+        status = barrier_search(geometry, tilt_angle(geometry->c),
+                                !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
     m->barrier_error = status == DOM_OK && geometry->dynamics->required_energy_error
                            ? geometry->dynamics->required_energy_error(geometry)
                            : 0;
     m->barrier = b->height;
-    m->error += b_error.height;
     return status;
 }
 
@@ -54,7 +49,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {
-    struct launch launch, error = {0};
+    struct launch launch;
     struct sums near, at_c;
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
@@ -69,11 +64,11 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
         struct fuel f = fuel_of(geometry, &at_c);
         launch = launch_of(geometry, fuel, &f);
     } else {
-        status = geometry->dynamics->collide(geometry, fuel, &launch, c->errors ? &error : NULL);
+        status = geometry->dynamics->collide(geometry, fuel, &launch);
     }
     if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
-    *m = (struct margin){.kinetic = launch.kinetic, .error = error.kinetic};
+    *m = (struct margin){.kinetic = launch.kinetic};
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
@@ -82,7 +77,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
                                    struct margin *m)
 {
     struct geometry two = *geometry;
-    real u = geometry->steepest, sine, cosine;
+    real sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
     two.n = 1; /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
@@ -94,10 +89,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
     real kinetic = (geometry->upright_inertia + k) * geometry->r * geometry->law->tipped_omegasq(geometry) *
                    share * share;
-    real sine_error = ROUNDOFF * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
-         powers = 24 * ROUNDOFF;
-    *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
-                  : (struct margin){.kinetic = 0};
+    *m = (struct margin){.kinetic = sine > 0 ? kinetic : 0};
     two.n = c->dominoes;
     return margin_barrier(&two, c, NULL, m);
 }
@@ -144,7 +136,6 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
     }
-    c->error = m->error + ROUNDOFF * fabs(m->kinetic - m->barrier);
     return c->status;
 }
 

@@ -11,7 +11,6 @@ struct margin {
     real kinetic, barrier;
     bool barrier_is_bound; /* true if `barrier` is only an upper bound */
     real barrier_error;    /* an estimate; 0 without friction */
-    real error;
 };
 
 KERNEL real margin_value(const struct margin *m)
@@ -47,8 +46,6 @@ struct margin_context {
     /* The smallest |margin_share| so far. margin_follow derives its tolerance from this number. A search
      * begins with the value 1, or with a smaller value if its first margin needs more digits. */
     real share;
-    real error; /* error bound on the last margin if `errors` is set */
-    bool errors;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
     /* If `coarse` is positive, a scan does not divide a strip that is already narrower than `coarse` in ln r.
      * The scan can then miss roots, so its result is only an upper bound on r_max. */

@@ -28,7 +28,7 @@ static real stop_width(const struct motion *m)
     struct sums at;
     const struct geometry *geometry = &m->cycle.segment.geometry;
     if (!geometry->dynamics->conservative || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
-        chain_change(geometry, standing, rest, PASS_SECOND_DERIVATIVE, &at, NULL) != DOM_OK || !(at.H2 < 0))
+        chain_change(geometry, standing, rest, PASS_SECOND_DERIVATIVE, &at) != DOM_OK || !(at.H2 < 0))
         return REAL_NAN;
     return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
 }
@@ -105,7 +105,7 @@ static enum dom_status tilt_search(struct motion *m, real time, real *at)
     real lo = 0, hi = m->end;
     for (int i = 0; i < 200; i++) {
         real omegasq = 0, passed = 0;
-        enum dom_status status = segment_speed(&m->cycle.segment, *at, &omegasq, NULL);
+        enum dom_status status = segment_speed(&m->cycle.segment, *at, &omegasq);
         if (status == DOM_OK)
             status = motion_time(m, 0, *at, &passed);
         if (status != DOM_OK)
@@ -145,7 +145,7 @@ KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, d
     struct motion m;
     struct clock clock;
     real time = (real)time_, whole = 0, at = 0;
-    enum dom_status status = motion_begin(train, &m, false);
+    enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
         status = clock_begin(&m, &clock, &whole);
     if (status == DOM_OK &&
@@ -166,7 +166,6 @@ KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, d
 struct table {
     struct motion m;
     struct clock clock;
-    bool errors;
     dom_state_visit *visit;
     void *context;
     bool ended; /* true after the visitor has ended the walk */
@@ -176,7 +175,7 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
 {
     struct dom_state state;
     real time = t->clock.pieces > 0 ? clock_time(&t->m, &t->clock, theta) : REAL_NAN;
-    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors);
+    enum dom_status status = motion_state(&t->m, theta, time, &state);
     if (status != DOM_OK)
         return status;
     struct dom_event timed = {.theta = theta, .time = state.time};
@@ -184,8 +183,6 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
         timed.kind = event->kind;
         timed.domino = event->domino;
     }
-    if (!t->errors)
-        bounds_set_nan(&state.error, sizeof state.error);
     t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
 }
@@ -193,11 +190,11 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
 KERNEL enum dom_status cycle_walk(const struct request *train, size_t states, enum dom_spacing by,
                                   dom_state_visit *visit, void *context)
 {
-    struct table t = {.errors = train->errors, .visit = visit, .context = context};
+    struct table t = {.visit = visit, .context = context};
     struct instant events[DOM_EVENTS_MAX];
     int count = 0, next = 0;
     real whole = 0;
-    enum dom_status status = motion_begin(train, &t.m, train->errors);
+    enum dom_status status = motion_begin(train, &t.m);
     if (status == DOM_OK)
         status = motion_events(&t.m, events, &count);
     if (status == DOM_OK)

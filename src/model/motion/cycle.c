@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/motion.h"
 
-KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors)
+KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle)
 {
     struct segment *st = &cycle->segment;
     struct geometry *geometry = &st->geometry;
@@ -11,16 +11,13 @@ KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cy
     if (status == DOM_OK)
         status = dynamics_begin(geometry);
     if (status == DOM_OK)
-        status = barrier_balance(geometry, train->fuel, tilt_angle(geometry->c), &cycle->launch,
-                                 errors ? &cycle->launch_error : NULL, &st->barrier);
+        status =
+            barrier_balance(geometry, train->fuel, tilt_angle(geometry->c), &cycle->launch, &st->barrier);
     if (status != DOM_OK)
         return status;
     st->hi = tilt_angle(geometry->c);
-    st->start = (struct start){.from = standing,
-                               .J = launch->J0,
-                               .omegasq = launch->omegasq,
-                               .kinetic = launch->kinetic,
-                               .kinetic_error = cycle->launch_error.kinetic};
+    st->start = (struct start){
+        .from = standing, .J = launch->J0, .omegasq = launch->omegasq, .kinetic = launch->kinetic};
     st->gain = 1;
     st->inertia_ratio = launch->inertia_ratio;
     return barrier_verdict(launch, &st->barrier) == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_OK;
@@ -42,12 +39,11 @@ KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end)
     return cycle_stops(cycle) ? segment_rest(&cycle->segment, end) : DOM_OK;
 }
 
-KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
-                                   real *error)
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq)
 {
     if (theta > end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
-    enum dom_status status = segment_speed(&cycle->segment, fmin(theta, end), omegasq, error);
+    enum dom_status status = segment_speed(&cycle->segment, fmin(theta, end), omegasq);
     bool rests = cycle_stops(cycle) && theta >= end * (1 - 4 * REAL_EPSILON);
     *omegasq = rests ? 0 : fmax(*omegasq, 0);
     return status;
@@ -56,39 +52,31 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
 KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
 {
     struct cycle cycle;
-    struct barrier error = {0};
     const struct barrier *b = &cycle.segment.barrier;
-    enum dom_status status = cycle_begin(train, &cycle, train->errors);
+    enum dom_status status = cycle_begin(train, &cycle);
     bool fuelled = status != DOM_NO_FUEL;
     status = fuelled ? status : DOM_OK;
-    if (status == DOM_OK && train->errors)
-        status = barrier_error(&cycle.segment.geometry, b, &error);
     cycle_free(&cycle);
     if (status != DOM_OK)
         return status;
-    real kinetic = cycle.launch.kinetic, kinetic_error = cycle.launch_error.kinetic,
-         margin = kinetic - b->height;
+    real kinetic = cycle.launch.kinetic;
     *barrier = (struct dom_barrier){
         .theta_m = b->theta_m,
         .barrier = b->height,
         .kinetic = fuelled ? kinetic : REAL_NAN,
-        .margin = fuelled ? margin : REAL_NAN,
-        .error = {.theta_m = error.theta_m,
-                  .barrier = error.height,
-                  .kinetic = kinetic_error,
-                  .margin = kinetic_error + error.height + ROUNDOFF * fabs(margin)},
+        .margin = fuelled ? kinetic - b->height : REAL_NAN,
     };
     return barrier_verdict(&cycle.launch, b);
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, struct dom_value *omegasq)
+KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq)
 {
     struct request finer = *train;
-    real theta = (real)theta_, w = 0, w_error = 0;
+    real theta = (real)theta_, w = 0;
     for (;;) {
         struct cycle cycle;
         struct tilt head;
-        enum dom_status status = cycle_begin(&finer, &cycle, train->errors), tilt_status = DOM_OK;
+        enum dom_status status = cycle_begin(&finer, &cycle), tilt_status = DOM_OK;
         if (status == DOM_OK || status == DOM_NO_FUEL)
             tilt_status = geometry_tilt(&cycle.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
@@ -97,7 +85,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         if (status == DOM_OK)
             status = cycle_end(&cycle, &end);
         if (status == DOM_OK)
-            status = cycle_speed(&cycle, end, theta, &w, train->errors ? &w_error : NULL);
+            status = cycle_speed(&cycle, end, theta, &w);
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
@@ -108,48 +96,25 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
             break;
         finer.tol = needed;
     }
-    *omegasq = (struct dom_value){.value = w, .error = w_error};
+    *omegasq = w;
     return DOM_OK;
 }
 
-/* The error of the tilt is the error of the remaining energy, divided by the slope of the energy. */
-KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
-{
-    const struct geometry *geometry = &cycle->segment.geometry;
-    struct sums at = {0}, e = {0};
-    *error = DOM_NAN;
-    if (!dynamics_bounded(geometry))
-        return DOM_OK;
-    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
-    if (status == DOM_OK)
-        *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
-                     /* allows for second-order terms, which matter if the tolerance is loose */
-                     (1 + 4 * geometry->tol) +
-                 4 * ROUNDOFF * theta;
-    if (energy)
-        *energy = fabs(at.H1) * (real)*error;
-    return status;
-}
-
-KERNEL enum dom_status cycle_stop(const struct request *train, struct dom_value *theta)
+KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta)
 {
     struct cycle cycle;
     real stop = REAL_NAN;
-    enum dom_status status = cycle_begin(train, &cycle, train->errors);
+    enum dom_status status = cycle_begin(train, &cycle);
     bool stops = status == DOM_OK && cycle_stops(&cycle);
-    if (status == DOM_OK)
-        theta->value = DOM_NAN;
     if (stops)
         status = segment_rest(&cycle.segment, &stop);
-    if (stops && status == DOM_OK && train->errors)
-        status = stop_error(&cycle, stop, &theta->error, NULL);
     if (status == DOM_OK)
-        theta->value = stop;
+        *theta = stop;
     cycle_free(&cycle);
     return status;
 }
 
-static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration, real *error)
+static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration)
 {
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
@@ -158,26 +123,18 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;
-    real of_speed = 0;
-    enum dom_status status = segment_integral(st, slowness, 0, st->hi, fmax(tol / 8, noise), duration, error);
-    if (error && !dynamics_bounded(&st->geometry))
-        *error = REAL_NAN;
-    else if (status == DOM_OK && error)
-        status = segment_integral(st, slowness_error, 0, st->hi, (real)0.125, &of_speed, NULL);
-    if (error)
-        *error += 2 * of_speed;
-    return status;
+    return segment_integral(st, slowness, 0, st->hi, fmax(tol / 8, noise), duration);
 }
 
-KERNEL enum dom_status cycle_duration(const struct request *train, struct dom_value *duration)
+KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration)
 {
     struct cycle cycle;
-    real time, time_error = 0;
-    enum dom_status status = cycle_begin(train, &cycle, train->errors);
+    real time;
+    enum dom_status status = cycle_begin(train, &cycle);
     if (status == DOM_OK)
-        status = duration_of(&cycle, (real)train->tol, &time, train->errors ? &time_error : NULL);
+        status = duration_of(&cycle, (real)train->tol, &time);
     cycle_free(&cycle);
     if (status == DOM_OK)
-        *duration = (struct dom_value){.value = time, .error = time_error};
+        *duration = time;
     return status;
 }

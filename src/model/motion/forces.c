@@ -150,7 +150,7 @@ KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, 
     kinematics->room = st->room;
     enum dom_status status = geometry_tilt(geometry, theta, head);
     if (status == DOM_OK)
-        status = segment_speed(st, theta, &omegasq, NULL);
+        status = segment_speed(st, theta, &omegasq);
     kinematics->omegasq = fmax(omegasq, 0);
     if (status == DOM_OK)
         status = geometry->dynamics->acceleration(geometry, *head, kinematics->omegasq,
@@ -188,7 +188,7 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
     struct tilt head;
     struct kinematics kinematics = {0};
     real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, &m, false);
+    enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
@@ -311,7 +311,7 @@ KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom
     struct motion m;
     struct segment *st = &m.cycle.segment;
     struct least_context c = {.segment = st, .least = (real)INFINITY, .impulse = (real)INFINITY};
-    enum dom_status status = motion_begin(train, &m, false);
+    enum dom_status status = motion_begin(train, &m);
     st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
         real lo, hi;

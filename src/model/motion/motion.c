@@ -4,10 +4,10 @@
 
 /* ---- Times ---- */
 
-KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m, bool errors)
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m)
 {
     m->room = (struct room){0};
-    enum dom_status status = cycle_begin(train, &m->cycle, errors);
+    enum dom_status status = cycle_begin(train, &m->cycle);
     m->cycle.segment.room = &m->room;
     if (status != DOM_OK)
         return status;
@@ -64,8 +64,7 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
         for (int i = 0; i < b->edges; i++)
             m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
     }
-    enum dom_status status =
-        segment_integral(&m->cycle.segment, slowness, from, m->smooth, m->tol, time, NULL);
+    enum dom_status status = segment_integral(&m->cycle.segment, slowness, from, m->smooth, m->tol, time);
     return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
@@ -101,7 +100,7 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
     struct instant at[DOM_EVENTS_MAX];
     real time = 0;
     int n = 0;
-    enum dom_status status = motion_begin(train, &m, false);
+    enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
         status = motion_events(&m, at, &n);
     for (int i = 0; i < n && status == DOM_OK; i++) {
@@ -117,32 +116,6 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
 }
 
-/*
- * Finds an error bound on state->time. It is the sum of two bounds. The first is the tolerance of the
- * integral. If the train does not stop, the second is the integral of the error bound on the slowness. If the
- * train stops, the second comes from the tilt of the stop: an error e in this tilt shifts times by at most
- * e / omega.
- */
-static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
-{
-    real of_speed = 0, theta = (real)state->theta, time = (real)state->time;
-    enum num_status solver = NUM_OK;
-    if (m->stops) {
-        dom_real of_end;
-        real energy, w = (real)state->omegasq;
-        enum dom_status status = stop_error(&m->cycle, m->end, &of_end, &energy);
-        if (status != DOM_OK)
-            return status;
-        of_speed = (real)of_end / sqrt(w + fabs((real)state->acceleration) * (real)of_end);
-        if (w > 0) /* early in the cycle, this bound is better */
-            of_speed = fmin(of_speed, time * energy / (2 * (real)state->kinetic));
-    }
-    if (!m->stops && theta > 0)
-        solver = num_integral(slowness_error, &m->cycle.segment, 0, theta, (real)0.125, &of_speed, NULL);
-    *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * ROUNDOFF) * time;
-    return model_status(m->cycle.segment.status, solver);
-}
-
 /* If theta is the tilt at which a follower detaches, the follower counts as detached, even if rounding has
  * made theta slightly smaller. In that case, corrects *left, the energy change of the detached follower. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
@@ -155,27 +128,26 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
     real fall = leaves ? tilt_angle(leave) : 0;
     if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
         return status;
-    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at, NULL);
+    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at);
     if (status == DOM_OK)
         *left = at.left;
     return status;
 }
 
-KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
-                                    bool errors)
+KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state)
 {
-    const struct launch *launch = &m->cycle.launch, *launch_error = &m->cycle.launch_error;
+    const struct launch *launch = &m->cycle.launch;
     const struct geometry *geometry = &m->cycle.segment.geometry;
     const bool conservative = geometry->dynamics->conservative;
     struct tilt head;
-    struct sums at, e = {0};
-    real omegasq = 0, omegasq_error = 0, acceleration = 0;
+    struct sums at;
+    real omegasq = 0, acceleration = 0;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = cycle_speed(&m->cycle, m->end, theta, &omegasq, errors ? &omegasq_error : NULL);
+        status = cycle_speed(&m->cycle, m->end, theta, &omegasq);
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
-        status = chain_change(geometry, standing, head, PASS_PLAIN, &at, errors ? &e : NULL);
+        status = chain_change(geometry, standing, head, PASS_PLAIN, &at);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
@@ -199,32 +171,15 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .lost = conservative ? before * geometry->upright_inertia / launch->J0 : before - launch->kinetic,
         .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
     };
-    if (!errors)
-        return DOM_OK;
-    real of_time = REAL_NAN;
-    if (dynamics_bounded(geometry))
-        status = time_error(m, state, &of_time);
-    real of_before = geometry->weight * launch_error->kinetic_at_hit + 5 * ROUNDOFF * before;
-    state->error = (struct dom_state_error){
-        .time = of_time,
-        .omegasq = omegasq_error,
-        .acceleration = REAL_NAN, /* no bound is known */
-        .kinetic = launch_error->kinetic + e.dH + 3 * ROUNDOFF * at.J * omegasq,
-        .climbed = e.dH,
-        .fallen = at.left == 0 ? 0 : e.dH,
-        .before = of_before,
-        .lost = (of_before + before * launch_error->J0 / launch->J0) / launch->J0 + ROUNDOFF * before,
-        .friction_work = conservative ? 0 : REAL_NAN,
-    };
-    return status;
+    return DOM_OK;
 }
 
 KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state)
 {
     struct motion m;
-    enum dom_status status = motion_begin(train, &m, train->errors);
+    enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
-        status = motion_state(&m, (real)theta, REAL_NAN, state, train->errors);
+        status = motion_state(&m, (real)theta, REAL_NAN, state);
     motion_end(&m);
     return status;
 }

@@ -9,14 +9,14 @@
 /* The motion of the head from its upright position to theta_c, and the launch that begins it. */
 struct cycle {
     struct segment segment;
-    struct launch launch, launch_error;
+    struct launch launch;
 };
 
 /*
- * Prepares a cycle and finds its barrier over [0, theta_c]. Finds launch_error only if `errors` is true.
+ * Prepares a cycle and finds its barrier over [0, theta_c].
  * Returns DOM_NO_FUEL if the train has no energy for a launch. Always call cycle_free afterwards.
  */
-KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
+KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle);
 KERNEL void cycle_free(struct cycle *cycle);
 
 /* Returns true if the train does not get over the barrier. */
@@ -25,17 +25,9 @@ KERNEL bool cycle_stops(const struct cycle *cycle);
 /* Finds the tilt at which the cycle ends: theta_c, or the tilt at which the train comes to rest. */
 KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
-/* Finds tau^2 omega^2 at theta, and its error bound unless error is NULL. `end` comes from cycle_end. Returns
+/* Finds tau^2 omega^2 at theta. `end` comes from cycle_end. Returns
  * DOM_STOPS if the train does not reach theta. Where the train comes to rest, *omegasq is exactly 0. */
-KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
-                                   real *error);
-
-/*
- * Finds an error bound on the tilt theta, at which a cycle has used up its energy. Unless `energy` is NULL,
- * also finds an error bound on the energy at theta. If no bound is known, sets *error to NaN and leaves
- * *energy unchanged.
- */
-KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq);
 
 struct motion {
     struct cycle cycle;
@@ -52,7 +44,7 @@ struct motion {
  * Prepares the motion of a train up to theta_c, or up to its stop. Returns DOM_NO_MARGIN if the margin is too
  * small to compute times. Always call motion_end afterwards.
  */
-KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion);
 KERNEL void motion_end(struct motion *motion);
 
 /* Returns dt/du, the integrand of the time before a stop, as a smooth function of x (motion.c). The context
@@ -73,7 +65,6 @@ struct instant {
 KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
 /* Finds the state at a tilt. `time` is the time at this tilt, or NaN if it is not known. */
-KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
-                                    bool errors);
+KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state);
 
 #endif

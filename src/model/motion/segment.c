@@ -34,9 +34,9 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
     }
 }
 
-KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq, real *error)
+KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq)
 {
-    return st->geometry.dynamics->speed(&st->geometry, &st->start, theta, omegasq, error);
+    return st->geometry.dynamics->speed(&st->geometry, &st->start, theta, omegasq);
 }
 
 KERNEL enum dom_status segment_begin(struct segment *st)
@@ -71,14 +71,14 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
     real omegasq = REAL_NAN;
     st->status = geometry_tilt(&st->geometry, st->hi, &head);
     if (st->status == DOM_OK)
-        st->status = chain_change(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end, NULL);
+        st->status = chain_change(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end);
     if (st->status != DOM_OK)
         return st->status;
     const real J = st->end.J;
     if (dynamics->conservative)
         omegasq = (st->start.kinetic - st->end.dH) / J;
     else
-        st->status = segment_speed(st, st->hi, &omegasq, NULL);
+        st->status = segment_speed(st, st->hi, &omegasq);
     *next = (struct segment){.geometry = st->geometry,
                              .lo = st->hi,
                              .summed = st->geometry.n,
@@ -126,37 +126,25 @@ KERNEL real slowness(real theta, void *context)
 {
     struct segment *st = context;
     real omegasq = 0;
-    st->status = segment_speed(st, theta, &omegasq, NULL);
+    st->status = segment_speed(st, theta, &omegasq);
     return st->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : REAL_NAN;
 }
 
-KERNEL real slowness_error(real theta, void *context)
-{
-    struct segment *st = context;
-    real omegasq = 0, error = 0;
-    st->status = segment_speed(st, theta, &omegasq, &error);
-    return st->status == DOM_OK && omegasq > error ? error / (2 * (omegasq - error) * sqrt(omegasq - error))
-                                                   : REAL_NAN;
-}
-
 KERNEL enum dom_status segment_integral(struct segment *st, num_function *f, real from, real to, real tol,
-                                        real *sum, real *error)
+                                        real *sum)
 {
     const struct barrier *b = &st->barrier;
     real width = barrier_width(&st->geometry, st->start.from, b, st->start.kinetic - b->height);
     *sum = 0;
     for (int i = 1; i < b->edges; i++) {
-        real lo = fmax(b->edge[i - 1], from), hi = fmin(b->edge[i], to), part = 0, part_error = 0;
+        real lo = fmax(b->edge[i - 1], from), hi = fmin(b->edge[i], to), part = 0;
         if (lo >= hi)
             continue;
-        enum num_status solver =
-            num_peak_integral(f, st, lo, hi, b->theta_m, width, tol, &part, error ? &part_error : NULL);
+        enum num_status solver = num_peak_integral(f, st, lo, hi, b->theta_m, width, tol, &part, NULL);
         enum dom_status status = model_status(st->status, solver);
         if (status != DOM_OK)
             return status;
         *sum += part;
-        if (error)
-            *error += part_error;
     }
     return DOM_OK;
 }
@@ -167,5 +155,5 @@ KERNEL enum dom_status segment_time(struct segment *st, real *time)
     *time = REAL_NAN;
     if (!(noise < (real)0.125))
         return DOM_OK;
-    return segment_integral(st, slowness, st->lo, st->hi, fmax(st->geometry.tol / 8, noise), time, NULL);
+    return segment_integral(st, slowness, st->lo, st->hi, fmax(st->geometry.tol / 8, noise), time);
 }

@@ -50,24 +50,22 @@ KERNEL enum dom_status segment_next(struct segment *segment, struct segment *nex
  * *braked is set to false. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
-/* Finds tau^2 omega^2 at a tilt. If `error` is not NULL, also finds the error bound. */
-KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
+/* Finds tau^2 omega^2 at a tilt. */
+KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq);
 
 /* For a motion that stops, finds the tilt at which its energy is used up. With friction, the function may
  * replace the solution of the motion by another solution, which ends near this tilt. */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
-/* Integrands: the slowness 1 / (tau omega) at a tilt, and its error bound. The context is the segment. */
+/* An integrand: the slowness 1 / (tau omega) at a tilt. The context is the segment. */
 KERNEL real slowness(real theta, void *context);
-KERNEL real slowness_error(real theta, void *context);
 
 /*
  * Integrates f from one tilt to another. The range is split at the edges of the barrier. In each piece, f
- * must be smooth except for a peak at the top of the barrier. Unless `error` is NULL, adds the error bound to
- * *error.
+ * must be smooth except for a peak at the top of the barrier.
  */
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
-                                        real tol, real *sum, real *error);
+                                        real tol, real *sum);
 
 /* Finds the duration of the segment. Its unit is the time scale tau of the head. If the train nearly stops,
  * the duration grows like ln(1/margin). If the margin is 0 to within rounding errors, the duration is NaN. */

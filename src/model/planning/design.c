@@ -519,7 +519,6 @@ enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_w
                                struct dom_design *design)
 {
     struct dom_compute final = compute_or_default(compute);
-    final.errors = false;
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     if (p.status == DOM_OK)
@@ -555,7 +554,6 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
                                  size_t steps, struct dom_design *design)
 {
     struct dom_compute final = compute_or_default(compute);
-    final.errors = false;
     struct planner p = planner_make(train, wish, limits, &final);
     struct dom_design found = no_design;
     struct dom_wish falls = *wish;

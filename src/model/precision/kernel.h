@@ -2,8 +2,7 @@
 /*
  * A kernel is a table of functions for one precision, or for a comparison method (gsl or paper). Most of the
  * functions correspond to those in domino.h, without the prefix "dom_". If a comparison method cannot answer
- * a question, its function for this question is NULL. Error bounds are computed only if the request has
- * `errors` set.
+ * a question, its function for this question is NULL.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
@@ -19,9 +18,9 @@
     X(fuel_find, const struct request *, struct dom_fuels *)                                                 \
     X(launch_find, const struct request *, struct dom_launch *)                                              \
     X(barrier_find, const struct request *, struct dom_barrier *)                                            \
-    X(cycle_omegasq, const struct request *, dom_real, struct dom_value *)                                   \
-    X(cycle_stop, const struct request *, struct dom_value *)                                                \
-    X(cycle_duration, const struct request *, struct dom_value *)                                            \
+    X(cycle_omegasq, const struct request *, dom_real, dom_real *)                                           \
+    X(cycle_stop, const struct request *, dom_real *)                                                        \
+    X(cycle_duration, const struct request *, dom_real *)                                                    \
     X(cycle_events, const struct request *, struct dom_event *, int *)                                       \
     X(cycle_state, const struct request *, dom_real, struct dom_state *)                                     \
     X(cycle_tilt, const struct request *, dom_real, dom_real *)                                              \

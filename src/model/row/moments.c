@@ -60,8 +60,7 @@ static void watch_visit(struct watch *w, dom_real time)
 static enum dom_status passage_lean(struct watch *w, const struct passage *s, real theta)
 {
     real omegasq = 0;
-    enum dom_status status =
-        s->rests && theta >= s->to ? DOM_OK : segment_speed(&s->st, theta, &omegasq, NULL);
+    enum dom_status status = s->rests && theta >= s->to ? DOM_OK : segment_speed(&s->st, theta, &omegasq);
     return status == DOM_OK ? watch_lean(w, &s->st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->since.tau)
                             : status;
 }
@@ -117,7 +116,7 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     else if (isnan(lasts) && s->rests)
         return model_status(st->status, num_integral(slowness_to_rest, s, 0, 1, tol, &s->lasts, NULL));
     else if (isnan(lasts))
-        return segment_integral(st, slowness, st->lo, s->to, tol, &s->lasts, NULL);
+        return segment_integral(st, slowness, st->lo, s->to, tol, &s->lasts);
     return DOM_OK;
 }
 
@@ -135,7 +134,7 @@ static real passage_over(real at, void *context)
         status = model_status(s->st.status,
                               num_integral(slowness_to_rest, s, 0, at, s->st.geometry.tol / 8, &time, NULL));
     else if (at > s->st.lo)
-        status = segment_integral(&s->st, slowness, s->st.lo, at, s->st.geometry.tol / 8, &time, NULL);
+        status = segment_integral(&s->st, slowness, s->st.lo, at, s->st.geometry.tol / 8, &time);
     s->st.status = status;
     return status == DOM_OK ? time - s->into : REAL_NAN;
 }

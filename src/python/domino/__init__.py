@@ -11,8 +11,8 @@ Magnification"). This module asks libdomino about trains and about rows of any d
     20
 
 Questions about a train take s (separation), r (growth), d (thickness) and q (mass: 3 or "hollow", 4 or "solid"), the
-effects friction, slope, edges and walls, and how to compute: tol, precision ("float", "double", "quad"), errors (True
-adds error bounds). Lengths are in heights of the head, angles in radians, energies in m g h / 2, times in tau.
+effects friction, slope, edges and walls, and how to compute: tol and precision ("float", "double", "quad"). Lengths are
+in heights of the head, angles in radians, energies in m g h / 2, times in tau.
 Each of these may be a NumPy array. Arrays broadcast, and are computed on all cores:
 
     >>> import numpy as np
@@ -25,12 +25,12 @@ DominoError.
 
 from ._library import DominoError, OutOfRange, version
 from .rows import Budget, Design, Domino, Fall, Placement, Row, Verdict, Window, design
-from .trains import (Angles, Barrier, Best, Contact, Count, Duration, Energy, Fuel, Launch, Limit, Proof, Train, angles,
+from .trains import (Angles, Barrier, Best, Contact, Count, Energy, Fuel, Launch, Limit, Proof, Train, angles,
                      barrier, best, count, duration, energy, fuel, launch, omegasq, pair, prove, rmax, theta1)
 
 __version__ = version
 __all__ = [
-    "Angles", "Barrier", "Best", "Budget", "Contact", "Count", "Design", "Domino", "DominoError", "Duration", "Energy",
+    "Angles", "Barrier", "Best", "Budget", "Contact", "Count", "Design", "Domino", "DominoError", "Energy",
     "Fall", "Fuel", "Launch", "Limit", "OutOfRange", "Placement", "Proof", "Row", "Train", "Verdict", "Window",
     "angles", "barrier", "best", "count", "design", "duration", "energy", "fuel", "launch", "omegasq", "pair", "prove",
     "rmax", "theta1",

@@ -18,7 +18,7 @@ FUELS = {"exact": api.dom_fuel.DOM_FUEL_EXACT, "paper": api.dom_fuel.DOM_FUEL_PA
 
 
 class Angles(NamedTuple):
-    """The angles of a cycle in rad. `error` holds their error bounds, or is None."""
+    """The angles of a cycle in rad."""
 
     theta_c: Number
     theta_u: Number
@@ -26,7 +26,6 @@ class Angles(NamedTuple):
     theta_f: Number
     theta_leave: Number
     detaches: Any
-    error: tuple | None = None
 
 
 class Contact(NamedTuple):
@@ -36,7 +35,6 @@ class Contact(NamedTuple):
     slope: Number
     arm_a: Number
     arm_b: Number
-    error: tuple | None = None
 
 
 class Energy(NamedTuple):
@@ -45,7 +43,6 @@ class Energy(NamedTuple):
     dH: Number
     J: Number
     J0: Number
-    error: tuple | None = None
 
 
 class Fuel(NamedTuple):
@@ -53,7 +50,6 @@ class Fuel(NamedTuple):
 
     exact: Number
     paper: Number
-    error: tuple | None = None
 
 
 class Launch(NamedTuple):
@@ -64,7 +60,6 @@ class Launch(NamedTuple):
     velocity_ratio: Number
     omegasq: Number
     kinetic: Number
-    error: tuple | None = None
 
 
 class Barrier(NamedTuple):
@@ -74,14 +69,6 @@ class Barrier(NamedTuple):
     barrier: Number
     kinetic: Number
     margin: Number
-    error: tuple | None = None
-
-
-class Duration(NamedTuple):
-    """A number in units of tau, and its error bound or None."""
-
-    value: Number
-    error: Number | None = None
 
 
 class Limit(NamedTuple):
@@ -89,7 +76,6 @@ class Limit(NamedTuple):
 
     r_max: Number
     ends: Any
-    error: Number | None = None
 
 
 class Best(NamedTuple):
@@ -97,7 +83,6 @@ class Best(NamedTuple):
 
     s: Number
     r_max: Number
-    error: tuple | None = None
 
 
 class Count(NamedTuple):
@@ -229,99 +214,86 @@ def _set_nan(answers: Any, where: Any) -> None:
     """Sets all numbers of these results to NaN, including those in nested structures."""
     import numpy as np
 
-    for name in answers.dtype.names:
+    if not answers.dtype.names:
+        answers[where] = math.nan
+    for name in answers.dtype.names or ():
         if answers.dtype[name].names:
             _set_nan(answers[name], where)
         elif answers.dtype[name] == np.float64:
             answers[name][where] = math.nan
 
 
-def _tuple(kind: type, answer: Any, fields: list[str], errors: bool) -> Any:
-    """Converts a result to a named tuple, with error bounds if these were requested."""
+def _tuple(kind: type, answer: Any, fields: list[str]) -> Any:
+    """Converts a result to a named tuple."""
     get = (lambda a, name: a[name]) if hasattr(answer, "dtype") else getattr
-    error = None
-    if errors:
-        bounds = get(answer, "error")
-        names = [name for name in fields if name in _fields(bounds)]
-        error = tuple(get(bounds, name) for name in names) if names else bounds
-        if len(names) == 1:
-            error = error[0]
-    return kind(*[get(answer, name) for name in fields], error)
+    return kind(*[get(answer, name) for name in fields])
 
 
-def _fields(structure: Any) -> list[str]:
-    if hasattr(structure, "dtype"):
-        return list(structure.dtype.names or [])
-    return [field[0] for field in getattr(structure, "_fields_", [])]
-
-
-def _how(tol: float | None, precision: str, errors: bool) -> dict[str, Any]:
-    return {"tol": tol, "precision": precision, "errors": errors}
+def _how(tol: float | None, precision: str) -> dict[str, Any]:
+    return {"tol": tol, "precision": precision}
 
 
 ASK = api.dom_question
 
 
-def angles(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def angles(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
            **train: Any) -> Angles:  # fmt: skip
     """The angles that bound a cycle (2; a2), (4; b1), (40; A16), (42; A18)."""
-    a = _ask(ASK.DOM_ASK_ANGLES, api.dom_angles, Train(s, **train), None, _how(tol, precision, errors))
-    return _tuple(Angles, a, ["theta_c", "theta_u", "theta_inf", "theta_f", "theta_leave", "detaches"], errors)
+    a = _ask(ASK.DOM_ASK_ANGLES, api.dom_angles, Train(s, **train), None, _how(tol, precision))
+    return _tuple(Angles, a, ["theta_c", "theta_u", "theta_inf", "theta_f", "theta_leave", "detaches"])
 
 
-def theta1(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
-           errors: bool = False, **train: Any) -> Contact:  # fmt: skip
+def theta1(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double", **train: Any) -> Contact:  # fmt: skip
     """The tilt of the follower of a domino that leans at theta, in rad (12; b8)."""
-    a = _ask(ASK.DOM_ASK_CONTACT, api.dom_contact, Train(s, **train), theta, _how(tol, precision, errors))
-    return _tuple(Contact, a, ["theta_1", "slope", "arm_a", "arm_b"], errors)
+    a = _ask(ASK.DOM_ASK_CONTACT, api.dom_contact, Train(s, **train), theta, _how(tol, precision))
+    return _tuple(Contact, a, ["theta_1", "slope", "arm_a", "arm_b"])
 
 
-def energy(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
-           errors: bool = False, **train: Any) -> Energy:  # fmt: skip
+def energy(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double", **train: Any) -> Energy:  # fmt: skip
     """The energy and the inertia of the train whose head leans at theta, in rad (19; c1) (20; c2)."""
-    a = _ask(ASK.DOM_ASK_ENERGY, api.dom_energy, Train(s, **train), theta, _how(tol, precision, errors))
-    return _tuple(Energy, a, ["dH", "J", "J0"], errors)
+    a = _ask(ASK.DOM_ASK_ENERGY, api.dom_energy, Train(s, **train), theta, _how(tol, precision))
+    return _tuple(Energy, a, ["dH", "J", "J0"])
 
 
-def fuel(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def fuel(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
          **train: Any) -> Fuel:  # fmt: skip
     """The energy that one cycle releases (25; c7)."""
-    a = _ask(ASK.DOM_ASK_FUEL, api.dom_fuels, Train(s, **train), None, _how(tol, precision, errors))
-    return _tuple(Fuel, a, ["exact", "paper"], errors)
+    a = _ask(ASK.DOM_ASK_FUEL, api.dom_fuels, Train(s, **train), None, _how(tol, precision))
+    return _tuple(Fuel, a, ["exact", "paper"])
 
 
-def launch(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def launch(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
            **train: Any) -> Launch:  # fmt: skip
     """The motion right after a collision (24; c6)."""
-    a = _ask(ASK.DOM_ASK_LAUNCH, api.dom_launch, Train(s, **train), None, _how(tol, precision, errors))
-    return _tuple(Launch, a, ["fuel", "J0", "velocity_ratio", "omegasq", "kinetic"], errors)
+    a = _ask(ASK.DOM_ASK_LAUNCH, api.dom_launch, Train(s, **train), None, _how(tol, precision))
+    return _tuple(Launch, a, ["fuel", "J0", "velocity_ratio", "omegasq", "kinetic"])
 
 
-def barrier(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def barrier(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
             **train: Any) -> Barrier:  # fmt: skip
     """The barrier of a cycle, and the energy left at its top (26; c8). The train keeps falling if margin >= 0."""
-    a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, _how(tol, precision, errors),
+    a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, _how(tol, precision),
              ("STOPS", "NO_FUEL"))  # fmt: skip
-    return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin"], errors)
+    return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin"])
 
 
 def omegasq(theta: Number, s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
-            errors: bool = False, **train: Any) -> Duration:  # fmt: skip
+            **train: Any) -> Number:  # fmt: skip
     """tau^2 omega(theta)^2 of the head between one collision and the next (21; c3)."""
-    a = _ask(ASK.DOM_ASK_OMEGASQ, api.dom_value, Train(s, **train), theta, _how(tol, precision, errors))
-    return _tuple(Duration, a, ["value"], errors)
+    a = _ask(ASK.DOM_ASK_OMEGASQ, ctypes.c_double, Train(s, **train), theta, _how(tol, precision))
+    return a if hasattr(a, "dtype") else a.value
 
 
-def duration(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
-             **train: Any) -> Duration:  # fmt: skip
+def duration(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
+             **train: Any) -> Number:  # fmt: skip
     """The duration of a cycle, from one collision to the next, in tau."""
-    a = _ask(ASK.DOM_ASK_DURATION, api.dom_value, Train(s, **train), None, _how(tol, precision, errors))
-    return _tuple(Duration, a, ["value"], errors)
+    a = _ask(ASK.DOM_ASK_DURATION, ctypes.c_double, Train(s, **train), None, _how(tol, precision))
+    return a if hasattr(a, "dtype") else a.value
 
 
 def _limit(question: int, s: Number, how: dict[str, Any], train: dict[str, Any]) -> Limit:
     a = _ask(question, api.dom_limit, Train(s, **train), None, how)
-    limit = _tuple(Limit, a, ["r_max", "ends"], how["errors"])
+    limit = _tuple(Limit, a, ["r_max", "ends"])
     if hasattr(limit.ends, "dtype"):
         import numpy as np
 
@@ -330,22 +302,22 @@ def _limit(question: int, s: Number, how: dict[str, Any], train: dict[str, Any])
     return limit._replace(ends=lib.dom_end_text(limit.ends).decode())
 
 
-def rmax(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def rmax(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
          **train: Any) -> Limit:  # fmt: skip
     """The largest growth of a train at the separation s; r is not used."""
-    return _limit(ASK.DOM_ASK_RMAX, s, _how(tol, precision, errors), train)
+    return _limit(ASK.DOM_ASK_RMAX, s, _how(tol, precision), train)
 
 
-def pair(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
+def pair(s: Number = 0.4, *, tol: float | None = None, precision: str = "double",
          **train: Any) -> Limit:  # fmt: skip
     """The largest growth of two dominoes, the first of which tips over its edge from rest; r is not used."""
-    return _limit(ASK.DOM_ASK_PAIR, s, _how(tol, precision, errors), train)
+    return _limit(ASK.DOM_ASK_PAIR, s, _how(tol, precision), train)
 
 
-def best(*, tol: float | None = None, precision: str = "double", errors: bool = False, **train: Any) -> Best:
+def best(*, tol: float | None = None, precision: str = "double", **train: Any) -> Best:
     """The separation that allows the largest growth, and the growth; s and r are not used."""
-    a = _ask(ASK.DOM_ASK_BEST, api.dom_best, Train(**train), None, _how(tol, precision, errors))
-    return _tuple(Best, a, ["s", "r_max"], errors)
+    a = _ask(ASK.DOM_ASK_BEST, api.dom_best, Train(**train), None, _how(tol, precision))
+    return _tuple(Best, a, ["s", "r_max"])
 
 
 def count(height: float, r: float = 1.5, *, first: float = 0.048) -> Count:

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/answer.h"
+#include "answer/reference.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"
@@ -72,9 +73,9 @@ void answer_announce(struct answer *a, const char *key, domq_real number)
             a->layout.largest[i] = fmax(a->layout.largest[i], fabs((double)number));
 }
 
-bool answer_bounded(const struct answer *a, int i)
+bool answer_has_error(const struct answer *a, int i)
 {
-    return (a->layout.bounded >> i & 1) != 0;
+    return (a->layout.errors >> i & 1) != 0;
 }
 
 /* ---- The layout, before the first row ---- */
@@ -100,7 +101,7 @@ void answer_plan(struct answer *a, const struct cell *sample)
     for (int i = 0; a->columns[i].key; i++) {
         bool is_real = sample && sample[i].kind == CELL_REAL;
         if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
-            a->layout.bounded |= 1u << i;
+            a->layout.errors |= 1u << i;
         /* If the numbers of a column are not known yet, the column gets its largest unit. */
         domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
@@ -124,14 +125,15 @@ static void answer_open(struct answer *a)
         putc('\n', a->out);
 }
 
-struct answer answer_part(const struct answer *a, FILE *out, bool first)
+struct answer answer_part(const struct answer *a, FILE *out, size_t row)
 {
     struct answer part = *a;
     part.out = out;
     part.kept = NULL;
     part.rest = NULL;
-    part.has_rows = part.has_rows || !first;
-    part.is_open = part.is_open || !first;
+    part.row = row;
+    part.has_rows = part.has_rows || row > 0;
+    part.is_open = part.is_open || row > 0;
     return part;
 }
 
@@ -182,6 +184,8 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
         struct cell *cell = &shown[count];
         *cell = cells[count];
         cell->error = a->style.errors ? cell->error : 0;
+        a->has_unknown = a->has_unknown || (cell->kind == CELL_REAL && cell->computed && cell->digits == 0 &&
+                                            isnan(cell->error));
         if (column_is_angle(&a->columns[count])) {
             cell->number = style_angle(&a->style, cell->number);
             cell->error = style_angle(&a->style, cell->error);
@@ -216,6 +220,7 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->kept = NULL;
     rest->answer->brief = NULL;
     rest->answer->rest = NULL;
+    rest->answer->reference = NULL; /* the cells have been compared already */
     rest->answer->is_open = true;
     rest->answer->layout.letters = rest->answer->layout.bold = false; /* 'details > FILE' is plain text */
     rest->answer->has_rows = false;
@@ -285,21 +290,35 @@ static void rest_begin_rows(struct answer *a)
     }
 }
 
-void answer_keep(struct answer *a, const struct cell *cells)
+/* Returns the number of cells in a row, including those that are left out. */
+static int cells_count(const struct answer *a)
 {
     int count = 0;
     for (unsigned left = a->left_out; left; left &= left - 1)
         count++;
     for (const struct column *c = a->columns; c->key; c++)
         count++;
+    return count;
+}
+
+void answer_keep(struct answer *a, const struct cell *cells)
+{
     if (a->kept)
-        memcpy(a->kept, cells, (size_t)count * sizeof *cells);
+        memcpy(a->kept, cells, (size_t)cells_count(a) * sizeof *cells);
 }
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct cell left[ANSWER_COLUMNS];
+    struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS];
     answer_keep(a, cells);
+    if (a->recorder)
+        reference_add(a->recorder, cells, cells_count(a));
+    if (a->reference) {
+        memcpy(compared, cells, (size_t)cells_count(a) * sizeof *cells);
+        reference_compare(a, compared, cells_count(a));
+        cells = compared;
+    }
+    a->row++;
     const bool is_brief = a->brief && *a->brief != '*' && answer_for_people(a);
     if (is_brief && !a->has_rest_rows)
         rest_begin_rows(a);

@@ -35,9 +35,9 @@ struct layout {
     bool letters; /* the terminal can show Greek letters */
     bool bold;    /* the terminal has colours */
     int width;    /* the width of the terminal in columns, or 0 if there is no terminal */
-    /* Bit i is set if column i has error bounds. In csv and json, these bounds are written in an additional
-     * column. */
-    unsigned bounded;
+    /* Bit i is set if column i shows errors. In csv and json, the errors are written in an additional column.
+     */
+    unsigned errors;
     double largest[ANSWER_COLUMNS];         /* see answer_announce */
     struct measure measure[ANSWER_COLUMNS]; /* the unit of each column in a table of rows */
     /* Only for the table format: */
@@ -104,6 +104,12 @@ struct answer {
      * directly. Otherwise NULL. */
     void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
     void *sink_context;
+
+    size_t row; /* the index of the next row */
+    /* The same answer, computed with 30 digits. NULL if errors are not shown, or not known. */
+    const struct reference *reference;
+    struct reference *recorder; /* receives the rows of an answer that is itself the reference */
+    bool has_unknown;           /* a number was shown without its error, although errors are on */
 };
 
 /* An error, as reported to programs that read answers. */
@@ -177,18 +183,19 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 void answer_keep(struct answer *answer, const struct cell *cells);
 
 /* Fixes the layout before the first row is known. The layout becomes what it would be if the first row were
- * `sample`. If `sample` is NULL, no column has error bounds. */
+ * `sample`. If `sample` is NULL, no column shows errors. */
 void answer_plan(struct answer *answer, const struct cell *sample);
 
 /* Returns a copy of the answer that writes its rows to another stream. The layout must be fixed already, so
- * that all copies write the same columns. If `first` is true, the copy also writes the lines above the first
- * row. */
-struct answer answer_part(const struct answer *answer, FILE *out, bool first);
+ * that all copies write the same columns. `row` is the index of the first row of the copy; if it is 0, the
+ * copy also writes the lines above that row. */
+struct answer answer_part(const struct answer *answer, FILE *out, size_t row);
 
 /* Returns true if no more rows can be written: the disk is full, or a pipe has no reader. */
 bool answer_lost(const struct answer *answer);
 
-bool answer_bounded(const struct answer *answer, int i);
+/* Returns true if column i shows errors. */
+bool answer_has_error(const struct answer *answer, int i);
 
 /* ---- Sentences, and the end ---- */
 

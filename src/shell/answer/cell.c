@@ -12,15 +12,21 @@ struct cell cell_real(domq_real value)
     return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
 }
 
-struct cell cell_bound(domq_real value, domq_real error)
+struct cell cell_computed(domq_real value)
 {
-    struct cell cell = cell_real(value);
-    cell.error = cell.kind == CELL_REAL ? error : 0;
+    struct cell cell = cell_without_error(value);
     cell.computed = true;
     return cell;
 }
 
-struct cell cell_without_bound(domq_real value)
+struct cell cell_uncertain(domq_real value, domq_real uncertainty)
+{
+    struct cell cell = cell_computed(value);
+    cell.error = uncertainty;
+    return cell;
+}
+
+struct cell cell_without_error(domq_real value)
 {
     struct cell cell = cell_real(value);
     cell.error = DOMQ_NAN;
@@ -51,49 +57,49 @@ struct cell cell_word(const char *word)
 
 /* ---- Text ---- */
 
-/* Writes an error bound with two digits, rounded up so that it remains a bound. */
-static const char *bound_text(domq_real error, char text[WIDE_TEXT])
+/* Writes an error with two digits, rounded up. */
+static const char *error_text(domq_real error, char text[WIDE_TEXT])
 {
     return quad_write(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits of a number to print. Rounding then adds little to the error bound. */
-static int bound_digits(struct cell cell, int all)
+/* Returns how many digits of a number to print. Rounding then adds little to the error. */
+static int error_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
     int digits = ratio > 1 ? (int)quad_smaller(quad(floor)(quad(log10)(ratio)), 40) + 3 : 2;
     return digits < all ? digits : all;
 }
 
-/* Returns a bound on the error of the printed number, including its rounding error. */
+/* Returns the error of the printed number, including its rounding error. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
 }
 
-static const char *real_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
+static const char *real_text(struct cell cell, int digits, bool errors, char text[CELL_TEXT])
 {
-    char number[WIDE_TEXT], bound[WIDE_TEXT];
-    bool with_bound = bounds && isfinite(cell.error) && cell.digits == 0;
-    if (!with_bound)
+    char number[WIDE_TEXT], shown[WIDE_TEXT];
+    bool with_error = errors && isfinite(cell.error) && cell.digits == 0;
+    if (!with_error)
         return quad_write(cell.number, cell.digits ? cell.digits : digits, text);
     if (cell.error == 0)
         quad_exact(cell.number, digits, number);
     else
-        quad_write(cell.number, bound_digits(cell, digits), number);
+        quad_write(cell.number, error_digits(cell, digits), number);
     domq_real error = printed_error(cell, number);
     if (error > 0)
-        snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
+        snprintf(text, CELL_TEXT, "%s +/- %s", number, error_text(error, shown));
     else
         snprintf(text, CELL_TEXT, "%s", number);
     return text;
 }
 
-const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
+const char *cell_text(struct cell cell, int digits, bool errors, char text[CELL_TEXT])
 {
     switch (cell.kind) {
     case CELL_REAL:
-        return real_text(cell, digits, bounds, text);
+        return real_text(cell, digits, errors, text);
     case CELL_COUNT:
         return quad_write(cell.number, WIDE_DIGITS, text);
     case CELL_FLAG:
@@ -168,12 +174,12 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     return text;
 }
 
-const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
+const char *cell_plain_error(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT])
 {
     char number[CELL_TEXT];
-    bool has_bound =
-        /* the factor of 2 allows for bound_text, which rounds the bound up */
+    bool has_error =
+        /* the factor of 2 allows for error_text, which rounds up */
         cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2));
-    return has_bound ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
+    return has_error ? error_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }

@@ -21,27 +21,32 @@ struct answer_style {
     enum dom_precision precision;
     double tol;      /* the tolerance to which numbers are computed */
     int all_digits;  /* the number of digits needed for an exact round trip at this precision */
-    unsigned errors; /* show error bounds */
+    unsigned errors; /* show errors: see answer/reference.h */
 };
 
 struct cell {
     enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
     domq_real number;
-    domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
+    domq_real error; /* the error: 0 for an exact number, NaN if it is not known */
     const char *word;
-    /* If this is not 0, tables show the number with at most this many digits and without its error bound,
+    /* If this is not 0, tables show the number with at most this many digits and without its error,
      * whatever answer_style.digits is. */
     int digits;
-    /* The number was computed to the tolerance of the style. If its error bound is not shown, a table shows
+    /* The number was computed to the tolerance of the style. If its error is not shown, a table shows
      * only the digits that this tolerance guarantees. */
     bool computed;
 };
 
 /* These functions make cells. NaN and infinity give an empty cell, which is null in json. */
 struct cell cell_real(domq_real value);
-struct cell cell_bound(domq_real value, domq_real error);
+struct cell cell_computed(domq_real value);
 
-struct cell cell_without_bound(domq_real value);
+/* Makes a cell for a number that a search found only to within `uncertainty`. The error of the number is at
+ * least as large. */
+struct cell cell_uncertain(domq_real value, domq_real uncertainty);
+
+/* Makes a cell for a number whose error is not known, and is not computed either. */
+struct cell cell_without_error(domq_real value);
 
 /* Makes a cell for a number that is known to only three digits. */
 struct cell cell_brief(double value);
@@ -58,17 +63,17 @@ bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table. A real number gets at most `digits` digits. If `bounds` is true and
- * the error bound of the number is known, the text also shows the bound. For a cell with digits of its own
+/* Returns the text of a cell in a table. A real number gets at most `digits` digits. If `errors` is true and
+ * the error of the number is known, the text also shows the error. For a cell with digits of its own
  * (cell.digits), these two parameters have no effect. A count gets all its digits. */
-const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
+const char *cell_text(struct cell cell, int digits, bool errors, char text[CELL_TEXT]);
 
-/* Returns the text of a cell in csv and json, without its error bound. Numbers are written with few digits,
+/* Returns the text of a cell in csv and json, without its error. Numbers are written with few digits,
  * but with enough that reading the text gives the same number again. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
-/* Returns the text of the cell's error bound in csv and json. If no bound is known, returns `none`. */
-const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
+/* Returns the text of the cell's error in csv and json. If the error is not known, returns `none`. */
+const char *cell_plain_error(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
 
 #endif

@@ -37,7 +37,7 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
         const struct column *c = &a->columns[i];
         n += (size_t)snprintf(header + n, sizeof header - n, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s",
                               i ? "," : "", c->key, c->unit);
-        if (answer_bounded(a, i) && n < sizeof header)
+        if (answer_has_error(a, i) && n < sizeof header)
             n += (size_t)snprintf(header + n, sizeof header - n, ",%s_error", c->key);
     }
     if (n < sizeof header)
@@ -67,8 +67,8 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         if (i)
             putc_unlocked(',', a->out);
         cell_write(a, cells[i]);
-        if (answer_bounded(a, i))
-            fprintf(a->out, ",%s", cell_plain_bound(&a->style, cells[i], "", text));
+        if (answer_has_error(a, i))
+            fprintf(a->out, ",%s", cell_plain_error(&a->style, cells[i], "", text));
     }
     if (a->csv.has_reasons) {
         putc_unlocked(',', a->out);

@@ -21,9 +21,9 @@ static void json_row(struct answer *a, const struct cell *cells, const char *rea
     for (int i = 0; a->columns[i].key; i++) {
         fprintf(a->out, ",\"%s\":", a->columns[i].key);
         cell_write(a, cells[i]);
-        if (answer_bounded(a, i))
+        if (answer_has_error(a, i))
             fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key,
-                    cell_plain_bound(&a->style, cells[i], "null", text));
+                    cell_plain_error(&a->style, cells[i], "null", text));
     }
     if (reason) {
         fputs_unlocked(",\"reason\":", a->out);

@@ -11,7 +11,7 @@
 
 enum {
     NUMBER_MARGIN = 6, /* the width that a number needs besides its digits, for "-0." or "e-300" */
-    BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
+    ERROR_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if the last column has less room, its words are below each row */
     WORDS_SHORT = 12,   /* a last column of words that is no wider than this needs only its own width */
@@ -36,23 +36,23 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
 /* Returns the maximum width of a number with `digits` digits, in columns of the terminal. */
 static int number_width(const struct answer *a, int digits)
 {
-    return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
+    return digits + NUMBER_MARGIN + (a->style.errors ? ERROR_MARGIN : 0);
 }
 
-/* Returns the maximum number of digits to show. If error bounds are shown, the error bound of each number
- * determines its digits, so 'set digits' is ignored here. */
+/* Returns the maximum number of digits to show. If errors are shown, the error of each number determines its
+ * digits, so 'set digits' is ignored here. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell, with its number converted to the unit `measure`. If the error bound of the
- * number is known and shown, this bound determines the digits. Otherwise, the digits are limited by 'set
+/* Returns the text of a cell, with its number converted to the unit `measure`. If the error of the
+ * number is known and shown, it determines the digits. Otherwise, the digits are limited by 'set
  * digits' and, for a computed number, also by the tolerance. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {
-    bool has_bound = a->style.errors && isfinite(cell.error);
+    bool has_error = a->style.errors && isfinite(cell.error);
     int most = (int)a->style.digits;
     if (cell.computed && most > style_tol_digits(&a->style))
         most = style_tol_digits(&a->style);
@@ -60,7 +60,7 @@ static const char *table_text(const struct answer *a, struct measure measure, st
         cell.number = measure_number(measure, cell.number);
         cell.error = isfinite(cell.error) ? measure_number(measure, cell.error) : cell.error;
     }
-    return cell_text(cell, !has_bound && digits > most ? most : digits, a->style.errors, text);
+    return cell_text(cell, !has_error && digits > most ? most : digits, a->style.errors, text);
 }
 
 /* Returns the text with Greek letters and mathematical signs if the terminal can show them. */

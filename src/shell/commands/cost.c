@@ -29,10 +29,8 @@ const char *cost_names(const void *context, int k)
     return measured_answers[k].name;
 }
 
-#define VALUE_OF(result, member) ((struct domq_value){(result).member, (result).error.member})
-
 static enum dom_status compute_answer(int which, const struct domq_train *train,
-                                      const struct domq_compute *compute, struct domq_value *value)
+                                      const struct domq_compute *compute, domq_real *value)
 {
     struct domq_fuels fuels;
     struct domq_launch launch;
@@ -42,21 +40,21 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
     switch (which) {
     case COST_FUEL:
         status = domq_fuel_find(train, compute, &fuels);
-        *value = train->fuel == DOM_FUEL_PAPER ? VALUE_OF(fuels, paper) : VALUE_OF(fuels, exact);
+        *value = train->fuel == DOM_FUEL_PAPER ? fuels.paper : fuels.exact;
         return status;
     case COST_LAUNCH:
         status = domq_launch_find(train, compute, &launch);
-        *value = VALUE_OF(launch, omegasq);
+        *value = launch.omegasq;
         return status;
     case COST_BARRIER:
         status = domq_barrier_find(train, compute, &barrier);
-        *value = VALUE_OF(barrier, margin);
+        *value = barrier.margin;
         return status == DOM_STOPS ? DOM_OK : status;
     case COST_DURATION:
         return domq_cycle_duration(train, compute, value);
     default:
         status = (which == COST_RMAX ? domq_limit_rmax : domq_limit_pair)(train, compute, &limit);
-        *value = VALUE_OF(limit, r_max);
+        *value = limit.r_max;
         return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
     }
 }
@@ -95,16 +93,15 @@ struct timed {
 static bool timed_answer(void *context)
 {
     const struct timed *t = context;
-    struct domq_value value;
+    domq_real value;
     return compute_answer(t->which, t->train, t->compute, &value) == DOM_OK;
 }
 
-static void row_measure(int which, const struct query *query, const struct domq_value *reference,
-                        struct cost_row *row)
+static void row_measure(int which, const struct query *query, domq_real reference, struct cost_row *row)
 {
     const struct domq_train *train = &query->scene->train;
     struct domq_compute compute = query->scene->compute;
-    struct domq_value value = {0, 0};
+    domq_real value = 0;
     compute.method = row->method;
     compute.precision = row->precision;
     compute.tol = (domq_real)row->tol;
@@ -112,8 +109,9 @@ static void row_measure(int which, const struct query *query, const struct domq_
     row->status = compute_answer(which, train, &compute, &value);
     if (row->status != DOM_OK)
         return;
-    domq_real size = reference->value == 0 ? 1 : quad(fabs)(reference->value);
-    row->error = quad_larger(quad(fabs)(value.value - reference->value), reference->error) / size;
+    const domq_real size = reference == 0 ? 1 : quad(fabs)(reference),
+                    rounding = (domq_real)domq_arithmetic(DOM_QUAD)->epsilon * size;
+    row->error = quad_larger(quad(fabs)(value - reference), rounding) / size;
     compute.work = NULL;
     row->seconds = seconds_of(timed_answer, &(struct timed){which, train, &compute});
 }
@@ -136,9 +134,8 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS, "room for every row");
 
 /* Measures one method in one precision, with smaller and smaller tolerances. */
-static enum dom_status contender_measure(int which, const struct query *query,
-                                         const struct domq_value *reference, int contender, double done,
-                                         struct cost *cost)
+static enum dom_status contender_measure(int which, const struct query *query, domq_real reference,
+                                         int contender, double done, struct cost *cost)
 {
     const double longest = 2; /* in s; a measurement that would probably take longer is not made */
     const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
@@ -165,16 +162,15 @@ static enum dom_status contender_measure(int which, const struct query *query,
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem)
 {
     struct domq_compute finest = query->scene->compute;
-    struct domq_value reference = {0, 0};
+    domq_real reference = 0;
     double done = 0;
     finest.method = DOM_METHOD_OURS;
     finest.precision = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
     finest.tol = domq_arithmetic(finest.precision)->tol_floor;
-    finest.errors = true;
     *cost = (struct cost){.cheapest = HUGE_VAL};
     enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
     for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
-        if (contender_measure(which, query, &reference, c, done, cost) == DOM_INTERRUPTED)
+        if (contender_measure(which, query, reference, c, done, cost) == DOM_INTERRUPTED)
             status = DOM_INTERRUPTED;
         done += contenders[c].share;
     }

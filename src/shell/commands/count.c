@@ -270,10 +270,11 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     if (is_enough)
         count_say(a, &train, &count, &t, height, first);
     answer_row(a,
-               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
-                   cell_real(first), CELL_OF(count, last), cell_flag(t.falls), cell_flag(!t.stops),
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes),
+                   cell_computed(count.exact), cell_real(first), cell_computed(count.last),
+                   cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
-                   cell_without_bound(t.start.push), cell_without_bound(t.growths.r_max)),
+                   cell_without_error(t.start.push), cell_without_error(t.growths.r_max)),
                people && is_enough ? NULL : why);
     if (!people)
         return true;

@@ -44,8 +44,9 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
         answer_describe(
             a, "theta_u", NULL,
             "tilt at which a single domino just tips over: tan(theta_u + alpha) = d, with the slope alpha");
-    return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
-                        CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));
+    return answer_cells(a, cell_computed(angles.theta_c), cell_computed(angles.theta_u),
+                        cell_computed(angles.theta_inf), cell_computed(angles.theta_f),
+                        cell_computed(angles.theta_leave), cell_flag(angles.detaches));
 }
 
 static const struct column theta1_columns[] = {
@@ -67,10 +68,10 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
     const char *why =
         isnan(c.arm_a) ? "the lever arms have no value because the follower has detached; its tilt is theta_f"
                        : NULL;
-    return answer_row(
-        a,
-        ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
-        why);
+    return answer_row(a,
+                      ROW(cell_real(theta), cell_computed(c.theta_1), cell_computed(c.slope),
+                          cell_computed(c.arm_a), cell_computed(c.arm_b)),
+                      why);
 }
 
 static const struct column chain_columns[] = {
@@ -85,8 +86,8 @@ static const struct column chain_columns[] = {
 
 static bool chain_row(const struct domq_link *k, void *context)
 {
-    answer_cells(context, cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope),
-                 CELL_OF(*k, arm_a), CELL_OF(*k, arm_b), CELL_OF(*k, weight));
+    answer_cells(context, cell_count((domq_real)k->i), cell_computed(k->theta), cell_computed(k->slope),
+                 cell_computed(k->arm_a), cell_computed(k->arm_b), cell_computed(k->weight));
     return !answer_lost(context);
 }
 
@@ -112,7 +113,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
     if (!query_status(query, problem,
                       domq_energy_find(&query->scene->train, query_compute(query), theta, &e)))
         return false;
-    return answer_cells(a, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
+    return answer_cells(a, cell_real(theta), cell_computed(e.dH), cell_computed(e.J), cell_computed(e.J0));
 }
 
 static const struct column fuel_columns[] = {
@@ -129,14 +130,15 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK)
         return query_status(query, problem, status);
     const bool has_paper = query->scene->train.rho == 0 && query->scene->train.alpha == 0;
-    struct cell exact = CELL_OF(f, exact), paper = has_paper ? CELL_OF(f, paper) : cell_real(DOMQ_NAN);
+    struct cell exact = cell_computed(f.exact),
+                paper = has_paper ? cell_computed(f.paper) : cell_real(DOMQ_NAN);
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
     if (domq_law(&query->scene->train)->dissipates) {
         status = domq_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return query_status(query, problem, status);
-        used = cell_bound(launch.fuel, DOMQ_NAN);
+        used = cell_computed(launch.fuel);
     }
     const char *reason = has_paper ? NULL
                                    : "fuel_paper has no value: the paper's closed form is for sharp edges on "
@@ -146,14 +148,13 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
 
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
-    struct domq_value stop;
+    domq_real stop;
     char place[64] = "";
     struct answer_style style = state_style(query->state);
     int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
-    if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
-        isfinite(stop.value))
-        snprintf(place, sizeof place, " at theta = %s %s,",
-                 quad_text(style_angle(&style, stop.value), digits), style_angle_unit(&style));
+    if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK && isfinite(stop))
+        snprintf(place, sizeof place, " at theta = %s %s,", quad_text(style_angle(&style, stop), digits),
+                 style_angle_unit(&style));
     snprintf(reason, ANSWER_REASON,
              "no domino effect: the train has too little energy and stops%s before the top of the barrier",
              place);
@@ -199,8 +200,8 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
-                      ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
-                          CELL_OF(l, kinetic), CELL_OF(l, J0)),
+                      ROW(cell_computed(l.omegasq), cell_omega(l.omegasq, tau), cell_computed(l.kinetic),
+                          cell_computed(l.J0)),
                       why);
 }
 
@@ -214,17 +215,14 @@ static const struct column omega_columns[] = {
 static bool run_omega(const struct query *query, struct answer *a, struct problem *problem)
 {
     domq_real theta = query->given->number[0];
-    struct domq_value omegasq;
+    domq_real omegasq;
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_cycle_omegasq(&query->scene->train, query_compute(query), theta, &omegasq);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
-    return answer_row(a,
-                      ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
-                          cell_omega(omegasq.value, omegasq.error, tau)),
-                      why);
+    return answer_row(a, ROW(cell_real(theta), cell_computed(omegasq), cell_omega(omegasq, tau)), why);
 }
 
 static const struct column barrier_columns[] = {
@@ -249,8 +247,8 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     answer_set_verdict(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
     return answer_row(a,
-                      ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
-                          verdict_cell(status)),
+                      ROW(cell_computed(b.theta_m), cell_computed(b.barrier), cell_computed(b.kinetic),
+                          cell_computed(b.margin), verdict_cell(status)),
                       why);
 }
 
@@ -264,26 +262,24 @@ static const struct column duration_columns[] = {
 
 static bool run_duration(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct domq_value duration = {.value = DOMQ_NAN};
+    domq_real duration = DOMQ_NAN;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_cycle_duration(&query->scene->train, query_compute(query), &duration);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
-    domq_real speed =
-        why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration.value);
-    return answer_row(a,
-                      ROW(cell_bound(duration.value, duration.error), cell_real(tau),
-                          cell_bound(duration.value * tau, duration.error * tau),
-                          cell_bound(speed, speed * duration.error / duration.value)),
-                      why);
+    domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration);
+    return answer_row(
+        a, ROW(cell_computed(duration), cell_real(tau), cell_computed(duration * tau), cell_computed(speed)),
+        why);
 }
 
 #define TILT .name = "T", .kind = ARGUMENT_TILT
 
 const struct command cycle_commands[] = {
     {.name = "thetac",
+     .has_errors = true,
      .synonyms = "angles collision",
      .train = true,
      .summary = "the tilts at which a cycle begins, changes and ends",
@@ -293,6 +289,7 @@ const struct command cycle_commands[] = {
      .principal = "theta_c",
      ANSWER(thetac)},
     {.name = "theta1",
+     .has_errors = true,
      .synonyms = "lean contact",
      .train = true,
      .argument = {{TILT}},
@@ -303,6 +300,7 @@ const struct command cycle_commands[] = {
      .principal = "theta_1",
      ANSWER(theta1)},
     {.name = "chain",
+     .has_errors = true,
      .shortest = "ch",
      .synonyms = "profile shape lean",
      .train = true,
@@ -315,6 +313,7 @@ const struct command cycle_commands[] = {
      .rows = true,
      ANSWER(chain)},
     {.name = "energy",
+     .has_errors = true,
      .synonyms = "height weight",
      .train = true,
      .argument = {{TILT}},
@@ -325,6 +324,7 @@ const struct command cycle_commands[] = {
      .principal = "dH",
      ANSWER(energy)},
     {.name = "fuel",
+     .has_errors = true,
      .synonyms = "energy",
      .train = true,
      .summary = "the energy that one cycle releases",
@@ -338,6 +338,7 @@ const struct command cycle_commands[] = {
      .principal = "fuel",
      ANSWER(fuel)},
     {.name = "launch",
+     .has_errors = true,
      .shortest = "l",
      .synonyms = "impact hit start",
      .train = true,
@@ -348,6 +349,7 @@ const struct command cycle_commands[] = {
      .principal = "omega0sq",
      ANSWER(launch)},
     {.name = "omega",
+     .has_errors = true,
      .synonyms = "speed velocity fast",
      .train = true,
      .argument = {{TILT}},
@@ -358,6 +360,7 @@ const struct command cycle_commands[] = {
      .principal = "omega",
      ANSWER(omega)},
     {.name = "barrier",
+     .has_errors = true,
      .synonyms = "stop topple climb energy",
      .train = true,
      .summary = "the energy that the train needs, and whether it has enough",
@@ -374,6 +377,7 @@ const struct command cycle_commands[] = {
      .brief = "kinetic barrier",
      ANSWER(barrier)},
     {.name = "duration",
+     .has_errors = true,
      .synonyms = "time fast velocity seconds",
      .train = true,
      .summary = "how long a cycle takes, and how fast the front advances",

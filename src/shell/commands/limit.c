@@ -136,8 +136,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     }
     rmax_say(a, &train, &used);
     answer_row(a,
-               ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
-                   CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_without_bound(growths.r_max)),
+               ROW(cell_real(train.s), cell_computed(used.r_max), cell_word(dom_end_text(used.ends)),
+                   cell_computed(exact.r_max), cell_computed(paper.r_max), cell_without_error(growths.r_max)),
                missing);
     rmax_fuels_detail(a, &train, &used, &exact, &paper);
     return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
@@ -166,7 +166,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
                    limit.ends == DOM_END_REACH ? "It falls past a larger one without touching it"
                                                : "For a larger one it has too little energy");
     return answer_row(
-        a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
+        a, ROW(cell_real(train.s), cell_computed(limit.r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
             ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
             : NULL);
@@ -190,7 +190,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
             "The best gap is %.4g times the height: %s can then each be %s times as large as the one before.",
             (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
             limit_words(best.r_max, 4).text);
-    return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
+    return answer_row(a, ROW(cell_computed(best.s), cell_computed(best.r_max)),
                       status == DOM_OK
                           ? NULL
                           : "no growth possible: dominoes this thick do not topple larger ones at any s");
@@ -220,7 +220,7 @@ static bool curve_point(void *context, size_t k, FILE *out)
 {
     struct curve *c = context;
     struct domq_limit exact, paper, pair;
-    struct answer a = answer_part(&c->answer, out, k == 0);
+    struct answer a = answer_part(&c->answer, out, k);
     domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
     c->train.s = (1 - f) * c->from + f * c->to;
     c->status = limits_find(c->train, &c->compute, &exact, &paper);
@@ -228,8 +228,8 @@ static bool curve_point(void *context, size_t k, FILE *out)
         c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
-    answer_cells(&a, cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max),
-                 CELL_OF(pair, r_max), cell_real(domq_train_reach(&c->train)));
+    answer_cells(&a, cell_real(c->train.s), cell_computed(exact.r_max), cell_computed(paper.r_max),
+                 cell_computed(pair.r_max), cell_real(domq_train_reach(&c->train)));
     c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
@@ -246,7 +246,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
                       .to = query->given->number[1],
                       .n = query->given->number[2],
                       .train = query->scene->train,
-                      .compute = query_options(query)};
+                      .compute = query->scene->compute};
     struct cell number = cell_real(0);
     bool by_point;
     if (c.n == 1 && c.from != c.to)
@@ -270,6 +270,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
 
 const struct command limit_commands[] = {
     {.name = "rmax",
+     .has_errors = true,
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
@@ -291,6 +292,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(rmax)},
     {.name = "pair",
+     .has_errors = true,
      .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
@@ -303,6 +305,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(pair)},
     {.name = "best",
+     .has_errors = true,
      .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
      .summary = "the gap that allows the largest growth",
@@ -312,6 +315,7 @@ const struct command limit_commands[] = {
      .brief = "",
      ANSWER(best)},
     {.name = "curve",
+     .has_errors = true,
      .synonyms = "graph figure table",
      .train = true,
      .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
@@ -323,6 +327,7 @@ const struct command limit_commands[] = {
      .rows = true,
      ANSWER(curve)},
     {.name = "count",
+     .has_errors = true,
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},

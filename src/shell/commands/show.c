@@ -62,7 +62,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
 static void variable_row(struct answer *a, const struct variable *v)
 {
     char value[WIDE_TEXT];
-    struct cell number = cell_without_bound(v->value.value);
+    struct cell number = cell_without_error(v->value.value);
     if (answer_for_people(a))
         number = cell_word(quad_write(v->value.value, (int)a->style.digits, value));
     answer_cells(a, cell_word(variable_head(v)), v->body ? cell_word(v->body) : number,

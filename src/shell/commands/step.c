@@ -54,9 +54,9 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
-                 CELL_TIMES(*s, time, u.tau), cell_angle(s->theta), cell_angle(theta[1]),
-                 cell_angle(theta[2]), cell_omega(s->omegasq, s->error.omegasq, u.tau),
-                 CELL_TIMES(*s, kinetic, u.energy), CELL_TIMES(*s, climbed, u.energy));
+                 cell_computed(s->time * u.tau), cell_angle(s->theta), cell_angle(theta[1]),
+                 cell_angle(theta[2]), cell_omega(s->omegasq, u.tau), cell_computed(s->kinetic * u.energy),
+                 cell_computed(s->climbed * u.energy));
     table->last = *s;
     return !answer_lost(table->answer);
 }
@@ -118,6 +118,21 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Computes the events of a walk again, with the options of the query. An event that has been reached stays
+ * reached. */
+static bool walk_again(const struct query *query, struct walk *w)
+{
+    struct walk again = *w;
+    const bool is_event = w->count > 0 && w->theta == w->events[w->event].theta;
+    again.compute = query->scene->compute;
+    again.tol = again.compute.tol;
+    again.verdict = domq_cycle_events(&again.train, &again.compute, again.events, &again.count);
+    again.theta = is_event ? again.events[w->event].theta : w->theta;
+    const bool is_same = again.verdict == w->verdict && again.count == w->count;
+    *w = again;
+    return is_same;
+}
+
 /* Begins a new walk and sets *begun to true, unless the session already has a walk with the present
  * parameters. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
@@ -145,24 +160,21 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
                         const struct walk *w)
 {
     struct domq_state s;
-    struct domq_compute compute = w->compute;
-    compute.errors = query->state->settings.style.errors;
     if (!domq_law(&w->train)->dissipates)
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}}, walk_no_start);
-    if (!query_status(query, problem, domq_cycle_state(&w->train, &compute, w->theta, &s)))
+    if (!query_status(query, problem, domq_cycle_state(&w->train, &w->compute, w->theta, &s)))
         return false;
     struct walk_units u = walk_units(query, w->cycle);
     walk_say(query, w, &s, a);
     walk_columns_in(query, a);
-    answer_cells(
-        a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)), cell_real(s.theta),
-        CELL_TIMES(s, time, u.tau), cell_omega(s.omegasq, s.error.omegasq, u.tau),
-        CELL_TIMES(s, before, u.energy), CELL_TIMES(s, lost, u.energy),
-        cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
-        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
-        CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
+    answer_cells(a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
+                 cell_real(s.theta), cell_computed(s.time * u.tau), cell_omega(s.omegasq, u.tau),
+                 cell_computed(s.before * u.energy), cell_computed(s.lost * u.energy),
+                 cell_computed((0 - s.climbed) * u.energy), cell_computed((0 - s.fallen) * u.energy),
+                 cell_computed(s.kinetic * u.energy), cell_computed(s.climbed * u.energy),
+                 cell_computed(s.friction_work * u.energy));
     if (w->cycle > 1 && !(scene_mass(query->scene) > 0))
         answer_detail(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
@@ -248,7 +260,12 @@ enum move { MOVE_STEP, MOVE_BACK, MOVE_GOTO, MOVE_NOT };
 static bool walk_move(const struct query *query, struct answer *a, struct problem *problem, enum move move)
 {
     struct walk walk = *query->walk;
-    bool begun, done = walk_ready(query, a, problem, &walk, &begun);
+    bool begun;
+    if (query->reference && walk.count > 0 && walk_is_of(&walk, query->scene) && !walk_again(query, &walk))
+        return false;
+    struct query now = *query;
+    now.walk = &walk;
+    bool done = walk_ready(&now, a, problem, &walk, &begun);
     if (done && (move == MOVE_NOT || walk.verdict == DOM_NO_FUEL))
         done = walk_answer(query, a, problem, &walk);
     else if (done)
@@ -289,6 +306,7 @@ static const char *event_names(const void *context, int k)
 const struct command walk_commands[] = {
     {.name = "cycle",
      .in_joules = scene_has_mass,
+     .has_errors = true,
      .synonyms = "table time trace",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true},
@@ -308,6 +326,7 @@ const struct command walk_commands[] = {
      ANSWER(cycle)},
     {.name = "step",
      .in_joules = scene_has_mass,
+     .has_errors = true,
      .synonyms = "next walk forward",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
@@ -324,6 +343,7 @@ const struct command walk_commands[] = {
     {.name = "back",
      .in_joules = scene_has_mass,
      .phrase = "step back",
+     .has_errors = true,
      .synonyms = "undo previous walk",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
@@ -336,6 +356,7 @@ const struct command walk_commands[] = {
     {.name = "goto",
      .in_joules = scene_has_mass,
      .phrase = "step to",
+     .has_errors = true,
      .synonyms = "jump walk",
      .train = true,
      .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .noun = "event", .choices = event_names}},
@@ -348,6 +369,7 @@ const struct command walk_commands[] = {
     {.name = "where",
      .in_joules = scene_has_mass,
      .phrase = "step where",
+     .has_errors = true,
      .synonyms = "position walk",
      .train = true,
      .summary = "show the current step again",
@@ -359,6 +381,7 @@ const struct command walk_commands[] = {
      .run = run_where},
     {.name = "why",
      .in_joules = scene_has_mass,
+     .has_errors = true,
      .synonyms = "reason explain stop",
      .train = true,
      .summary = "why the train keeps falling or stops",

@@ -114,7 +114,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
-        cell = cell_without_bound(q.value);
+        cell = cell_without_error(q.value);
     if (people)
         answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
     else if (cell_vanishes(&a->style, cell)) {

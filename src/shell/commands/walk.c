@@ -26,24 +26,28 @@ struct walk_units walk_units(const struct query *query, int cycle)
     };
 }
 
-/* Returns true if the train, the tolerance, the precision and the method have not changed since the walk
- * began. */
-static bool same_train(const struct walk *walk, const struct scene *scene)
+bool walk_is_of(const struct walk *walk, const struct scene *scene)
 {
     const struct domq_train *a = &walk->train, *b = &scene->train;
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q &&
 #define SAME(name, member, status) a->member == b->member &&
            DOM_DYNAMICS(SAME)
 #undef SAME
-                   walk->tol == scene->compute.tol &&
-           walk->compute.precision == scene->compute.precision &&
-           walk->compute.method == scene->compute.method;
+                   a->fuel == b->fuel;
+}
+
+static bool same_compute(const struct walk *walk, const struct domq_compute *compute)
+{
+    return walk->tol == compute->tol && walk->compute.precision == compute->precision &&
+           walk->compute.method == compute->method;
 }
 
 const struct walk *walk_now(const struct query *query)
 {
     const struct walk *walk = query->walk;
-    return walk->count > 0 && same_train(walk, query->scene) ? walk : NULL;
+    return walk->count > 0 && walk_is_of(walk, query->scene) && same_compute(walk, &query->scene->compute)
+               ? walk
+               : NULL;
 }
 
 const char walk_no_start[] =
@@ -368,7 +372,7 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
 
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
-    struct domq_value omegasq, stop = {.value = DOMQ_NAN};
+    domq_real omegasq, stop = DOMQ_NAN;
     enum dom_status status =
         domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
@@ -381,10 +385,10 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         return query_status(query, problem, status);
     /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
      * difference. */
-    if (stop.value < theta * (1 - (domq_real)1e-5))
+    if (stop < theta * (1 - (domq_real)1e-5))
         return problem_error(problem,
                              "the train does not reach T = %s: it stops at %s, before the top of the barrier",
-                             angle_text(query, theta, 10).text, angle_text(query, stop.value, 10).text);
+                             angle_text(query, theta, 10).text, angle_text(query, stop, 10).text);
     return true;
 }
 

@@ -22,6 +22,9 @@ struct walk_units {
 /* Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
+/* Returns true if the train has not changed since the walk began. */
+bool walk_is_of(const struct walk *walk, const struct scene *scene);
+
 /* Returns the session's walk. Returns NULL if there is no walk, or if the train or the accuracy has changed
  * since the walk began. */
 const struct walk *walk_now(const struct query *query);

@@ -148,9 +148,9 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
         advice_say(query, a, verdict == DOM_OK, &limit);
     }
     walk_columns_in(query, a);
-    answer_cells(a, verdict_cell(verdict), CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0),
-                 CELL_TIMES(b, kinetic, u.energy), CELL_TIMES(b, barrier, u.energy),
-                 CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max));
+    answer_cells(a, verdict_cell(verdict), cell_computed(l.fuel * u.energy), cell_computed(l.J0),
+                 cell_computed(b.kinetic * u.energy), cell_computed(b.barrier * u.energy),
+                 cell_computed(b.margin * u.energy), cell_computed(limit.r_max));
     answer_detail(a, "%s", "");
     symbols_detail(query, a, verdict, &b, &limit);
     if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)

@@ -288,9 +288,7 @@ struct answer answer_kept(const struct query *query, const struct command *c, st
         .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
 }
 
-struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau)
+struct cell cell_omega(domq_real omegasq, domq_real tau)
 {
-    return cell_bound(quad(sqrt)(omegasq) / tau,
-                      (omegasq > error ? error / (2 * quad(sqrt)(omegasq - error)) : quad(sqrt)(error)) /
-                          tau);
+    return cell_computed(quad(sqrt)(omegasq) / tau);
 }

@@ -119,6 +119,9 @@ struct command {
      * scene. */
     bool (*in_joules)(const struct scene *scene);
     bool train; /* the answer is about the endless train */
+    /* The whole answer is computed in the precision of the session. Then the numbers have errors: their
+     * differences from a computation in quad precision. */
+    bool has_errors;
     enum {
         WRITES_DATA,
         WRITES_PICTURES, /* in csv and json: the data of a picture */
@@ -217,16 +220,8 @@ struct quantity argument_unit(const struct argument *argument);
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns omega with its error bound. Omega is computed from its square: omegasq is tau^2 omega^2, and
- * `error` is the error bound of omegasq. If the true omegasq may be 0, the error bound of omega is
- * sqrt(error) / tau. */
-struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
-
-/* CELL_OF makes a cell from a member of a result and its error bound. CELL_TIMES multiplies both by a
- * factor. */
-#define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
-#define CELL_TIMES(result, member, factor)                                                                   \
-    cell_bound((result).member *(factor), (result).error.member *(factor))
+/* Returns omega. Omega is computed from its square: omegasq is tau^2 omega^2. */
+struct cell cell_omega(domq_real omegasq, domq_real tau);
 
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})
 

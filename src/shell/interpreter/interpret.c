@@ -54,7 +54,7 @@ static bool run_function(struct session *session, const struct command *c, const
         return c->act(session, query->given, answer, problem);
     if (answer->path && c->picture && extension_of(answer->path)->terminal)
         return c->picture(query, answer, problem);
-    return c->run(query, answer, problem);
+    return command_compute(c, query, answer, problem);
 }
 
 /* Keeps the rest of an answer for 'details', and prints it at once if the command ends with this word. */
@@ -110,6 +110,13 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
     if (done && answer.note)
         train_note(session, &answer);
+    if (done && answer.has_unknown)
+        answer_say(&answer,
+                   c->has_errors
+                       ? "Where no error is given, 30 digits lead to another answer, or a part of the "
+                         "answer is computed in double precision only."
+                       : "No errors are given: '%s' computes in double precision only.",
+                   c->name);
     const struct format *format = answer.style.format;
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/question.h"
 #include "interpreter/symbols.h"
 #include "language/quad.h"
 #include <string.h>
@@ -46,7 +47,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     query.given = &given;
     query.next = NULL;
     struct answer answer = answer_kept(&query, c, cells);
-    return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
+    return command_compute(c, &query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
 /* Evaluates a 'let' function. The body of the function sees only the arguments of this function. If another

@@ -61,7 +61,7 @@ bool question_ask(const struct question *q, const struct query *query, struct an
     bool done = question_bind(q, query, &call, problem);
     if (done) {
         problem->place = 0;
-        done = q->command->run(&call.query, answer, problem);
+        done = command_compute(q->command, &call.query, answer, problem);
     }
     arena_free(&call.given.memory);
     if (done)

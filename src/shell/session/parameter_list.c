@@ -39,11 +39,20 @@ static const char precision_help[] =
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
     "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
-    "A number with a known bound on its error is followed by +/- and this bound. The bound includes all "
-    "rounding errors of the computation, the terms that are left out because of tol, and the digits that are "
-    "not printed. While errors are on, the parameter 'digits' affects only numbers without a known bound, "
-    "such as the values of 'print'. In csv and json the bound has a column or key of its own, named "
-    "KEY_error.";
+    "Each answer is computed a second time, with 30 digits (quad precision, tol 1e-30). A number is then "
+    "followed "
+    "by +/- and its error: the difference between the two computations, plus the rounding error of the "
+    "number and "
+    "the digits that are not printed. The difference is no proof: a mistake that both computations make does "
+    "not "
+    "show. In quad precision the second computation has another tolerance, and the difference does not show "
+    "all "
+    "rounding errors. No error is shown if the two computations come to different conclusions, and where "
+    "only "
+    "double precision is available, as in studies of many rows. While errors are on, the parameter 'digits' "
+    "affects only numbers without an error, such as the values of 'print'. In csv and json the error has a "
+    "column "
+    "or key of its own, named KEY_error.";
 static const char hints_help[] =
     "While you type, faint text after the cursor suggests how to continue. If an earlier line begins with "
     "what you have typed, you see the rest of this line. If there is no such line, you see the arguments "
@@ -162,8 +171,8 @@ const struct parameter session_parameters[] = {
     {ENTRY("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by a bound on its error", .usual = 0),
-     .synonyms = "accuracy uncertainty precision bounds",
+    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by its difference from a computation with 30 digits", .usual = 0),
+     .synonyms = "accuracy uncertainty precision difference",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     {ENTRY("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
      .synonyms = "seconds speed fast",

@@ -68,18 +68,16 @@ struct query {
     const struct run_context *run_context;
     struct walk *walk;
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
+    /* Receives the rows of an answer in quad precision, to which the same answer is compared. Otherwise
+     * NULL. */
+    struct reference *reference;
 };
 
-/* Returns the options for the library. After 'set errors on', these options request error bounds. */
-static inline struct domq_compute query_options(const struct query *query)
+/* Returns the options for the library. */
+static inline const struct domq_compute *query_compute(const struct query *query)
 {
-    struct domq_compute compute = query->scene->compute;
-    compute.errors = query->state->settings.style.errors;
-    return compute;
+    return &query->scene->compute;
 }
-
-/* Returns a pointer to a copy of these options. The copy lives until the end of the caller's block. */
-#define query_compute(query) ((const struct domq_compute[]){query_options(query)})
 
 static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)
 {

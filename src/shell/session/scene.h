@@ -51,7 +51,7 @@ struct listed_row {
 
 struct scene {
     struct domq_train train;
-    /* the library's options, except for the error bounds, which query_options requests */
+    /* the library's options */
     struct domq_compute compute;
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */

@@ -167,7 +167,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (row || options->train || options->tower)
         /* TRAIN_NOTE would be wrong for a row, and superfluous if the user asked for the train. */
         a->note = NULL;
-    a->style.errors = 0; /* a picture shows no error bounds */
+    a->style.errors = 0; /* a picture shows no errors */
     if (options->tower) {
         struct tower tower;
         film.query = &tower.query;

@@ -45,7 +45,7 @@ static struct cell cell_place(double value, const struct drawn *k)
 /* Writes a line of data for each domino. `forces` is the status of the computation of the forces. */
 static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
-    a->style.errors = 0; /* a picture shows no error bounds */
+    a->style.errors = 0; /* a picture shows no errors */
     for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
         const struct drawn *k = &stage->domino[n];
         const struct point *p = k->corner;

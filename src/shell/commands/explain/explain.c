@@ -114,7 +114,7 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
     struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
                ROW(cell_word(s->name), equation ? cell_word(equation) : none,
-                   numbers ? cell_word(numbers) : none, cell_without_bound(s->value), cell_word(s->unit),
+                   numbers ? cell_word(numbers) : none, cell_without_error(s->value), cell_word(s->unit),
                    cell_word(needs), cell_word(s->reference), cell_count(s->depth), cell_word(s->words)),
                NULL);
     free(equation);

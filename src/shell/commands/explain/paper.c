@@ -35,8 +35,8 @@ static void paper_row(struct table *t, const char *where, const char *what, domq
     if (t->status == DOM_OK && !answer_lost(t->answer))
         answer_row(t->answer,
                    ROW(cell_word(where), cell_word(what), cell_real(t->train.q), cell_real(s),
-                       cell_without_bound(paper), cell_without_bound(exact),
-                       cell_without_bound(differs ? difference : 0), cell_word(differs ? why : "")),
+                       cell_without_error(paper), cell_without_error(exact),
+                       cell_without_error(differs ? difference : 0), cell_word(differs ? why : "")),
                    NULL);
 }
 

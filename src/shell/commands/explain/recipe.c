@@ -90,8 +90,8 @@ static void recipe_row(struct answer *a, int step, const char *quantity, domq_re
 {
     bool says = why && (always || (isfinite(paper) && isfinite(program) && differs(paper, program)));
     answer_row(a,
-               ROW(cell_count(step), cell_word(quantity), cell_without_bound(paper),
-                   cell_without_bound(program), cell_word(says ? why : "")),
+               ROW(cell_count(step), cell_word(quantity), cell_without_error(paper),
+                   cell_without_error(program), cell_word(says ? why : "")),
                NULL);
     if (says)
         answer_detail(a, "      %s.", why);

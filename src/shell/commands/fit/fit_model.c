@@ -38,12 +38,12 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
     struct domq_train train = t.query.scene->train;
     train.r = 1;
     for (size_t k = 0; k < f->data.points; k++) {
-        struct domq_value duration;
+        domq_real duration;
         train.s = (domq_real)f->data.point[k].gap / t.query.scene->scale.h;
         enum dom_status status = domq_cycle_duration(&train, &t.query.scene->compute, &duration);
         if (status != DOM_OK)
             return problem_status(&f->problem, t.query.scene, status);
-        computed[k] = (double)domq_scale_speed(&t.query.scene->scale, &train, duration.value);
+        computed[k] = (double)domq_scale_speed(&t.query.scene->scale, &train, duration);
     }
     return true;
 }

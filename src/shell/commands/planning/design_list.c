@@ -123,7 +123,7 @@ void design_row(struct answer *a, const struct designed_row *p, const struct dom
     for (size_t k = 0; p && k < p->count; k++)
         material += plan_material(p, &p->domino[k]);
     answer_row(a,
-               ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
+               ROW(cell_real(d->s), cell_computed(d->r), p ? cell_count((domq_real)d->steps) : none,
                    cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
                    p && p->has_masses ? cell_narrow(designed_mass(p), 5) : none,
                    p && p->walls_unknown ? cell_narrow(material, 5) : none,

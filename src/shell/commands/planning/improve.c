@@ -247,7 +247,7 @@ bool run_improve(const struct query *query, struct answer *a, struct problem *pr
     if (!good && !i.interrupted)
         return false;
     const struct domq_study *s = i.study;
-#define SHARE(value) cell_bound((domq_real)(value), DOMQ_NAN)
+#define SHARE(value) cell_computed((domq_real)(value))
     answer_row(a,
                ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
                    SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),

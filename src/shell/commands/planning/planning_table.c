@@ -86,6 +86,7 @@ const struct command design_commands[] = {
      .brief = "",
      ANSWER(improve)},
     {.name = "solve",
+     .has_errors = true,
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
           {.name = ": ANSWER",

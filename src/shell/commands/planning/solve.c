@@ -243,7 +243,7 @@ static void scan_answer(const struct scan *s, struct answer *a)
     for (int i = 0; i < s->roots; i++)
         answer_announce(a, "value", s->root[i].x);
     for (int i = 0; i < s->roots && !answer_lost(a); i++)
-        answer_cells(a, cell_bound(s->root[i].x, DOMQ_NAN), cell_bound(s->root[i].answer, DOMQ_NAN),
+        answer_cells(a, cell_computed(s->root[i].x), cell_computed(s->root[i].answer),
                      cell_word(s->root[i].branch));
     if (s->roots > 0)
         return;

@@ -234,7 +234,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     plot_query.given = &given;
     columns_choose(plot, a->copy);
     a->columns = a->copy;
-    a->style.errors = 0; /* a picture shows no error bounds */
+    a->style.errors = 0; /* a picture shows no errors */
     return plot_write(plot, more ? &more->look : &usual, &plot_query, a, problem);
 }
 

@@ -106,24 +106,24 @@ static enum dom_status sample_write(const struct cycle *c, const struct domq_eve
     const struct scene *scene = c->query->scene;
     struct tilts tilts = {.theta = {0}};
     struct domq_energy energy = {.dH = DOMQ_NAN};
-    struct domq_value omegasq = {.value = DOMQ_NAN};
+    domq_real omegasq = DOMQ_NAN;
     enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
     if (status == DOM_OK)
         status = tilts_find(c, theta, &tilts);
     if (event && event->kind == DOM_EVENT_STOP)
-        omegasq.value = 0;
+        omegasq = 0;
     else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
         status = domq_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
     status = status == DOM_STOPS ? DOM_OK : status;
-    domq_real omega = quad(sqrt)(omegasq.value) / domq_scale_tau(&scene->scale, &scene->train);
+    domq_real omega = quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train);
     for (int i = 0; i < lines && status == DOM_OK; i++) {
         const struct keyed cells[] = {{"theta", cell_real(theta)},
                                       {"i", cell_count(i)},
                                       {"theta_i", cell_real(tilts.theta[i])},
                                       {"dH", cell_real(energy.dH)},
                                       {"J", cell_real(energy.J)},
-                                      {"kinetic", cell_real(energy.J * omegasq.value)},
-                                      {"omegasq", cell_real(omegasq.value)},
+                                      {"kinetic", cell_real(energy.J * omegasq)},
+                                      {"omegasq", cell_real(omegasq)},
                                       {"omega", cell_real(omega)},
                                       {"event", cell_word(event ? dom_event_text(event->kind) : NULL)}};
         keyed_write(a, cells, sizeof cells / sizeof *cells);

@@ -182,12 +182,13 @@ static void verdict_row(struct answer *a, const struct row_run *run)
     const struct cell cells[] = {
         cell_word(words[v->end]),
         cell_count((domq_real)v->domino),
-        cell_bound(v->short_by, DOMQ_NAN),
-        cell_bound(falls ? v->seconds : DOMQ_NAN,
-                   run->scene.row.engine ? (domq_real)(run->scene.report.settled.change * (double)v->seconds)
-                                         : DOMQ_NAN),
+        cell_computed(v->short_by),
+        cell_uncertain(falls ? v->seconds : DOMQ_NAN,
+                       run->scene.row.engine
+                           ? (domq_real)(run->scene.report.settled.change * (double)v->seconds)
+                           : DOMQ_NAN),
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
-        cell_bound(v->spare, DOMQ_NAN)};
+        cell_computed(v->spare)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
     answer_row(a, cells, falls || answer_for_people(a) ? NULL : reason); /* sentences have the reason */
 }

@@ -68,7 +68,7 @@ bool row_run_tipped(const struct row_run *run, size_t k)
 
 struct cell cell_narrow(domq_real value, int digits)
 {
-    struct cell cell = cell_bound(value, DOMQ_NAN);
+    struct cell cell = cell_computed(value);
     cell.digits = digits;
     return cell;
 }

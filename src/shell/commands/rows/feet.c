@@ -117,8 +117,8 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
         return false;
     bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
     answer_row(a,
-               ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
-                   cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
+               ROW(cell_narrow(f.motion, 6), cell_computed(f.theta), cell_count((domq_real)f.domino),
+                   cell_computed(f.hit), cell_count((domq_real)f.hit_domino),
                    floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
                    floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);

@@ -124,7 +124,7 @@ static bool block_write(void *context, size_t block, FILE *out)
     if (!without)
         b->status = DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
-        struct answer a = answer_part(&b->answer, out, block == 0);
+        struct answer a = answer_part(&b->answer, out, block);
         stops_text(study.stops, study.dominoes, "", stops, STOPS_TEXT);
         without_text(&study, without);
         answer_cells(&a, cell_real(study.sigma), cell_real(study.heights), cell_count((domq_real)p.seed),
@@ -147,7 +147,7 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
     snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(scene));
     a->columns = block_columns;
     a->rows = true;
-    a->style.errors = false; /* counts are exact and have no error bounds */
+    a->style.errors = false; /* counts are exact and have no errors */
     answer_plan(a, NULL);
     b.answer = *a;
     const struct workers workers = {.points = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,

@@ -44,7 +44,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     if (!has_widths)
         answer_leave_out(a, "width");
     a->csv.units = true;
-    a->style.errors = false; /* 'effect row FILE' cannot read columns with error bounds */
+    a->style.errors = false; /* 'effect row FILE' cannot read columns with errors */
     a->csv.extra = a->path ? query->scene->listed.others : NULL;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
@@ -99,7 +99,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
              (double)reach);
     bool more = answer_row(a,
                            ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
-                               cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
+                               cell_computed(growth.r_max), cell_computed(limit.r_max)),
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
         answer_say(a,
@@ -348,6 +348,7 @@ static bool run_change(const struct query *query, struct answer *a, struct probl
 const struct command row_commands[] = {
     {.name = "fall",
      .in_joules = scene_has_masses,
+     .has_errors = true,
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
      .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
@@ -361,6 +362,7 @@ const struct command row_commands[] = {
      ANSWER(fall)},
     {.name = "verdict",
      .in_joules = scene_has_masses,
+     .has_errors = true,
      .shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and which domino is weakest",
@@ -442,6 +444,7 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(row)},
     {.name = "rowmax",
+     .has_errors = true,
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
      .help = "The row is the one that 'effect row N' makes from s, d, q and h, and 'effect push' starts it. "

@@ -347,6 +347,7 @@ const struct command study_commands[] = {
      .brief = "",
      ANSWER(budget)},
     {.name = "slip",
+     .has_errors = true,
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the least friction of the floor at which no foot slips",

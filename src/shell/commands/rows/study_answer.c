@@ -140,12 +140,12 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     answer_row(a,
                ROW(cell_real(s->sigma), cell_real(s->heights), cell_count((domq_real)study->rows),
                    cell_count((domq_real)study->fall),
-                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
-                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
+                   cell_computed((domq_real)study->fall / (domq_real)study->rows),
+                   cell_computed((domq_real)study->low), cell_computed((domq_real)study->high),
                    cell_count((domq_real)study->unknown),
                    most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN), cell_word(s->errors),
                    cell_word(costs ? error_names(NULL, worst) : ""),
-                   costs ? cell_bound((domq_real)s->without[worst] / (domq_real)study->rows, DOMQ_NAN)
+                   costs ? cell_computed((domq_real)s->without[worst] / (domq_real)study->rows)
                          : cell_real(DOMQ_NAN),
                    there > 0 ? cell_count((domq_real)there) : cell_real(DOMQ_NAN)),
                reason);

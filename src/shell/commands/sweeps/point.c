@@ -194,8 +194,9 @@ static void row_take(struct answer *a, const struct cell *cells, const char *rea
             c->column[j].unit = unit;
         else if (cells[i].kind != CELL_NONE && strcmp(unit, head) != 0) {
             if (!reason)
-                snprintf(other, sizeof other, "%s is %s%s here, but %s%s at the first point", c->column[j].key,
-                         *unit ? "in " : "a plain number", unit, *head ? "in " : "a plain number", head);
+                snprintf(other, sizeof other, "%s is %s%s here, but %s%s at the first point",
+                         c->column[j].key, *unit ? "in " : "a plain number", unit,
+                         *head ? "in " : "a plain number", head);
             reason = reason ? reason : other;
             continue;
         }
@@ -226,7 +227,7 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
         if (unit_varies(&q->question, q->question.key))
             columns[n].unit = strcpy(unit[n], "");
         if (question_measure(&q->question, at, &value, unit[n], &w->problem))
-            cells[n] = cell_bound(value.value, DOMQ_NAN);
+            cells[n] = cell_computed(value.value);
         else if (w->problem.kind != PROBLEM_NO_ANSWER)
             return false;
         else if (!*reason)

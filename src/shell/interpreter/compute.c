@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answer/reference.h"
+#include "interpreter/question.h"
+#include "language/quad.h"
+#include "session/engine.h"
+
+/*
+ * Returns the tolerance of the reference. If the session computes in quad precision, too, the reference must
+ * have another tolerance, so that the sums and the iterations end elsewhere.
+ */
+static domq_real reference_tol(const struct domq_compute *compute)
+{
+    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    if (compute->precision != DOM_QUAD || compute->tol > 100 * quad->tol_default)
+        return quad->tol_default;
+    return compute->tol >= 100 * quad->tol_floor ? compute->tol / 100 : compute->tol * 100;
+}
+
+/* A tilt that the session has rounded up to theta_c must not exceed theta_c in quad precision. */
+static void tilts_limit(const struct command *c, const struct query *exact, struct arguments *given)
+{
+    struct domq_angles angles;
+    for (int i = 0; i < given->count; i++) {
+        const enum argument_kind kind = c->argument[i].kind;
+        if ((kind == ARGUMENT_TILT || kind == ARGUMENT_PLACE) &&
+            domq_angles_find(&exact->scene->train, query_compute(exact), &angles) == DOM_OK)
+            given->number[i] = quad_smaller(given->number[i], angles.theta_c);
+    }
+}
+
+/* A sink (answer.h) that writes nothing. */
+static void row_drop(struct answer *answer, const struct cell *cells, const char *reason)
+{
+    (void)answer, (void)cells, (void)reason;
+}
+
+/* Computes an answer in quad precision. */
+static void reference_compute(const struct command *c, const struct query *query, const struct answer *answer,
+                              struct reference *reference)
+{
+    struct state state;
+    struct query exact;
+    struct problem ignored;
+    struct arguments given = *query->given;
+    struct answer a = *answer;
+    problem_begin(&ignored, c->name);
+    if (domq_arithmetic(DOM_QUAD)->bits == 0 || !query_with(query, NULL, 0, &state, &exact, &ignored)) {
+        reference->is_void = true;
+        return;
+    }
+    struct domq_compute *compute = &state.scene.compute;
+    compute->tol = reference_tol(compute);
+    compute->precision = DOM_QUAD;
+    compute->method = DOM_METHOD_OURS;
+    state.settings.style.errors = 0;
+    state.settings.threads = 1; /* the rows come in order */
+    tilts_limit(c, &exact, &given);
+    exact.given = &given;
+    exact.reference = reference;
+    a.sink = row_drop;
+    a.recorder = reference;
+    a.brief = NULL;
+    a.rest = NULL;
+    a.kept = NULL;
+    a.style.errors = 0;
+    if (!c->run(&exact, &a, &ignored))
+        reference->is_void = true;
+}
+
+bool command_compute(const struct command *c, const struct query *query, struct answer *answer,
+                     struct problem *problem)
+{
+    /* The engine computes in double precision only. */
+    const bool has_errors = c->has_errors && (c->train || !scene_has_engine(query->scene)),
+               is_wanted = has_errors && query->state->settings.style.errors && (answer->out || answer->sink);
+    if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
+        query->reference->is_void = true;
+    if (!is_wanted)
+        return c->run(query, answer, problem);
+    struct reference reference = {.is_void = false};
+    answer->row = 0;
+    reference_compute(c, query, answer, &reference);
+    answer->reference = &reference;
+    const bool done = c->run(query, answer, problem);
+    answer->reference = NULL;
+    reference_free(&reference);
+    return done;
+}
