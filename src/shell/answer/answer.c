@@ -312,7 +312,7 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
     struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS];
     answer_keep(a, cells);
     if (a->recorder)
-        reference_add(a->recorder, cells, cells_count(a));
+        reference_add(a->recorder, a->row, cells, cells_count(a));
     if (a->reference) {
         memcpy(compared, cells, (size_t)cells_count(a) * sizeof *cells);
         reference_compare(a, compared, cells_count(a));

@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-void reference_add(struct reference *r, const struct cell *cells, int count)
+void reference_add(struct reference *r, size_t at, const struct cell *cells, int count)
 {
+    r->first = r->rows ? r->first : at;
     if (r->rows == r->room && !r->is_void) {
         const size_t room = r->room ? 2 * r->room : 4;
         void *row = realloc(r->row, room * sizeof *r->row);
@@ -56,7 +57,8 @@ static domq_real rounding(const struct answer_style *style)
 void reference_compare(const struct answer *a, struct cell *cells, int count)
 {
     const struct reference *r = a->reference;
-    const struct cell *exact = !r->is_void && a->row < r->rows ? r->row[a->row] : NULL;
+    const size_t k = a->row - r->first;
+    const struct cell *exact = !r->is_void && a->row >= r->first && k < r->rows ? r->row[k] : NULL;
     if (exact && !rows_agree(cells, exact, count))
         exact = NULL;
     for (int i = 0; i < count; i++) {

@@ -13,13 +13,14 @@
 /* The rows of the same answer in quad precision. */
 struct reference {
     struct cell (*row)[ANSWER_COLUMNS];
-    size_t rows, room;
+    size_t first, rows, room; /* `first` is the index of the first row: with --shard, it may be above 0 */
     /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
      * precision. */
     bool is_void;
 };
 
-void reference_add(struct reference *reference, const struct cell *cells, int count);
+/* Adds the row with the index `at`. Rows come in order. */
+void reference_add(struct reference *reference, size_t at, const struct cell *cells, int count);
 
 /* Sets the errors of the numbers in the next row of the answer. If a word, a count or a yes-or-no cell of
  * this row differs from the reference, no error of the row is known: the two computations have come to
