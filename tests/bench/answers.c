@@ -63,7 +63,7 @@ static enum dom_status ask_barrier(const struct domq_train *train, const struct 
 
 static enum dom_status ask_duration(const struct domq_train *train, const struct domq_compute *compute)
 {
-    struct domq_value duration;
+    domq_real duration;
     return domq_cycle_duration(train, compute, &duration);
 }
 

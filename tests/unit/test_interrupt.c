@@ -53,7 +53,7 @@ static enum dom_status barrier(void)
 
 static enum dom_status duration(void)
 {
-    struct dom_value found;
+    double found;
     return dom_cycle_duration(&train, &compute, &found);
 }
 

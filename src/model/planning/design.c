@@ -285,7 +285,6 @@ static struct planner planner_make(const struct dom_train *train, const struct d
                                    const struct dom_limits *limits, const struct dom_compute *compute)
 {
     struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
-    p.compute.errors = false;
     p.compute.method = DOM_METHOD_OURS;
     p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
                    ? DOM_BAD_HEIGHT
