@@ -15,7 +15,7 @@ load common
 
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     # 'step back', 'step to' and 'step where' and other phrases stand for commands that completion does not offer.
-    all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs' | paste -sd ' ' -)
+    all=$(json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
     effects=$(completed 'effect ')
     [ "$(wc -w <<<"$effects")" -ge 5 ]

@@ -48,11 +48,11 @@ END
 }
 
 @test "help NAME for every command and parameter; its example is what the program prints" {
-    "$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' >"$PWD/names"
+    "$DOMINO" -e 'help all' | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' | uniq >"$PWD/names"
     [ "$(wc -l <names)" -ge 22 ]
     examples=0
     names=$(paste -sd ' ' "$PWD/names")
-    help=$("$DOMINO" -e help)
+    help=$("$DOMINO" -e 'help all')
     # The example is run in a fresh session, whatever has been set, and does not change this session.
     changed='set s 0.3; set digits 4; set fuel paper; set angle deg'
     "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.txt"/' names | paste -sd ';' -)" -e show >shows
@@ -121,8 +121,8 @@ solid|q
 hollow|q
 tower|count
 END
-    same speed 'omega fall cost timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
-    same 'speed, json' 'omega fall cost timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
+    same speed 'omega cost fall timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
+    same 'speed, json' 'omega cost fall timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
     # Each word of the README's table has an answer that mentions it.
     sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >words
     [ "$(wc -l <words)" -ge 6 ]
@@ -130,7 +130,7 @@ END
 }
 
 @test "help begins with eleven lines to type, all of which work in this order" {
-    "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >lines
+    "$DOMINO" -e help | sed -nE 's/^> (.{14}) [^ ].*$/\1/p' >lines
     same lines 11 "$(wc -l <lines)"
     same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' lines)"
     same 'the last' quit "$(sed -n '$s/ *$//p' lines)"
@@ -167,4 +167,21 @@ END
     same 'first what is about it' 'effect slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
     wrong 'apropos money' "^-e:1: apropos: nothing was found about 'money'; try another word, such as"
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
+}
+
+@test "help is one screen; a group has a line for each of its commands, and 'help all' for every command" {
+    run -0 "$DOMINO" -e help
+    [ "${#lines[@]}" -le 24 ] && [ "$(wc -L <<<"$output")" -le 80 ]
+    "$DOMINO" -e help | sed -nE '/^cycles/,$s/^([a-z]+ |  )//p' | tr -s ' ' '\n' | grep . | sort -u >names
+    json help | grep '"kind":"command"' | values name | grep -vxE 'back|goto|where|scene|costs|effect' | sort -u >all
+    same_file all names
+    while read -r name; do "$DOMINO" -e 'help all' | grep -qE "^  $name( |$)"; done <names
+    while IFS='|' read -r group names; do
+        same "$group" "$names" "$("$DOMINO" -e "help $group" | sed -nE 's/^  ([a-z0-9]+).*/\1/p' | uniq | paste -sd ' ' -)"
+        same "$group, json" "$("$DOMINO" -e "set output json; help" | wc -l)" "$("$DOMINO" -e "set output json; help all" | wc -l)"
+    done <<'END'
+cycles|thetac theta1 chain energy fuel launch omega barrier duration cycle step why
+pictures|draw animate plot
+chances|placement pool budget slip
+END
 }

@@ -292,6 +292,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 
 const struct command effect_commands[] = {
     {.name = "effect",
+     .is_hidden = true,
      .synonyms = "switch turn",
      .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
@@ -315,7 +316,7 @@ const struct command effect_commands[] = {
              "computing time. 'details' shows the parts of the computation, and the sources. 'cost effects' "
              "measures how much time each effect takes.",
      .example = "effect friction 0.2; effects; effect friction off",
-     .see = "effect cost",
+     .see = "effects cost",
      .rows = true,
      .brief = "effect state adds",
      ANSWER(effects)},
@@ -323,7 +324,7 @@ const struct command effect_commands[] = {
      .synonyms = "setup settings list",
      .summary = "the row or train with its effects, and how its answers are computed",
      .example = "scene; effect friction 0.2; scene; effect friction off",
-     .see = "effect effects",
+     .see = "set effects",
      .is_hidden = true,
      .rows = true,
      .brief = "*",

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands help, apropos, complete and version. */
 #include "answer/format.h"
+#include "answer/wrap.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
 #include "interpreter/interpret.h"
@@ -20,9 +21,9 @@ static const struct first_line {
     {"count 112 m", "the quiz: how many dominoes topple a tower of 112 m"},
     {"rmax", "how much larger each domino can be than the one before it"},
     {"set s 0.3", "dominoes closer together: gaps of 0.3 times the height"},
-    {"rmax", "the answer for these gaps; 'show' lists the parameters"},
+    {"rmax", "the answer for these gaps; 'details' has the rest of it"},
     {"draw", "a picture of the train; 'draw > train.svg' writes a file"},
-    {"effect row 12", "a row of 12 dominoes; 'effect row FILE' reads your own"},
+    {"set row 12", "a row of 12 dominoes; 'set row FILE' reads your own"},
     {"set r 1.2", "each domino is 1.2 times as large as the one before it"},
     {"fall", "how each domino falls, and whether all do"},
     {"lesson", "a tour in ten steps, from the tower to a row of your own"},
@@ -30,18 +31,46 @@ static const struct first_line {
     {"quit", "ends the session; ^C stops a computation"},
 };
 
-static void help_list(FILE *out)
+/* Prints one screen: the lines to type, and the names of all commands, in groups. */
+static void help_screen(FILE *out)
 {
-    char names[256] = "Parameters:";
+    enum { WORD = 10, LINE = 79 };
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        topic_entry(out, "> ", first_lines[i].line, first_lines[i].does);
+        fprintf(out, "> %-14s %s\n", first_lines[i].line, first_lines[i].does);
+    const char *word = "";
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        if (strcmp(g->word, word) != 0) {
+            char names[512] = "";
+            word = g->word;
+            for (const struct command_group *of = g; of->title && strcmp(of->word, word) == 0; of++)
+                for (const struct command *c = of->commands; c->name; c++)
+                    if (!c->is_hidden && !c->phrase)
+                        text_add(names, sizeof names, " %s", c->name);
+            int left = fprintf(out, "%-*s", WORD - 1, word);
+            write_wrapped(out, names + 1, left, LINE);
+            putc('\n', out);
+        }
+    help_say(out,
+             "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
+}
+
+/* Prints a line for each command of the groups with this word or, if it is "all", of all groups. */
+static void help_groups(FILE *out, const char *word)
+{
+    bool all = strcmp(word, "all") == 0, is_first = true;
     for (const struct command_group *g = command_groups(); g->title; g++) {
-        fprintf(out, "\n%s\n", g->title);
+        if (!all && strcmp(g->word, word) != 0)
+            continue;
+        fprintf(out, "%s%s\n", is_first ? "" : "\n", g->title);
+        is_first = false;
         for (const struct command *c = g->commands; c->name; c++)
             if (!c->is_hidden)
                 topic_entry(out, "  ", command_usage(c), c->summary);
     }
+    if (!all)
+        return;
+    char names[256] = "Parameters:";
     putc('\n', out);
     for (const struct parameter *p = session_parameters; p->name; p++) {
         if (p->effect && !p[-1].effect) {
@@ -247,10 +276,12 @@ static bool run_help(struct session *session, const struct arguments *given, str
     if (given->variable)
         help_variable(session, given, a);
     else if (people && !given->count)
-        help_list(session->output->out);
+        help_screen(session->output->out);
+    else if (people && word && group_named(word))
+        help_groups(session->output->out, word);
     else if (people && word && topic_by_synonym(word, 1))
         help_several(session->output->out, word);
-    else if (!word)
+    else if (!word || group_named(word))
         help_name(session, a, has_name ? topic_names(NULL, (int)given->number[0]) : NULL);
     else
         for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++)
@@ -376,7 +407,10 @@ const struct command help_commands[] = {
                    .noun = "topic",
                    .choices = topic_names,
                    .optional = true}},
-     .summary = "the commands, or one command or parameter",
+     .summary = "the commands, one command or parameter, or a group of commands",
+     .help =
+         "'help' shows one screen: lines to type, and the names of all commands in groups. 'help rows' has a "
+         "line for each command of the group 'rows', and 'help all' a line for every command.",
      .example = "help tol",
      .see = "apropos show",
      .writes = WRITES_PAGES,

@@ -131,7 +131,6 @@ const struct command script_commands[] = {
      .help = "'source FILE' can run the commands again, because answers, errors and lines that failed are "
              "written as comments. 'log FILE answers' appends the answers alone, as csv or json if 'set "
              "output' has chosen it. Write './off' for a file named off.",
-     .example = "log data.csv answers; fuel; log off",
      .see = "save",
      .files = true,
      .act = run_log},

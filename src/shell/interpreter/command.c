@@ -6,7 +6,7 @@
 #include <limits.h>
 #include <string.h>
 
-static const struct command_group no_group[] = {{NULL, NULL}};
+static const struct command_group no_group[] = {{NULL, NULL, NULL}};
 static const struct command_group *groups = no_group;
 
 /* The commands of all groups. To find a command quickly, all commands with the same first letter form a
@@ -34,6 +34,14 @@ void command_registry(const struct command_group *all)
 const struct command_group *command_groups(void)
 {
     return groups;
+}
+
+bool group_named(const char *word)
+{
+    bool found = strcmp(word, "all") == 0;
+    for (const struct command_group *g = groups; g->title; g++)
+        found = found || strcmp(g->word, word) == 0;
+    return found;
 }
 
 const char *command_names(const void *context, int k)

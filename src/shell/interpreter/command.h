@@ -150,6 +150,7 @@ struct command {
 
 struct command_group {
     const char *title;
+    const char *word; /* the word that 'help' accepts; consecutive groups can share it */
     const struct command *commands; /* the name of the last element is NULL */
 };
 
@@ -157,6 +158,9 @@ struct command_group {
  * ends with a group whose title is NULL. */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
+
+/* Returns true for the word of a group, and for "all", which stands for all groups. */
+bool group_named(const char *word);
 
 /* Functions of type names_list (see names.h): */
 const char *command_names(const void *context, int k);

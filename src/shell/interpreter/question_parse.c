@@ -108,11 +108,11 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     q->variable = v;
     if (v)
         return true;
-    int k = parameter_search(a->choices, a->noun, word, message);
+    int k = is_topic && group_named(word) ? -1 : parameter_search(a->choices, a->noun, word, message);
     if (k < 0 && is_topic && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;
-    if (k < 0 && is_topic && topic_by_synonym(word, 0))
+    if (k < 0 && is_topic && (group_named(word) || topic_by_synonym(word, 0)))
         return true;
     /* 'show all' names no parameter. */
     q->parameter = k >= 0 && !is_topic ? parameter_find(a->choices(NULL, k)) : NULL;

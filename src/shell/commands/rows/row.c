@@ -355,7 +355,7 @@ const struct command row_commands[] = {
              "compares the energy of each domino with the energy that it needs to tip over. 'effect row' "
              "enters a row.",
      .example = "effect row 5; fall",
-     .see = "verdict mend row effect",
+     .see = "verdict mend row effects",
      .rows = true,
      .holds = "all dominoes fall",
      .brief = "*",
@@ -440,7 +440,7 @@ const struct command row_commands[] = {
      .help = "'row > hall.csv' writes a file that 'effect row hall.csv' can read. The first line of the file "
              "has the units.",
      .example = "effect row 3; row",
-     .see = "effect fall",
+     .see = "effects fall",
      .rows = true,
      ANSWER(row)},
     {.name = "rowmax",
@@ -452,7 +452,7 @@ const struct command row_commands[] = {
              "second domino. Otherwise, the longer the row, the closer the answer comes to 'rmax', the "
              "largest growth of the endless train.",
      .example = "set q hollow; effect row 8; rowmax",
-     .see = "rmax effect",
+     .see = "rmax effects",
      .echo = "s",
      .principal = "r_max",
      ANSWER(rowmax)},

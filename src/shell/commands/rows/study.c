@@ -307,7 +307,7 @@ const struct command study_commands[] = {
              "'domino --shard 2/7' runs only the second of seven parts of the study, and prints counts for "
              "blocks of 100 rows. The command 'pool' adds up the counts of all parts.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
-     .see = "pool budget effect",
+     .see = "pool budget effects",
      .principal = "probability",
      .brief = "",
      ANSWER(placement)},
@@ -354,7 +354,7 @@ const struct command study_commands[] = {
      .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
              "dominoes fall, and one for the moment of a hit.",
      .example = "effect floor 0.5; slip",
-     .see = "effect fall",
+     .see = "effects fall",
      .principal = "motion",
      .brief = "motion hit slips slips_hit",
      ANSWER(slip)},

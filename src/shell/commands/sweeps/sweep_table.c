@@ -26,7 +26,7 @@ const struct command sweep_commands[] = {
              "threads' gives another number of threads. The output does not depend on this number. 'domino "
              "--shard 2/7' computes only the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
-     .see = "curve set effect",
+     .see = "curve set effects",
      .columns = sweep_answers,
      .sweep_refusal = "name all parameters in one grid, as in 'sweep s 0.1 0.5 3 q hollow, solid : rmax'",
      .rows = true,
