@@ -12,12 +12,13 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 enum { EXIT_USAGE = 2 };
 
-static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe] [--interruptible]\n"
+static const char usage[] = "usage: domino [-in] [--bail | --keep-going] [--safe] [--interruptible]\n"
                             "              [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
@@ -25,10 +26,12 @@ static const char help[] =
     "Calculates how much larger each domino of a row can be than the one before it.  Without\n"
     "-e, -f or FILE, domino reads commands from standard input, at a prompt if input and output\n"
     "are terminals.  An error in -e, -f or FILE ends the run; after an error on standard input,\n"
-    "the next line is read.\n"
+    "the next line is read.  A FILE whose name ends in .csv is a row: domino begins with it, and\n"
+    "then reads commands as without FILE.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
+    "  -i, --interactive       after -e, -f and FILE, read commands from standard input\n"
     "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
     "      --bail              stop at the first error, also in input from a pipe\n"
     "      --keep-going        go on after errors, even in -e, -f and FILE\n"
@@ -42,25 +45,22 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'},
-    {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},
-    {"bail", no_argument, NULL, 'b'},
-    {"keep-going", no_argument, NULL, 'k'},
-    {"safe", no_argument, NULL, 's'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {"shard", required_argument, NULL, 'p'},
-    {"interruptible", no_argument, NULL, 'i'},
-    {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
+    {"keep-going", no_argument, NULL, 'k'},    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},          {"version", no_argument, NULL, 'V'},
+    {"shard", required_argument, NULL, 'p'},   {"interruptible", no_argument, NULL, 'c'},
+    {"interactive", no_argument, NULL, 'i'},   {NULL, 0, NULL, 0},
 };
 
 /* The leading '-' makes getopt return each FILE as option 1, so that files and options arrive in the order in
  * which they were typed. */
-static const char short_options[] = "-e:f:nhV";
+static const char short_options[] = "-e:f:inhV";
 
 struct plan {
-    bool init, prompt, sources;
+    bool init, prompt;
+    bool sources;    /* -e, -f or FILE have commands or a row */
+    bool reads;      /* commands are read from standard input: without sources, after a row, and with -i */
     bool keep_going; /* continue after an error in -e, -f and FILE */
 };
 
@@ -117,10 +117,17 @@ static bool shard_read(const char *text, struct shard *shard)
     return false;
 }
 
+static bool is_row(const char *name)
+{
+    const char *extension = strrchr(name, '.');
+    return extension && strcasecmp(extension, ".csv") == 0;
+}
+
 /* Reads all options before the first command of -e, -f or FILE runs. Returns false if an option is wrong. */
 static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
+    bool stays = false;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
         /* If both --bail and --keep-going are given, the last one takes effect. */
         if (option == 'b' || option == 'k') {
@@ -128,7 +135,9 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             plan->keep_going = option == 'k';
         }
         session->run_context.safe = session->run_context.safe || option == 's';
-        is_interruptible = is_interruptible || option == 'i';
+        is_interruptible = is_interruptible || option == 'c';
+        plan->reads = plan->reads && option != 'e' && option != 'f' && !(option == 1 && !is_row(optarg));
+        stays = stays || option == 'i';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
         if (option == 'V')
@@ -147,6 +156,9 @@ static bool options_check(int argc, char **argv, struct session *session, struct
         }
     }
     plan->sources = plan->sources || optind < argc;
+    for (int k = optind; k < argc; k++)
+        plan->reads = plan->reads && is_row(argv[k]);
+    plan->reads = plan->reads || stays;
     return true;
 }
 
@@ -157,9 +169,28 @@ static bool is_over(const struct session *session)
     return session->quit || (session->bail && session->errors > 0);
 }
 
+/* A row from a spreadsheet is a file for 'set row'. */
+static void run_row(struct session *session, const char *name)
+{
+    char command[2 * PATH_MAX + 16], *to = stpcpy(command, "set row \"");
+    session->source.name = "domino";
+    session->source.line = 1;
+    for (const char *c = name; *c && to < command + 2 * PATH_MAX; c++) {
+        *to++ = *c;
+        if (*c == '"') /* within quotes, two stand for one */
+            *to++ = '"';
+    }
+    stpcpy(to, "\"");
+    command_run_text(session, command);
+}
+
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
+    if (is_row(name)) {
+        run_row(session, name);
+        return;
+    }
     FILE *in = standard ? io_stdin(&ended) : io_open_read(name, &ended);
     if (!in) {
         session->source.name = NULL;
@@ -235,7 +266,7 @@ static bool output_close(const struct output *standard, bool ignores_pipe)
 int main(int argc, char **argv)
 {
     struct session session;
-    struct plan plan = {.init = true};
+    struct plan plan = {.init = true, .reads = true};
     io_begin();
     /* By default, SIGPIPE and SIGXFSZ would end the program when a pipe has no reader or a file gets too
      * large. They are ignored, so that write(2) fails instead. */
@@ -247,20 +278,25 @@ int main(int argc, char **argv)
     session_init(&session, out);
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
-    plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+    plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     if (!plan.prompt)
         signals_begin(&session);
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
         /* After an error, later commands might compute answers for the wrong scene. */
+        const bool bails = session.bail;
         session.bail = !plan.keep_going;
         run_sources(argc, argv, &session);
-    } else if (plan.prompt && !is_over(&session)) {
+        plan.reads = plan.reads && (plan.prompt || !is_over(&session));
+        session.bail = bails;
+        session.state.scene.listed.saved = true; /* whatever these files change is in the files */
+    }
+    if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
         /* At a prompt, the user has already seen the errors, so they do not affect the exit status. */
         session.errors = 0;
-    } else if (!is_over(&session))
+    } else if (plan.reads && !is_over(&session))
         run_file(&session, "-");
     session_close(&session);
     bool is_good = output_close(&session.standard, ignores_pipe) && session.errors == 0;

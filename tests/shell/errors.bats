@@ -25,11 +25,9 @@ junk() { # PATTERN
 1|q 3|^'q' is a parameter; 'q = VALUE' sets it
 1|sqrt 2|^'sqrt' is a function; write its arguments in parentheses, as in 'sqrt\(2\)'$
 8|4.8 cm in mm|'to' converts, as in '4.8 cm to mm'$
-1|Fuel|^unknown command 'Fuel'; did you mean 'fuel'\?$
 1|fuell|^unknown command 'fuell'; did you mean 'fuel'\?$
 3|  foo 1 2|^unknown command 'foo'.*'help'
 5|set foo 1|^set: unknown parameter 'foo'
-5|set S 0.4|^set: unknown parameter 'S'
 11|set s=0.4 1|^set: '1' .*too many.*set NAME VALUE
 6|show foo|^show: unknown parameter 'foo'
 7|reset foo|^reset: unknown parameter 'foo'

@@ -139,6 +139,26 @@ END
     same 'bare environment' "$expected" "$(env -i "$DOMINO" -e 'set output json; fuel; show')"
 }
 
+@test "-i reads standard input after the other sources, and a .csv file is a row" {
+    printf 'set s 0.3\n' >s.dom
+    "$DOMINO" -e 'effect row 4; row > hall.csv; row > "two words.CSV"'
+    cp hall.csv '"q.csv'
+    same '-i' $'0.3\n6' "$(echo 'print 2*3' | "$DOMINO" -i -e 'print s' s.dom -e 'print s' | grep . | tail -n 2)"
+    same 'without -i' 0.3 "$(echo 'print 2*3' | "$DOMINO" s.dom -e 'print s')"
+    local name verdict
+    verdict=$("$DOMINO" -e 'effect row hall.csv; verdict')
+    for name in hall.csv 'two words.CSV' ./hall.csv '"q.csv'; do
+        same "$name" "$verdict" "$(echo verdict | "$DOMINO" "$name")"
+    done
+    same 'with commands of its own' "$verdict" "$(echo 'print 1' | "$DOMINO" hall.csv -e verdict)"
+    same 'after --' "$verdict" "$(echo verdict | "$DOMINO" -- hall.csv)"
+    run -1 --separate-stderr bash -c 'echo "print 7" | "$DOMINO" none.csv'
+    same 'no such row' "domino:1: set: cannot read 'none.csv': No such file or directory|" "$stderr|$output"
+    run -1 --separate-stderr bash -c 'echo "print 7" | "$DOMINO" -i -e foo'
+    same 'after an error, nothing is read' '(nothing)' "$output"
+    same 'but with --keep-going' 7 "$(echo 'print 7' | "$DOMINO" --keep-going -i -e foo 2>/dev/null)"
+}
+
 @test "--safe: commands cannot use files, and everything else works" {
     echo 'set s 0.3' >plain
     while IFS='|' read -r command place; do

@@ -53,6 +53,7 @@ same_at_the_prompt() { # FORMAT
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 @test "a backslash at the end continues the line below" { prompt backslash; }
 
+@test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
 @test "start-up file: an error says where it is, and the session opens" { prompt init_error; }
 @test "inputrc: \$if Domino" { prompt inputrc; }

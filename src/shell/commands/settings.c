@@ -187,7 +187,8 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
         char *folder = folder_of(path);
-        fprintf(file->out, "# A session of domino " DOM_VERSION "; run it with 'source' or 'domino -f'.\n");
+        fprintf(file->out, "# A session of domino " DOM_VERSION
+                           "; run it with 'source', 'domino -f' or, to stay, 'domino -i'.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
             parameter_save(query->state, p, folder, file->out);
         free(folder);
@@ -336,7 +337,7 @@ const struct command session_commands[] = {
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
      .help = "FILE also records the effects that are on, the name of the row's file, the dimensions of the "
-             "row that have been changed, and what 'let' has defined.",
+             "row that have been changed, and what 'let' has defined. 'domino -i FILE' runs it and stays.",
      .see = "source",
      .files = true,
      .run = run_save},

@@ -17,7 +17,7 @@ _domino() {
         ;;
     esac
     case $cur in
-    -*) mapfile -t COMPREPLY < <(compgen -W '-e -f -n --execute --file --no-init --bail --keep-going --safe --interruptible --shard --help --version' -- "$cur") ;;
+    -*) mapfile -t COMPREPLY < <(compgen -W '-e -f -i -n --execute --file --interactive --no-init --bail --keep-going --safe --interruptible --shard --help --version' -- "$cur") ;;
     *) mapfile -t COMPREPLY < <(compgen -f -- "$cur") ;;
     esac
 }

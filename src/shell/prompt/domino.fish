@@ -12,6 +12,7 @@ end
 
 complete -c domino -s e -l execute -x -a '(__domino_commands)' -d 'Run commands'
 complete -c domino -s f -l file -r -d 'Run a file of commands'
+complete -c domino -s i -l interactive -d 'Then read commands from standard input'
 complete -c domino -s n -l no-init -d 'Do not run the start-up file'
 complete -c domino -l bail -d 'Stop at the first error'
 complete -c domino -l keep-going -d 'Go on after errors'

@@ -15,6 +15,7 @@ _domino_commands() {
 _arguments -s \
     '*'{-e,--execute}'[run commands]:commands:_domino_commands' \
     '*'{-f,--file}'[run a file of commands]:file:_files' \
+    '(-i --interactive)'{-i,--interactive}'[then read commands from standard input]' \
     '(-n --no-init)'{-n,--no-init}'[do not run the start-up file]' \
     '(--keep-going)--bail[stop at the first error]' \
     '(--bail)--keep-going[go on after errors]' \
