@@ -79,7 +79,7 @@ build=$(dirname "$DOMINO")
     expects pictures "$pictures"
     for picture in $pictures; do
         [ "$(wc -c <"$root/$picture")" -lt 300000 ]
-        same "$picture" GIF89a "$(head -c 6 "$root/$picture")"
+        grep -qE '^(GIF89a|<\?xml)' "$root/$picture"
     done
     # Links lead to files.
     for link in $(grep -oE '\]\([a-z][^:)]*\)' "$root/README.md" | tr -d ']()'); do

@@ -123,10 +123,8 @@ tower|count
 END
     same speed 'omega cost fall timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
     same 'speed, json' 'omega cost fall timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
-    # Each word of the README's table has an answer that mentions it.
-    sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >words
-    [ "$(wc -l <words)" -ge 6 ]
-    while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <words
+    # Each word of our own has an answer that mentions it.
+    for word in growth gap thickness solid hollow train; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done
 }
 
 @test "help begins with eleven lines to type, all of which work in this order" {

@@ -40,23 +40,33 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
 
 /* ---- Answers ---- */
 
+/* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
+ * returns the nearest gap at which they fall. */
+static domq_real whole_gap(const struct domq_mend *m)
+{
+    const bool wider = m->until > m->to;
+    const domq_real mm = (domq_real)1 / 1000,
+                    gap = mm * (wider ? quad(ceil)(m->to / mm) : quad(floor)(m->to / mm));
+    return (wider ? gap <= m->until : gap >= m->until) && gap > 0 ? gap : m->to;
+}
+
 static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_push)
 {
-    const struct measured to = measured(m->to, "m", 7);
-    answer_say(a, "%s %s the gap before domino %zu by %s, from %s to %s.",
+    const domq_real safe = whole_gap(m);
+    const struct measured to = measured(safe, "m", 7);
+    answer_say(a, "%s %s the gap before domino %zu from %s to %s: 'place %zu %s'.",
                needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
-               m->to < m->gap ? "narrow" : "widen", m->domino,
-               measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text, to.text);
-    answer_say(a, "'place %zu %s' is just enough.", m->domino, to.text);
+               m->to < m->gap ? "narrow" : "widen", m->domino, measured(m->gap, "m", 5).text, to.text,
+               m->domino, to.text);
     if (quad(fabs)(m->until - m->to) <= (domq_real)1e-4 * m->to)
         return;
     const bool wider = m->until > m->to;
     const domq_real until = round_digits(m->until, 4, !wider), room = m->to + (until - m->to) / 3;
-    const struct measured end = measured(until, "m", 7);
-    const char *from = until > 0 ? (wider ? to : end).text : "";
-    answer_say(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
-               *from ? "between " : "at most ", from, *from ? " and " : "", (wider ? end : to).text,
-               m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
+    const struct measured end = measured(until, "m", 7), near = measured(m->to, "m", 7);
+    const char *from = until > 0 ? (wider ? near : end).text : "";
+    answer_detail(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
+                  *from ? "between " : "at most ", from, *from ? " and " : "", (wider ? end : near).text,
+                  m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
 /* Prints a table of the changes that were found and says how to make the smallest one. */

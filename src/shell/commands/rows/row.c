@@ -384,6 +384,7 @@ const struct command row_commands[] = {
          "rigid-body engine), and then bisects. It can miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
+     .brief = "",
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
