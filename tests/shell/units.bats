@@ -146,7 +146,6 @@ END
 7|count 112 deg|^count: H is a length, not an angle
 7|count 3 s|^count: H is a length, not a time
 7|count 3 m^2|^count: H is a length, not in m\^2
-7|set s 3 m|^set: s = 62.5 is out of range
 7|set s 0.3 rad|^set: s is a plain number, not an angle
 7|set r h|^set: r is a plain number, not a length
 7|set h 3 s|^set: h is a length, not a time
@@ -305,4 +304,33 @@ END
     wrong 'print (1 s)^-99^1 * (1/(1 m)^99)^99' 'the unit has an exponent above 999'
     same 'below that they count' '1 m^960' "$("$DOMINO" -e 'print ((1 m)^64)^15')"
     same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
+}
+
+@test "lengths stay lengths: the order of commands does not matter, and show and save write what was typed" {
+    local name value
+    for name in 's 20 mm' 'd 9 mm' 'walls 1 mm' 'edges 0.5 mm'; do
+        value=$(json "set r 1; set h 24 mm; set $name; barrier" | tail -n 1)
+        same "$name, then h" "$value" "$(json "set r 1; set $name; set h 24 mm; barrier" | tail -n 1)"
+    done
+    same 'the gap' 0.02 "$(json 'set s 20 mm; set h 24 mm; print s*h' | values value)"
+    same 'd' 0.007 "$(json 'set d 7 mm; set h 24 mm; print d*h' | values value)"
+    same 'a share is a share' 0.4 "$(json 'set s 20 mm; set s 0.4; set h 24 mm; print s' | values value)"
+    same 'reset h' "$(json 'set s 20 mm; rmax')" "$(json 'set s 20 mm; set h 24 mm; reset h; rmax')"
+    same 'one undo' "$(json 'set s 20 mm; rmax')" "$(json 'set s 20 mm; set h 24 mm; undo; rmax' | tail -n 1)"
+    same 'undo a length' 0.4 "$(json 'set s 20 mm; undo; set h 24 mm; print s' | values value | tail -n 1)"
+    same 'with' "$(json 'set r 1; set h 24 mm; set s 20 mm; rmax')" "$(json 'rmax with s 20 mm h 24 mm')"
+    same 'with, the other way' "$(json 'set r 1; set h 24 mm; set s 20 mm; rmax')" "$(json 'rmax with h 24 mm s 20 mm')"
+    same 'in an expression' "$(json 'set r 1; set h 24 mm; set s 20 mm; rmax' | values r_max)" "$(json 'set s 20 mm; print (rmax with h 24 mm)' | values value)"
+    same 'in a sweep' '0.02 0.02' "$(json 'set s 20 mm; sweep h 24 mm, 48 mm : s*h' | values value | paste -sd ' ')"
+    same 'show' 's 20 mm' "$("$DOMINO" -e 'set s 20 mm; set h 24 mm; show' | awk '$1 == "s" { print $1, $2, $3 }')"
+    same 'a length that is the default' 'd 7 mm' "$("$DOMINO" -e 'set d 7 mm; show' | awk '$1 == "d" { print $1, $2, $3 }')"
+    "$DOMINO" -e 'set precision quad; set s 2.52 cm; set walls 1.1 mm; set h 252 cm; save saved.dom' >/dev/null
+    same 'as many digits as were typed' 'set s 2.52 cm,set h 2.52 m,effect walls 1.1 mm' "$(grep -E '^(set|effect) (s|h|walls) ' saved.dom | paste -sd ,)"
+    same 'saved lengths' 0.0252 "$(json 'source saved.dom; set h 1 m; set output json; print s*h' | values value | tail -n 1)"
+    # Nothing impossible is set; what another height makes possible is taken.
+    wrong 'set s -1 mm' 's'
+    wrong 'set s 0 mm' 's'
+    same 'the height follows' 0.3 "$(json 'set s 60 mm; set h 200 mm; print s' | values value)"
+    wrong 'set s 60 mm; rmax' 'the separation s is outside its range'
+    same 'what shows, saves or resets works' '0.4' "$(json 'set s 60 mm; show; save x.dom; reset s; print s' | tail -n 1 | values value)"
 }

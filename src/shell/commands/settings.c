@@ -7,6 +7,7 @@
 #include "language/text.h"
 #include "session/session.h"
 #include "session/undo.h"
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,16 +70,44 @@ static size_t gaps_changed(const struct listed_row *row)
     return count;
 }
 
+/* Returns the length that was typed for a share of the height, with its unit. */
+static struct typed_length length_typed(const struct arguments *given)
+{
+    struct typed_length length = share_length(given->parameter, &given->quantity[1]);
+    char *end;
+    if (length.m > 0 && given->typed[1]) {
+        quad_read(given->typed[1], &end);
+        const char *unit = skip_blanks(end), *stop = unit_scan(unit, &(struct quantity){.value = 1});
+        if (stop && (isspace((unsigned char)*stop) || !*stop || *stop == ';'))
+            name_copy(unit, (size_t)(stop - unit), length.unit, sizeof length.unit);
+    }
+    return length;
+}
+
+/* At the prompt, says why the scene has no answer yet. Another command may change that. */
+static void missing_say(const struct query *query, struct answer *a, const struct scene *scene)
+{
+    struct problem missing = {.kind = PROBLEM_NONE};
+    struct domq_angles angles;
+    if (query->run_context->script || query->run_context->sourced || !answer_for_people(a))
+        return;
+    if (lengths_check(query->next, &missing))
+        problem_status(&missing, scene, domq_angles_find(&scene->train, &scene->compute, &angles));
+    if (missing.kind != PROBLEM_NONE)
+        answer_say(a, "This is set, but there is no answer yet: %s.", missing.text);
+}
+
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
     const struct parameter *p = given->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
     domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
+    const struct typed_length length = length_typed(given);
     if (!height_likely(query, problem))
         return false;
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->run_context, problem)
-                         : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
+                         : parameter_set(next, p, &given->number[1], given->count - 1, &length, problem)))
         return false;
     /* In a script, the next line may set the parameter `moved` too, so no message is printed. */
     if (moved && parameter_get(next, moved) != was && !query->run_context->sourced)
@@ -102,6 +131,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
                    kept, next->scene.listed.changes - 1);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
+    missing_say(query, a, &next->scene);
     return true;
 }
 
@@ -152,7 +182,7 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     for (int k = 0; (p = parameter_in_order(next, k)) != NULL; k++) {
         domq_real value = parameter_fallback(next, p);
         if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
-            done = parameter_set(next, p, &value, 1, problem) && done;
+            done = parameter_set(next, p, &value, 1, NULL, problem) && done;
     }
     if (given->parameter)
         return done;

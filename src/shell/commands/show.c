@@ -22,6 +22,7 @@ enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 /* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
 struct shown {
     char range[PARAMETER_RANGE], value[EFFECT_SETTING], fallback[WIDE_TEXT];
+    char unit[8];
     struct cell cell[SHOW_COLUMNS];
 };
 
@@ -45,14 +46,27 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     else
         snprintf(shown->value, sizeof shown->value, "%s",
                  parameter_text(p, value, (int)query->state->settings.style.digits, number));
+    const struct typed_length *length =
+        parameter_share(p) >= 0 ? &query->scene->length[parameter_share(p)] : NULL;
+    char typed[LENGTH_TEXT];
+    const char *unit = people && p->effect ? "" : p->value->unit;
+    const bool is_length = people && length && length->m > 0 && value != EFFECT_OFF;
+    if (is_length) {
+        length_write(length->m, length->unit, typed);
+        unit = strchr(typed, ' ') + 1;
+        snprintf(shown->value, sizeof shown->value, "%.*s", (int)(unit - 1 - typed), typed);
+        snprintf(shown->unit, sizeof shown->unit, "%.7s", unit);
+        unit = shown->unit;
+        text_add(shown->range, sizeof shown->range, " h");
+    }
     snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));
-    if (people && is_number) {
+    if (people && is_number && !is_length) {
         word_add(p, value, shown->value, sizeof shown->value);
         word_add(p, fallback, shown->fallback, sizeof shown->fallback);
     }
     const struct cell cells[] = {cell_word(p->name),
                                  as_number || (is_on && !people) ? cell_real(value) : cell_word(shown->value),
-                                 cell_word(people && p->effect ? "" : p->value->unit),
+                                 cell_word(unit),
                                  cell_word(shown->range),
                                  as_number ? cell_real(fallback) : cell_word(shown->fallback),
                                  cell_word(parameter_meaning(p))};
@@ -91,7 +105,9 @@ enum listed { LIST_ALL, LIST_PARAMETERS, LIST_CHANGED, LIST_VARIABLES };
 
 static bool is_changed(const struct query *query, const struct parameter *p)
 {
-    return parameter_get(query->state, p) != parameter_fallback(query->state, p);
+    const int share = parameter_share(p);
+    return parameter_get(query->state, p) != parameter_fallback(query->state, p) ||
+           (share >= 0 && query->scene->length[share].m > 0 && parameter_is_number(p));
 }
 
 /* Prints the parameter or variable that the arguments name. Without a name, prints what `listed` selects, and

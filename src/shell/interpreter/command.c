@@ -205,12 +205,15 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     return true;
 }
 
-static bool of_check(const struct query *query, const struct argument *a, domq_real value,
+/* Checks the value of a parameter. `is_length` is true if a share of the height was given as a length. */
+static bool of_check(const struct query *query, const struct argument *a, domq_real value, bool is_length,
                      struct problem *problem)
 {
     char range[96];
     const struct parameter *p = parameter_find(a->parameter);
     const struct domq_effect_argument *of = &p->value[a->which];
+    if (is_length && strcmp(a->name, of->name) == 0 && value > 0)
+        return true; /* another h may put this length into the range */
     if (strcmp(a->name, of->name) == 0 || (value >= of->lowest && value <= of->highest))
         return parameter_check(query->state, p, a->which, value, problem);
     snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
@@ -245,6 +248,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
+    const bool is_length =
+        a->kind == ARGUMENT_VALUE_OF && share_length(parameter_find(a->parameter), &q).m > 0 && a->which == 0;
     if (a->kind != ARGUMENT_ANY && !quantity_is_number(q) && !unit_check(query, a, &q, problem))
         return false;
     *number = q.value;
@@ -259,7 +264,7 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
         return (q.value >= 1 && q.value <= COUNT_MAX && q.value == quad(floor)(q.value)) ||
                out_of_range(problem, a, q.value, "not a count", "an integer in 1 .. 10000000");
     case ARGUMENT_VALUE_OF:
-        return of_check(query, a, q.value, problem);
+        return of_check(query, a, q.value, is_length, problem);
     default:
         return true;
     }

@@ -71,7 +71,8 @@ struct arguments {
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
-    int column[ARGUMENTS_MAX]; /* the column of each argument in the typed line, for messages */
+    const char *typed[ARGUMENTS_MAX]; /* where the argument begins in the line; may be NULL */
+    int column[ARGUMENTS_MAX];        /* the column of each argument in the typed line, for messages */
     /* The parameter that was named as an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. NULL if there is none. */
     const struct parameter *parameter;
     /* The variable that an argument names. The argument may be an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or

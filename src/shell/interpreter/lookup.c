@@ -76,7 +76,7 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     changed->state = state;
     changed->scene = &state->scene;
     changed->next = NULL;
-    return state_assign(state, assigned, count, problem);
+    return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
 }
 
 /* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
@@ -91,11 +91,13 @@ static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const 
     int count = 0;
     for (const struct assignment *a = t->refers; a; a = a->next, count++) {
         struct quantity value;
-        assigned[count] = (struct assigned){a->parameter, a->item.number, NULL};
+        assigned[count] = (struct assigned){.parameter = a->parameter, .value = a->item.number};
         if (a->item.value &&
             (!expression_evaluate(e, a->item.value, &value) ||
              !argument_check(outer, a->item.argument, value, &assigned[count].value, lookup->problem)))
             return false;
+        if (a->item.value)
+            assigned[count].length = share_length(a->parameter, &value);
     }
     if (!query_with(outer, assigned, count, &state, &changed, lookup->problem))
         return false;

@@ -10,9 +10,11 @@ static bool with_bind(const struct question *q, const struct query *query, struc
     struct assigned assigned[ASSIGNED_MAX];
     int count = 0;
     for (const struct assignment *a = q->with; a; a = a->next) {
+        struct quantity typed;
         assigned[count] = (struct assigned){.parameter = a->parameter};
-        if (!item_bind(&a->item, q->text, query, NULL, &assigned[count++].value, problem))
+        if (!item_bind(&a->item, q->text, query, &typed, &assigned[count].value, problem))
             return false;
+        assigned[count++].length = share_length(a->parameter, &typed);
     }
     return query_with(query, assigned, count, &call->state, &call->query, problem);
 }
@@ -34,6 +36,7 @@ bool question_bind(const struct question *q, const struct query *query, struct c
         const struct argument *a = &q->command->argument[i];
         const struct item *item = &q->item[i];
         call->given.word[i] = item->word;
+        call->given.typed[i] = item->at;
         call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
         if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
                        problem) ||

@@ -9,36 +9,35 @@
 
 /* ---- The table ---- */
 
+/* A unit as a quotient of integers, such as 254/10000 m for an inch. With one division at the end, 252 cm is
+ * exactly the number that 2.52 m is. */
 struct unit {
     const char *name;
     struct quantity is;
+    domq_real over; /* the divisor */
 };
 
-/* A unit as a quotient of integers, such as 254/10000 m for an inch. The quotient has all digits of
- * domq_real, while the constant 0.0254 would have only the digits of a double. */
-#define PART(n, m) ((domq_real)(n) / (m))
-
 static const struct unit units[] = {
-    {"m", {.value = 1, .length = 1}},
-    {"mm", {.value = PART(1, 1000), .length = 1}},
-    {"cm", {.value = PART(1, 100), .length = 1}},
-    {"km", {.value = 1000, .length = 1}},
-    {"in", {.value = PART(254, 10000), .length = 1}},
-    {"ft", {.value = PART(3048, 10000), .length = 1}},
-    {"yd", {.value = PART(9144, 10000), .length = 1}},
-    {"kg", {.value = 1, .mass = 1}},
-    {"g", {.value = PART(1, 1000), .mass = 1}},
-    {"t", {.value = 1000, .mass = 1}},
-    {"lb", {.value = PART(45359237, 100000000), .mass = 1}},
-    {"oz", {.value = PART(45359237, 1600000000), .mass = 1}},
-    {"s", {.value = 1, .time = 1}},
-    {"ms", {.value = PART(1, 1000), .time = 1}},
-    {"min", {.value = 60, .time = 1}},
-    {"hr", {.value = 3600, .time = 1}},
-    {"mph", {.value = PART(1609344, 3600000), .length = 1, .time = -1}},
-    {"rad", {.value = 1, .angle = 1}},
-    {"deg", {.value = QUAD_PI / 180, .angle = 1}},
-    {NULL, {.value = 0}},
+    {"m", {.value = 1, .length = 1}, 1},
+    {"mm", {.value = 1, .length = 1}, 1000},
+    {"cm", {.value = 1, .length = 1}, 100},
+    {"km", {.value = 1000, .length = 1}, 1},
+    {"in", {.value = 254, .length = 1}, 10000},
+    {"ft", {.value = 3048, .length = 1}, 10000},
+    {"yd", {.value = 9144, .length = 1}, 10000},
+    {"kg", {.value = 1, .mass = 1}, 1},
+    {"g", {.value = 1, .mass = 1}, 1000},
+    {"t", {.value = 1000, .mass = 1}, 1},
+    {"lb", {.value = 45359237, .mass = 1}, 100000000},
+    {"oz", {.value = 45359237, .mass = 1}, 1600000000},
+    {"s", {.value = 1, .time = 1}, 1},
+    {"ms", {.value = 1, .time = 1}, 1000},
+    {"min", {.value = 60, .time = 1}, 1},
+    {"hr", {.value = 3600, .time = 1}, 1},
+    {"mph", {.value = 1609344, .length = 1, .time = -1}, 3600000},
+    {"rad", {.value = 1, .angle = 1}, 1},
+    {"deg", {.value = QUAD_PI / 180, .angle = 1}, 1},
+    {NULL, {.value = 0}, 1},
 };
 
 /* Words that can be typed instead of units. Completion does not offer these words. */
@@ -164,8 +163,8 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
     q->mass += power * by.mass;
 }
 
-/* Returns the unit of `length` letters at c in a text that begins at `begin`. In km/h, h is an hour. Otherwise
- * it is no unit, but the height. */
+/* Returns the unit of `length` letters at c in a text that begins at `begin`. In km/h, h is an hour.
+ * Otherwise it is no unit, but the height. */
 static const struct unit *unit_in(const char *begin, const char *c, size_t length)
 {
     const bool is_hour = length == 1 && *c == 'h' && c == begin + 3 && strncmp(begin, "km/", 3) == 0;
@@ -193,6 +192,7 @@ const char *unit_scan(const char *begin, struct quantity *q)
             c = stop;
         }
         quantity_multiply(q, u->is, sign * (int)power);
+        quantity_multiply(q, (struct quantity){.value = u->over}, -sign * (int)power);
         if ((*c != '/' && *c != '*') || !unit_in(begin, c + 1, name_length(c + 1)))
             return c;
         sign = *c == '/' ? -1 : 1;

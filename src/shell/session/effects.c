@@ -167,7 +167,13 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
     fprintf(out, state->on ? "effect %s" : "effect %s off", e->name);
     if (path)
         save_name(path, folder, out);
-    for (int i = 0; !path && state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+    const struct typed_length *length = effect == DOM_EFFECT_walls   ? &scene->length[SHARE_walls]
+                                        : effect == DOM_EFFECT_edges ? &scene->length[SHARE_edges]
+                                                                     : NULL;
+    const bool is_length = length && length->m > 0 && state->on;
+    if (is_length)
+        fprintf(out, " %s", length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
+    for (int i = is_length; !path && state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         if (!usual_from(e, state, i))
             fprintf(out, " %s",
                     e->argument[i].words ? e->argument[i].words[(int)state->value[i]]

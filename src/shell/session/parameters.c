@@ -113,9 +113,78 @@ static domq_real parameter_lowest(const struct state *state, const struct parame
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
 }
 
+#define SHARE_NAME(name) #name,
+static const char *const share_names[] = {SHARES(SHARE_NAME)};
+#undef SHARE_NAME
+
+int parameter_share(const struct parameter *p)
+{
+    for (int k = 0; k < SHARE_COUNT && *p->value->unit == 'h'; k++)
+        if (strcmp(share_names[k], p->name) == 0)
+            return k;
+    return -1;
+}
+
+const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT])
+{
+    static const char *const units[] = {"m", "cm", "mm"};
+    const int first = *typed ? -1 : 0, last = *typed ? -1 : 2;
+    size_t shortest = LENGTH_TEXT;
+    for (int k = first; k <= last; k++) {
+        const char *unit = k < 0 ? typed : units[k];
+        char number[WIDE_TEXT];
+        struct quantity q;
+        int digits = 5;
+        do {
+            quad_write(m / expression_unit(unit).value, digits, number);
+            q = (struct quantity){.value = quad_read(number, NULL)};
+            unit_scan(unit, &q);
+        } while (q.value != m && ++digits <= WIDE_DIGITS);
+        if (k == first || strlen(number) + 3 < shortest) { /* m unless its digits do not end */
+            shortest = strlen(number);
+            snprintf(text, LENGTH_TEXT, "%s %s", number, unit);
+        }
+    }
+    return text;
+}
+
+/* Divides the lengths that were given by the height. */
+static void lengths_apply(struct scene *scene)
+{
+    domq_real share[SHARE_COUNT];
+    bool any = false;
+    for (int k = 0; k < SHARE_COUNT; k++) {
+        share[k] = scene->length[k].m / scene->scale.h;
+        any = any || share[k] > 0;
+    }
+    if (!any)
+        return;
+    scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
+    scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
+    if (share[SHARE_walls] > 0)
+        scene->effect[DOM_EFFECT_walls].value[0] = share[SHARE_walls];
+    if (share[SHARE_edges] > 0)
+        scene->effect[DOM_EFFECT_edges].value[0] = share[SHARE_edges];
+    effects_apply(scene);
+}
+
+bool lengths_check(const struct state *state, struct problem *problem)
+{
+    bool good = true;
+    for (int k = 0; k < SHARE_COUNT && good; k++) {
+        const struct parameter *p = state->scene.length[k].m > 0 ? parameter_find(share_names[k]) : NULL;
+        good = !p || parameter_get(state, p) == EFFECT_OFF ||
+               parameter_check(state, p, 0, parameter_get(state, p), problem);
+    }
+    return good;
+}
+
 static void parameter_put(struct state *state, const struct assigned *a)
 {
     const struct parameter *p = a->parameter;
+    const int share = parameter_share(p);
+    if (share >= 0)
+        state->scene.length[share] = a->length;
     char *place = (char *)state + p->offset;
     if (p->before)
         p->before(state, a->value);
@@ -141,10 +210,12 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
             const struct parameter *p = a->parameter;
             if (p->words_only != (words == 1))
                 continue;
-            if (!p->words_only && a->value != EFFECT_OFF && !parameter_check(state, p, 0, a->value, problem))
+            if (!p->words_only && a->value != EFFECT_OFF && !(a->length.m > 0) &&
+                !parameter_check(state, p, 0, a->value, problem))
                 return false;
             parameter_put(state, a);
         }
+    lengths_apply(&state->scene);
     for (int i = 0; i < count; i++) {
         const struct parameter *p = assigned[i].parameter;
         if (p->effect && state->scene.effect[p->which].on &&
@@ -157,7 +228,7 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 }
 
 bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
-                   struct problem *problem)
+                   const struct typed_length *length, struct problem *problem)
 {
     struct state next = *state;
     domq_real all[DOM_EFFECT_ARGUMENTS];
@@ -165,7 +236,10 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
         return true; /* 'effect NAME on' does not change an effect that is already on */
     if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
         return false;
-    const struct assigned assigned = {p, p->effect ? all[0] : value[0], p->effect ? all + 1 : NULL};
+    struct assigned assigned = {
+        .parameter = p, .value = p->effect ? all[0] : value[0], .others = p->effect ? all + 1 : NULL};
+    if (length)
+        assigned.length = *length;
     if (!state_assign(&next, &assigned, 1, problem))
         return false;
     if (p->effect && p->which == DOM_EFFECT_row)
@@ -206,6 +280,17 @@ void parameter_save(const struct state *state, const struct parameter *p, const 
     }
     const char *value = parameter_text(p, parameter_get(state, p), WIDE_DIGITS, text);
     struct quantity quantity = expression_unit(p->value->unit);
+    const int share = parameter_share(p);
+    if (share >= 0 && state->scene.length[share].m > 0) {
+        const struct typed_length *length = &state->scene.length[share];
+        fprintf(out, "set %s %s\n", p->name, length_write(length->m, length->unit, (char[LENGTH_TEXT]){""}));
+        return;
+    }
+    if (strcmp(p->value->unit, "m") == 0) {
+        fprintf(out, "set %s %s\n", p->name,
+                length_write(parameter_get(state, p), "", (char[LENGTH_TEXT]){""}));
+        return;
+    }
     bool has_unit = parameter_is_number(p) && !quantity_is_dimensionless(quantity) && !quantity.angle;
     fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
             has_unit ? unit_write(quantity, "*", (char[UNIT_TEXT]){""}) : "");

@@ -60,6 +60,9 @@ const char *parameter_range_write(const struct state *state, const struct parame
 const char *parameter_text(const struct parameter *parameter, domq_real value, int digits,
                            char text[WIDE_TEXT]);
 
+/* Returns which share of the height the parameter is, or -1. */
+int parameter_share(const struct parameter *parameter);
+
 /* ---- Values ---- */
 
 /* Returns the value of a parameter. For an effect, returns its first value, or EFFECT_OFF. */
@@ -77,18 +80,33 @@ struct assigned {
     const struct parameter *parameter;
     domq_real value;
     const domq_real *others; /* the other values of an effect, or NULL, as in effect_put */
+    /* For a share of the height that was given as a length; `value` is then not used. */
+    struct typed_length length;
 };
 enum { ASSIGNED_MAX = 8 };
 
 /* Sets parameters in a state that is a copy of another state. The copy shares the memory of the original, so
  * it must not be closed. Sets *problem and returns false if a value is out of range, or cannot be combined
- * with the other values. The ranges of assigned.others are not checked. */
+ * with the other values. The ranges of assigned.others are not checked, nor is a length, since h may change.
+ */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. The
- * state must own its memory. On failure, sets *problem, changes nothing and returns false. */
+/* Returns the length for struct assigned if the value of the parameter was given as a length. */
+static inline struct typed_length share_length(const struct parameter *parameter,
+                                               const struct quantity *typed)
+{
+    const bool is_length = typed->length == 1 && quantity_alike(*typed, (struct quantity){.length = 1});
+    return (struct typed_length){.m = is_length && parameter_share(parameter) >= 0 ? typed->value : 0};
+}
+
+/* Returns true if the lengths that were given fit to the height. */
+bool lengths_check(const struct state *state, struct problem *problem);
+
+/* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. If the
+ * first value was given as a length, `length` is this length; otherwise, it may be NULL. The state must own
+ * its memory. On failure, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
-                   struct problem *problem);
+                   const struct typed_length *length, struct problem *problem);
 
 /* Lists the parameters in the order in which a saved script must set them. In another order, a command could
  * be rejected because a parameter that it depends on does not have its saved value yet. Returns parameter k,

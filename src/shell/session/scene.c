@@ -73,6 +73,7 @@ void effects_reset(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         scene->effect[k] = (struct effect_state){.on = false};
+    scene->length[SHARE_walls] = scene->length[SHARE_edges] = (struct typed_length){.m = 0};
     listed_free(&scene->listed);
     effects_apply(scene);
 }

@@ -49,6 +49,18 @@ struct listed_row {
     size_t *holders;
 };
 
+/* The parameters that are shares of the height h. If the user has given a length instead, it stays the same
+ * length when h changes. */
+#define SHARES(X)        X(s) X(d) X(walls) X(edges)
+#define SHARE_ENUM(name) SHARE_##name,
+enum share { SHARES(SHARE_ENUM) SHARE_COUNT };
+#undef SHARE_ENUM
+
+struct typed_length {
+    domq_real m;  /* the length in m, or 0 for a share */
+    char unit[8]; /* the unit that was typed, for 'show'; "" if the length was not one number with a unit */
+};
+
 struct scene {
     struct domq_train train;
     /* the library's options */
@@ -59,6 +71,7 @@ struct scene {
     domq_real seed;    /* the seed of random rows */
     /* METHOD_MODEL or METHOD_ENGINE (engine.h): whether the model or the engine runs rows */
     unsigned method;
+    struct typed_length length[SHARE_COUNT];
     struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed;
 };

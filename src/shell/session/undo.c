@@ -47,7 +47,9 @@ struct state *undo_begin(const struct state *state)
 static bool state_equal(const struct state *a, const struct state *b)
 {
     for (const struct parameter *p = session_parameters; p->name; p++) {
-        if (parameter_get(a, p) != parameter_get(b, p))
+        const int share = parameter_share(p);
+        if (parameter_get(a, p) != parameter_get(b, p) ||
+            (share >= 0 && a->scene.length[share].m != b->scene.length[share].m))
             return false;
         for (int i = 1; p->effect && a->scene.effect[p->which].on && parameter_argument(p, i); i++)
             if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])

@@ -57,8 +57,9 @@ bool tower_make(const struct query *query, struct tower *tower, struct problem *
     if (!isfinite(dominoes) || dominoes < 1 || dominoes >= most)
         return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s",
                                  dominoes == 0 ? "no dominoes" : "more dominoes than a row can have");
-    const struct assigned assigned[] = {{parameter_find("r"), ans->cells[COUNT_GROWTH].number, NULL},
-                                        {parameter_find("row"), dominoes + 1, NULL}};
+    const struct assigned assigned[] = {
+        {.parameter = parameter_find("r"), .value = ans->cells[COUNT_GROWTH].number},
+        {.parameter = parameter_find("row"), .value = dominoes + 1}};
     tower->height = ans->cells[COUNT_HEIGHT].number;
     return query_with(query, assigned, 2, &tower->state, &tower->query, problem) &&
            (tower_stand(tower, (size_t)dominoes) || problem_status(problem, query->scene, DOM_NO_MEMORY));

@@ -19,12 +19,14 @@ static bool trial_make(struct fit *f, const double *value, const struct fit_run 
     int count = 0;
     problem_begin(&f->problem, "fit");
     if (f->data.kind != FIT_SPEEDS && !scene->effect[DOM_EFFECT_row].on)
-        assigned[count++] = (struct assigned){parameter_find("row"), (domq_real)(run->dominoes + 1), NULL};
+        assigned[count++] =
+            (struct assigned){.parameter = parameter_find("row"), .value = (domq_real)(run->dominoes + 1)};
     if (f->data.kind != FIT_SPEEDS && !isnan(run->gap))
         assigned[count++] =
-            (struct assigned){parameter_find("s"), (domq_real)run->gap / scene->scale.h, NULL};
+            (struct assigned){.parameter = parameter_find("s"), .length = {.m = (domq_real)run->gap}};
     for (int i = 0; i < f->unknowns; i++)
-        assigned[count++] = (struct assigned){f->unknown[i].parameter, (domq_real)value[i], NULL};
+        assigned[count++] =
+            (struct assigned){.parameter = f->unknown[i].parameter, .value = (domq_real)value[i]};
     return query_with(f->query, assigned, count, &t->state, &t->query, &f->problem);
 }
 

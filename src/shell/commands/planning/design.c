@@ -224,9 +224,9 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
     const domq_real count = (domq_real)d->steps + 1;
     struct state *next = query->next;
     return !next ||
-           (parameter_set(next, parameter_find("row"), &count, 1, problem) &&
-            parameter_set(next, parameter_find("s"), &d->s, 1, problem) &&
-            parameter_set(next, parameter_find("r"), &d->r, 1, problem) &&
+           (parameter_set(next, parameter_find("row"), &count, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("s"), &d->s, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("r"), &d->r, 1, NULL, problem) &&
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 

@@ -27,7 +27,7 @@ domq_real probe_at(struct probe *p, domq_real value)
     struct state point;
     struct query at;
     struct run_context run_context = *p->query->run_context;
-    const struct assigned assigned = {p->parameter, value, NULL};
+    const struct assigned assigned = {.parameter = p->parameter, .value = value};
     struct quantity answer = {.value = 0};
     problem_begin(&p->problem, p->command);
     bool put = query_with(p->query, &assigned, p->parameter != NULL, &point, &at, &p->problem);

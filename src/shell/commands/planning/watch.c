@@ -180,7 +180,7 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
     domq_real value = w.x;
     if (w.state == WATCH_STOP)
         raise(SIGTSTP);
-    if (w.state == WATCH_KEEP && !parameter_set(&session->state, solve->parameter, &value, 1, problem))
+    if (w.state == WATCH_KEEP && !parameter_set(&session->state, solve->parameter, &value, 1, NULL, problem))
         return false;
     if (begun)
         answer_say(a, "%s %s %.6g", solve->parameter->name,

@@ -80,7 +80,8 @@ void point_values(struct sweeper *w, size_t k)
 {
     for (int i = w->grid->axes - 1; i >= 0; i--) {
         const struct axis *axis = &w->grid->axis[i];
-        w->assigned[i] = (struct assigned){axis->parameter, axis_value(axis, k % axis->count), NULL};
+        w->assigned[i] =
+            (struct assigned){.parameter = axis->parameter, .value = axis_value(axis, k % axis->count)};
         w->value[i] = axis_cell(axis, w->assigned[i].value);
         k /= axis->count;
     }
