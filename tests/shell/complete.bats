@@ -83,7 +83,7 @@ draw train |forces
 animate |speed rate slow train tower
 animate a.gif |speed rate slow train tower
 animate a.gif speed 2 r|rate
-plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost fit
+plot f|fall fit
 plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot placement |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot growth |width height font family title xlabel ylabel xrange yrange xscale yscale legend paper

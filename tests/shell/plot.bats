@@ -8,7 +8,7 @@ load common
 row='effect row 6; effect friction 0.1'
 
 plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
-    energy omega inertia chain 'cost fuel')
+    energy climb omega inertia chain 'cost fuel')
 
 @test "each plot makes an svg that parses, a png and a pdf, and fits 80 x 24 characters" {
     local what
@@ -42,6 +42,7 @@ speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino
 gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~gap~before~domino~2~has~the~tightest~limits
 placement 50|How~likely rows~that~fall,~in~% standard~deviation~(or~limit)~of~the~gap~errors 95~%~interval
 energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
+climb|climb~over~the~barrier launch top energy~of~the~launch to~climb~its~barrier
 inertia|Inertia launch top hit J~(20;~c2)
 omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
 chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
@@ -125,6 +126,25 @@ END
     # There are no values after a stop.
     csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { bad = 1 } $4 == "stop" { stopped = 1; bad = bad || $3 != 0; next }
         stopped { after++ } END { exit bad || !after }'
+}
+
+@test "plot climb: the data agree with energy and barrier; the line of the launch is in the chart where it can be seen" {
+    for scene in 'set r 1.5' 'set r 1.63' 'set r 1.7' 'effect friction 0.1'; do
+        csv "$scene; plot climb" >climb
+        same keys theta,dH,kinetic,event "$(head -n 1 climb)"
+        IFS=, read -r theta dH _ < <(sed -n 70p climb)
+        close "$scene: dH" "$(json "$scene; energy $theta" | values dH)" "$dH"
+        close "$scene: the launch" "$(json "$scene; barrier" | values kinetic)" "$(sed -n 2p climb | cut -d, -f 3)"
+    done
+    csv 'set r 1.63; plot climb' >climb
+    close 'the top' "$(json 'set r 1.63; barrier' | values barrier)" "$(grep top climb | cut -d, -f 2)"
+    # The chart ends a little beyond the barrier, where the potential energy is below that of the launch.
+    awk -F, 'NR > 1 { last = $2 } END { exit !(last < 0 && last > -0.001) }' climb
+    "$DOMINO" -e 'set r 1.63; plot climb > a.svg; set r 1.45; plot climb > b.svg'
+    grep -q 'energy of the launch' a.svg
+    run ! grep -q 'energy of the launch' b.svg
+    grep -q 'which is above the chart' b.svg
+    wrong 'set s 0.3; set r 1.05; plot climb' 'there is no barrier to climb'
 }
 
 @test "plot growth, marginal: the data agree with curve, for solid and hollow dominoes" {

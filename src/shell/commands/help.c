@@ -167,10 +167,22 @@ static void help_show(struct session *session)
     run_show(&query, &answer, &ignored);
 }
 
+static void columns_write(FILE *out, const struct column *columns)
+{
+    int key = 12, unit = 6; /* minimum widths, so that most help pages look alike */
+    for (const struct column *k = columns; k->key; k++) {
+        key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
+        unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;
+    }
+    for (const struct column *k = columns; k->key; k++) {
+        int left = fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit);
+        help_wrapped(out, k->meaning, left);
+    }
+}
+
 /* Explains the columns of a command's answer, or names an earlier command with the same columns. */
 static void help_columns(FILE *out, const struct command *c)
 {
-    int key = 12, unit = 6; /* minimum widths, so that most help pages look alike */
     struct topic first;
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;
@@ -180,13 +192,18 @@ static void help_columns(FILE *out, const struct command *c)
         return;
     }
     fprintf(out, "\n%s:\n", c->rows ? "Each row of the answer has" : "The answer has");
-    for (const struct column *k = c->columns; k->key; k++) {
-        key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
-        unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;
-    }
-    for (const struct column *k = c->columns; k->key; k++) {
-        int left = fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit);
-        help_wrapped(out, k->meaning, left);
+    columns_write(out, c->columns);
+}
+
+/* Explains the columns of an answer whose columns depend on the first argument. */
+static void help_parts(FILE *out, const struct command *c)
+{
+    const char *name, *summary;
+    const struct column *columns;
+    for (int k = 0; (columns = c->parts(k, &name, &summary)) != NULL; k++) {
+        putc('\n', out);
+        help_say(out, "%s %s: %s", c->name, name, summary);
+        columns_write(out, columns);
     }
 }
 
@@ -204,6 +221,8 @@ static void help_command(struct session *session, const struct topic *t)
     }
     if (c->columns && c->columns->key)
         help_columns(out, c);
+    if (c->parts)
+        help_parts(out, c);
     if (command_arity(c, &fewest) >= 0)
         help_say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
     if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE)

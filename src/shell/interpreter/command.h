@@ -99,6 +99,9 @@ struct command {
     const char *example;
     const char *see; /* related commands */
     const struct column *columns;
+    /* For a command whose columns depend on its first argument: stores the name and the summary of its value
+     * number k, counted from 0, and returns the columns of the answer. Returns NULL if there are no more. */
+    const struct column *(*parts)(int k, const char **name, const char **summary);
     const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
     /* The keys of the columns that an answer for people shows, or "*" for all; 'details' prints the rest.

@@ -70,7 +70,7 @@ static bool fit_draw(const struct query *query, struct answer *a, struct chart *
 
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct plot plot = {.run = fit_draw, .title = ""};
+    const struct plot plot = {.run = fit_draw, .title = "", .columns = a->columns};
     const struct chart_look usual = {.title = NULL};
     return plot_write(&plot, &usual, query, a, problem);
 }
@@ -84,7 +84,8 @@ bool plot_fit_parse(struct reader *r, struct question *q)
     return question_parse(r, fit);
 }
 
-bool plot_fit(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_fit(const struct query *query, struct answer *a, struct chart *chart,
+                     struct problem *problem)
 {
     const struct question *fit = query->given->bound;
     struct call call;
@@ -96,3 +97,18 @@ bool plot_fit(const struct query *query, struct answer *a, struct chart *chart, 
     arena_free(&call.given.memory);
     return done;
 }
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column fit_plot_columns[] = {{NULL, NULL, NULL, 0}};
+static const struct argument fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
+
+const struct plot fit_plots[] = {
+    {"fit", plot_fit,
+     "measurements against the values that the model gives with the fitted parameter, as in 'plot fit "
+     "friction "
+     "FILE'; the columns are those of 'fit'",
+     fit_plot_columns, .title = "", .argument = &fit_argument},
+    {.name = NULL},
+};

@@ -1,46 +1,67 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the chart of a plot from its rows. */
-#include "answer/format.h"
 #include "commands/plots/plots.h"
-#include "io/io.h"
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- The rows as numbers ---- */
 
-/* The two functions of a binary output format, in which a plot passes its rows to the code that draws the
- * chart. The output is a struct plot_rows with the keys and units of the columns, followed by a struct
- * plot_row for each row. */
-static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
+static void keys_keep(struct plot_rows *rows, const struct answer *a)
 {
-    struct plot_rows rows = {.count = 0};
-    (void)cells, (void)reason;
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         const bool angle = column_is_angle(c);
-        snprintf(rows.key[i], sizeof rows.key[i], "%s", c->key);
-        snprintf(rows.unit[i], sizeof rows.unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
+        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
                  c->unit + (angle ? strlen("rad") : 0));
     }
-    fwrite(&rows, sizeof rows, 1, a->out);
 }
 
-static void numbers_write(struct answer *a, const struct cell *cells, const char *reason)
+static bool rows_grow(struct plot_rows *rows, size_t room)
+{
+    struct plot_row *more = realloc(rows->row, room * sizeof *more);
+    rows->failed = rows->failed || !more;
+    if (!more)
+        return false;
+    rows->row = more;
+    rows->room = room;
+    return true;
+}
+
+void plot_rows_by_point(struct plot_rows *rows, size_t points)
+{
+    rows->is_by_point = true;
+    rows->count = rows_grow(rows, points) ? points : 0;
+    for (size_t k = 0; k < rows->count; k++)
+        for (int i = 0; i < ANSWER_COLUMNS; i++)
+            rows->row[k].number[i] = (double)NAN;
+}
+
+/* A callback that receives the rows of a plot, instead of the output format. The points of a sweep are
+ * computed in several threads. They write to different elements of rows->row, and only point 0 writes the
+ * keys. */
+static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;
-    struct plot_row row = {.word = ""};
+    struct plot_rows *rows = a->sink_context;
+    const size_t at = rows->is_by_point ? a->point : rows->count;
     char text[CELL_TEXT];
+    if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
+        return;
+    if (at == 0)
+        keys_keep(rows, a);
+    struct plot_row *row = &rows->row[at];
+    *row = (struct plot_row){.word = ""};
     for (int i = 0; a->columns[i].key; i++) {
-        bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
-        row.number[i] = number ? (double)cells[i].number : (double)NAN;
+        const bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        const domq_real value =
+            column_is_angle(&a->columns[i]) ? style_angle(&a->style, cells[i].number) : cells[i].number;
+        row->number[i] = number ? (double)value : (double)NAN;
     }
     if (cells[0].kind != CELL_NONE)
-        snprintf(row.word, sizeof row.word, "%s", cell_plain(&a->style, cells[0], text));
-    fwrite(&row, sizeof row, 1, a->out);
+        snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
+    rows->count += !rows->is_by_point;
 }
-
-static const struct format numbers = {.begin = keys_write, .row = numbers_write};
 
 int plot_column(const struct plot_rows *rows, const char *key)
 {
@@ -50,26 +71,15 @@ int plot_column(const struct plot_rows *rows, const char *key)
     return -1;
 }
 
-/* Runs a plot and collects its rows. rows->row points into *text, which the caller frees. */
+/* Runs a plot and collects its rows. */
 static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
-                      struct chart *chart, struct problem *problem, char **text, struct plot_rows *rows)
+                      struct chart *chart, struct problem *problem, struct plot_rows *rows)
 {
-    size_t size = 0;
     struct answer answer = *a;
-    answer.out = io_memory(text, &size);
-    answer.style.format = &numbers;
-    if (!answer.out)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
-    bool done = plot->run(query, &answer, chart, problem), whole = !ferror(answer.out);
-    whole = fclose(answer.out) == 0 && whole;
-    if (done && !whole)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    if (size > 0) {
-        memcpy(rows, *text, sizeof *rows);
-        rows->row = (struct plot_row *)(*text + sizeof *rows);
-        rows->count = (size - sizeof *rows) / sizeof *rows->row;
-    }
-    return done;
+    answer.sink = row_keep;
+    answer.sink_context = rows;
+    return plot->run(query, &answer, chart, problem) &&
+           (!rows->failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
 }
 
 /* ---- Axes and curves ---- */
@@ -135,20 +145,19 @@ bool plot_write(const struct plot *plot, const struct chart_look *look, const st
         return false;
     struct plot_rows rows = {.count = 0};
     struct chart chart = chart_make();
-    char *text = NULL;
     snprintf(chart.title, sizeof chart.title, "%s", plot->title);
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
         const struct plot_curve *c = &plot->curve[k];
         chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
     }
-    bool done = rows_read(plot, query, a, &chart, problem, &text, &rows);
+    bool done = rows_read(plot, query, a, &chart, problem, &rows);
     if (done && plot->draw) {
         done = plot->draw(query, &rows, &chart, problem);
     } else if (done && plot->x.key) {
         curves_fill(plot, &rows, &chart);
         chart_finish(plot, a, &chart);
     }
-    free(text);
+    free(rows.row);
     chart.look = *look;
     if (done)
         return chart_show(&chart, a, query->scene->compute.interrupt, problem);

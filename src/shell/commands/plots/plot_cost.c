@@ -39,7 +39,8 @@ static void cost_chart(const struct query *query, const char *name, const struct
     }
 }
 
-bool plot_cost(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem)
 {
     struct cost cost;
     if (query->given->count < 2)
@@ -60,3 +61,16 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
     cost_chart(query, cost_names(NULL, which), &cost, chart);
     return true;
 }
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column cost_columns[] = {{NULL, NULL, NULL, 0}};
+static const struct argument answer_argument = {
+    .name = "NAME", .kind = ARGUMENT_CHOICE, .noun = "command with a tolerance", .choices = cost_names};
+
+const struct plot cost_plots[] = {
+    {"cost", plot_cost, "what accuracy costs, as in 'plot cost rmax'; the columns are those of 'cost'",
+     cost_columns, .title = "", .argument = &answer_argument},
+    {.name = NULL},
+};

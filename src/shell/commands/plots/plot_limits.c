@@ -93,7 +93,8 @@ static bool limits_plot(const struct query *query, struct answer *a, struct char
     return true;
 }
 
-bool plot_growth(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_growth(const struct query *query, struct answer *a, struct chart *chart,
+                        struct problem *problem)
 {
     bool paper = query->given->count > 1;
     if (!paper)
@@ -101,7 +102,71 @@ bool plot_growth(const struct query *query, struct answer *a, struct chart *char
     return limits_plot(query, a, chart, problem, growth_limits, paper ? LIMITS : LIMITS / 2);
 }
 
-bool plot_marginal(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_marginal(const struct query *query, struct answer *a, struct chart *chart,
+                          struct problem *problem)
 {
     return limits_plot(query, a, chart, problem, marginal_limits, LIMITS);
 }
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+#define SEPARATION                                                                                           \
+    {                                                                                                        \
+        "s", "h", "separation", 0                                                                            \
+    }
+#define REACH                                                                                                \
+    {                                                                                                        \
+        "reach", "",                                                                                         \
+            "largest growth at which a domino reaches the next one (1/s, or less with rounded edges)", 0     \
+    }
+static const struct column growth_columns[] = {
+    SEPARATION,
+    {"solid", "", "r_max of solid dominoes, q = 4", 0},
+    {"hollow", "", "r_max of hollow dominoes, q = 3", 0},
+    {"solid_paper", "", "growth paper: r_max of solid dominoes with the paper's fuel", 0},
+    {"hollow_paper", "", "growth paper: r_max of hollow dominoes with the paper's fuel", 0},
+    REACH,
+    {NULL, NULL, NULL, 0},
+};
+static const struct column marginal_columns[] = {
+    SEPARATION,
+    {"solid_pair", "", "r_max of two solid dominoes", 0},
+    {"solid_train", "", "r_max of a train of solid dominoes", 0},
+    {"hollow_pair", "", "r_max of two hollow dominoes", 0},
+    {"hollow_train", "", "r_max of a train of hollow dominoes", 0},
+    REACH,
+    {NULL, NULL, NULL, 0},
+};
+
+static const char *paper_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "paper" : NULL;
+}
+
+static const struct argument paper_argument = {
+    .name = "paper", .kind = ARGUMENT_CHOICE, .noun = "word after 'plot growth'", .choices = paper_names};
+
+const struct plot limit_plots[] = {
+    {"growth", plot_growth,
+     "the largest growth of trains; 'plot growth paper' compares it with the growth that the paper's fuel "
+     "gives",
+     growth_columns, .title = "A train below its curve keeps falling", .x = {"s", ""},
+     .y = {NULL, "growth r"},
+     .curve = {{"solid", "solid dominoes", CHART_LINE, INK_BLUE, 0},
+               {"hollow", "hollow dominoes", CHART_LINE, INK_RED, 1},
+               {"solid_paper", "solid, the paper's fuel", CHART_LINE, INK_SKY, 3},
+               {"hollow_paper", "hollow, the paper's fuel", CHART_LINE, INK_ORANGE, 4},
+               {"reach", "", CHART_LINE, INK_GREY, 2}},
+     .argument = &paper_argument},
+    {"marginal", plot_marginal, "the largest growth of trains, and of two dominoes", marginal_columns,
+     .title = "Growth below a pair's curve: a domino that barely tips over topples the next", .x = {"s", ""},
+     .y = {NULL, "growth r"},
+     .curve = {{"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
+               {"solid_train", "solid train", CHART_LINE, INK_BLUE, 0},
+               {"hollow_pair", "hollow pair", CHART_LINE, INK_ORANGE, 4},
+               {"hollow_train", "hollow train", CHART_LINE, INK_RED, 1},
+               {"reach", "", CHART_LINE, INK_GREY, 2}}},
+    {.name = NULL},
+};

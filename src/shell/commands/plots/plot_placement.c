@@ -69,7 +69,8 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
         chart_event(chart, (double)now, "now");
 }
 
-bool plot_placement(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_placement(const struct query *query, struct answer *a, struct chart *chart,
+                           struct problem *problem)
 {
     struct scene_row scene;
     struct task_pool pool = {.threads = query->state->settings.threads,
@@ -98,3 +99,28 @@ bool plot_placement(const struct query *query, struct answer *a, struct chart *c
                      "where the row stops, and 'mend' looks for a change that saves it");
     return status == DOM_OK || row_status(query, problem, status);
 }
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
+    {"probability", "", "probability that the whole row falls", 0},
+    {"low", "", "lower end of the 95 % interval of the probability", 0},
+    {"high", "", "upper end of the 95 % interval of the probability", 0},
+    {"rows", "", "number of rows that were set up at each sigma", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static const struct argument rows_argument = {.name = "ROWS", .kind = ARGUMENT_COUNT};
+
+const struct plot placement_plots[] = {
+    {"placement", plot_placement,
+     "how likely the whole row is to fall, for each size of the errors; 'plot placement 1000' tries 1000 "
+     "random "
+     "rows for each size, instead of 400",
+     placement_columns, .title = "", .x = {"sigma", "standard deviation (or limit) of the gap errors"},
+     .y = {NULL, "rows that fall,", .percent = true}, .curve = {{"probability", "", CHART_BOTH, INK_BLUE}},
+     .argument = &rows_argument},
+    {.name = NULL},
+};

@@ -86,7 +86,8 @@ static void fall_chart(const struct row_run *run, struct chart *chart)
     fall_marks(run, chart);
 }
 
-bool plot_fall(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem)
 {
     struct row_run run;
     if (scene_has_engine(query->scene))
@@ -139,7 +140,8 @@ static void speed_chart(const struct row_run *run, struct chart *chart)
     chart->x.low = chart->y.low = 0;
 }
 
-bool plot_speed(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_speed(const struct query *query, struct answer *a, struct chart *chart,
+                       struct problem *problem)
 {
     /* A dot marks each hit, unless there are so many dots that they would hide the curve. */
     enum { DOTS = 120 };
@@ -225,7 +227,8 @@ static void gaps_chart(const struct domq_window *w, size_t count, struct chart *
     chart->y.low = chart->y.logarithmic ? fmin(lowest, narrowest) / 1.5 : 0;
 }
 
-bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+static bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem)
 {
     struct scene_row scene;
     if (!scene_row_make(query->scene, &scene, problem))
@@ -249,3 +252,49 @@ bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart,
     free(w);
     return done;
 }
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+#define DOMINO                                                                                               \
+    {                                                                                                        \
+        "domino", "", "number of the domino, from 1", 6                                                      \
+    }
+static const struct column fall_columns[] = {
+    DOMINO,
+    {"kinetic", "mgh/2", "kinetic energy of all moving dominoes just after the hit", 0},
+    {"barrier", "mgh/2", "energy that is needed to tip this domino over", 0},
+    {"margin", "mgh/2", "kinetic - barrier", 0},
+    {"spare", "",
+     "margin / barrier; empty for a domino that needs no energy, and for domino 1 without a push", 0},
+    {NULL, NULL, NULL, 0},
+};
+static const struct column speed_columns[] = {
+    DOMINO,
+    {"place", "m", "distance of this domino from domino 1, front foot to front foot", 0},
+    {"speed", "m/s", "speed of the front from this domino to the next one", 0},
+    {NULL, NULL, NULL, 0},
+};
+static const struct column gaps_columns[] = {
+    DOMINO,
+    {"gap", "m", "gap before the domino, as planned", 0},
+    {"low", "m", "lower end of the range of gaps at which all dominoes fall", 0},
+    {"high", "m", "upper end of the range of gaps at which all dominoes fall", 0},
+    {"others", "", "yes if all dominoes also fall at some gap outside low .. high", 6},
+    {NULL, NULL, NULL, 0},
+};
+
+const struct plot row_plots[] = {
+    {"fall", plot_fall, "how much energy each domino of the row has to spare", fall_columns,
+     .title = "Energy to spare, domino by domino", .x = {"domino", "domino"},
+     .y = {NULL, "spare energy / energy needed,", .percent = true},
+     .curve = {{"spare", "", CHART_POINTS, INK_BLUE}}},
+    {"speed", plot_speed, "how fast the fall runs along the row", speed_columns,
+     .title = "Speed of the front along the row", .x = {"place", "distance from the first domino"},
+     .y = {"speed", "speed"}, .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
+    {"gaps", plot_gaps, "how far each gap may be off", gaps_columns,
+     .title = "How far each gap may be off if all others are as planned",
+     .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
+     .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
+    {.name = NULL},
+};

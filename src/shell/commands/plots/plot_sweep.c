@@ -141,8 +141,8 @@ static void map_draw(struct chart *chart, const struct points *p)
     }
 }
 
-bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
-                     struct problem *problem)
+static bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                            struct problem *problem)
 {
     struct points p = {.rows = rows, .shape = sweep_shape(query->given)};
     const struct grid *grid = p.shape.grid;
@@ -188,8 +188,8 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
     return true;
 }
 
-bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *chart,
-                     struct problem *problem)
+static bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *chart,
+                            struct problem *problem)
 {
     if (query->given->count < 2 || !query->given->bound)
         return problem_error(problem,
@@ -208,5 +208,28 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
                              "'%s' answers with a table, but a picture needs one number for each point; use "
                              "a command such as 'verdict', or 'print EXPRESSION'",
                              shape.command->name);
+    if (chart)
+        plot_rows_by_point(a->sink_context, shape.grid->points);
     return run_sweep(query, a, problem);
+}
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column sweep_columns[] = {{NULL, NULL, NULL, 0}};
+static const struct argument grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
+
+const struct plot sweep_plots[] = {
+    {"sweep", plot_sweep_rows,
+     "any sweep over one or two parameters, as in 'plot sweep s 0.1 0.9 33 : rmax'; 'plot sweep s 0.1 0.9 33 "
+     ": "
+     "rmax, pair' shows the curves of several answers; the columns are those of the sweep",
+     sweep_columns, .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
+    {.name = NULL},
+};
+
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct chart_look usual = {.title = NULL};
+    return plot_write(sweep_plots, &usual, query, a, problem);
 }

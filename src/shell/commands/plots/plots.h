@@ -3,7 +3,7 @@
  * The plots of the command 'plot'. A plot computes rows. They are written as csv or json, or drawn as a
  * chart.
  *
- * To add a plot, write its plot_run, declare it below, and add an entry to the table in plot.c.
+ * To add a plot, write its plot_run and its columns, and add an entry to the table at the end of its file.
  */
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
@@ -17,13 +17,6 @@
  * returns false. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
-plot_run plot_energy, plot_omega, plot_inertia, plot_chain;
-plot_run plot_growth, plot_marginal;
-plot_run plot_cost;
-plot_run plot_fall, plot_speed, plot_gaps;
-plot_run plot_placement;
-plot_run plot_sweep_rows;
-plot_run plot_fit;
 
 /* The rows of a plot as numbers. */
 struct plot_rows {
@@ -34,8 +27,13 @@ struct plot_rows {
         double number[ANSWER_COLUMNS];
         char word[32]; /* the first cell as text, in the form that csv uses */
     } * row;
-    size_t count;
+    size_t count, room;
+    bool is_by_point; /* there is one row for each point of a sweep, in any order */
+    bool failed;      /* there was no memory */
 };
+
+/* Makes room for one row for each point of a sweep. */
+void plot_rows_by_point(struct plot_rows *rows, size_t points);
 
 /* Returns the index of the column with this key, or -1. */
 int plot_column(const struct plot_rows *rows, const char *key);
@@ -62,7 +60,8 @@ enum { PLOT_CURVES = 5 };
 struct plot {
     const char *name;
     plot_run *run;
-    const char *keys; /* the keys of the plot's columns, with blanks between them */
+    const char *summary; /* for 'help plot' */
+    const struct column *columns;
     const char *title;
     struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
     struct plot_curve curve[PLOT_CURVES]; /* if there are fewer curves, a NULL title ends the list */
@@ -71,6 +70,10 @@ struct plot {
                  struct problem *problem);
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
+
+/* The plots by the files that compute them. The name of the last element is NULL. */
+extern const struct plot row_plots[], placement_plots[], limit_plots[], sweep_plots[], cycle_plots[],
+    cost_plots[], fit_plots[];
 
 /* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
 bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
@@ -111,8 +114,5 @@ bool plot_fit_parse(struct reader *reader, struct question *q);
 
 /* Draws the answer of the command 'sweep', for output to a picture file. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
-/* Makes the chart of a sweep from its rows. */
-bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
-                     struct problem *problem);
 
 #endif

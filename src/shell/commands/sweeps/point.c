@@ -289,6 +289,7 @@ bool point_write(void *sweeper, size_t k, FILE *out)
     struct sweeper *w = sweeper;
     w->to = &w->answer;
     w->to->out = out;
+    w->to->point = k;
     w->to->columns = w->columns.column; /* row_take changes the units, so each worker has its own columns */
     if (k > 0)
         w->to->has_rows = w->to->is_open = true;
