@@ -110,7 +110,7 @@ struct answer {
     const struct reference *reference;
     struct reference *recorder; /* receives the rows of an answer that is itself the reference */
     bool has_unknown;           /* a number was shown without its error, although errors are on */
-    size_t point; /* in a sweep: the number of the point, counted from 0 */
+    size_t point;               /* in a sweep: the number of the point, counted from 0 */
 };
 
 /* An error, as reported to programs that read answers. */
