@@ -182,10 +182,16 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     return status == DOM_LOCKS ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
-static void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
+KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
 {
     num_linear_at(&geometry->flow->solution, theta, ln_G, u);
     *u = -*u;
+}
+
+KERNEL bool flow_rough(const struct geometry *geometry, real hi)
+{
+    struct flow_context c = {.geometry = geometry};
+    return num_linear_rough(flow_rate, &c, hi, &geometry->flow->solution) == NUM_OK;
 }
 
 /* Finds du/dtheta. */

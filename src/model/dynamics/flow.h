@@ -24,6 +24,13 @@ struct flow {
 /* Frees a flow and its panels. `flow` may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
+/* Solves the equation of motion of a plumb head from upright to the tilt hi, with a few evaluations only.
+ * Returns false if friction may lock the motion. */
+KERNEL bool flow_rough(const struct geometry *geometry, real hi);
+
+/* Finds ln G, unless it is NULL, and u at a tilt from the last solution. */
+KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
+
 /* The functions of struct dynamics for laws of motion that need a flow. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);

@@ -33,25 +33,25 @@ static void series_of(const real *node, const real *value, int n, real *series)
  * of these terms in *last_terms. Terms never get smaller than the noise of the values and a few rounding
  * errors. So a tolerance below this level is raised to it.
  */
-static bool series_converged(const real *series, real tol, real noise, real *last_terms)
+static bool series_converged(const real *series, int n, real tol, real noise, real *last_terms)
 {
     real size = 0;
-    *last_terms = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
-    for (int k = 0; k < N; k++)
+    *last_terms = fmax(fabs(series[n - 1]), fmax(fabs(series[n - 2]), fabs(series[n - 3])));
+    for (int k = 0; k < n; k++)
         size = fmax(size, fabs(series[k]));
-    return *last_terms <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
+    return *last_terms <= fmax(fmax(tol, 2 * (real)n * REAL_EPSILON) * size, noise);
 }
 
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
 
-static bool values_find(num_linear_function *f, void *context, const real *node,
+static bool values_find(num_linear_function *f, void *context, const real *node, int n,
                         const struct num_panel *panel, struct values *v)
 {
     real half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
     v->p_noise = v->c_noise = 0;
-    for (int j = 0; j < N; j++) {
+    for (int j = 0; j < n; j++) {
         struct num_rate rate = {0};
         if (!f(middle + half * node[j], context, &rate) || !isfinite(rate.p) || !isfinite(rate.c))
             return false;
@@ -63,33 +63,36 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
-/* Computes one panel. ln_G and v are the solution at the left end of the panel. Returns false if the panel is
- * too wide for its series to converge. If f fails, also returns false, and sets *status to NUM_NOT_FINITE. */
-static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
-                       struct num_panel *panel, struct num_linear *s, enum num_status *status)
+/* Computes one panel, from n <= N nodes. ln_G and v are the solution at the left end of the panel. Returns
+ * false if the panel is too wide for its series to converge. If f fails, also returns false, and sets *status
+ * to NUM_NOT_FINITE. */
+static bool panel_make(num_linear_function *f, void *context, const real *node, int n, real ln_G, real v,
+                       real tol, struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
     struct values at;
     real of_p, of_c, series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
-    if (!values_find(f, context, node, panel, &at)) {
+    if (!values_find(f, context, node, n, panel, &at)) {
         *status = NUM_NOT_FINITE;
         return false;
     }
-    series_of(node, at.p, N, series);
+    series_of(node, at.p, n, series);
     /* The solution contains exp(ln G). So where ln G hardly changes, an absolute tolerance is enough. */
-    for (int k = 0; k < N; k++)
+    for (int k = 0; k < n; k++)
         largest = fmax(largest, fabs(series[k]));
-    if (!series_converged(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
+    if (!series_converged(series, n, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise,
+                          &of_p))
         return false;
-    series_integral(series, N, half, ln_G, panel->ln_G);
-    for (int j = 0; j < N; j++) {
-        real by = exp(-series_at(panel->ln_G, N + 1, node[j]));
+    panel->terms = n + 1;
+    series_integral(series, n, half, ln_G, panel->ln_G);
+    for (int j = 0; j < n; j++) {
+        real by = exp(-series_at(panel->ln_G, n + 1, node[j]));
         at.c[j] *= by;
         shrunk = fmax(shrunk, by);
     }
-    series_of(node, at.c, N, series);
-    if (!series_converged(series, tol, at.c_noise * shrunk, &of_c))
+    series_of(node, at.c, n, series);
+    if (!series_converged(series, n, tol, at.c_noise * shrunk, &of_c))
         return false;
-    series_integral(series, N, half, v, panel->v);
+    series_integral(series, n, half, v, panel->v);
     s->ln_G_error += half * of_p;
     s->v_error += half * of_c;
     return true;
@@ -120,7 +123,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         panel->lo = lo;
         /* A small remainder of [lo, hi] is added to the last panel. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
-        if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
+        if (panel_make(f, context, node, N, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
             width = 2 * (panel->hi - lo);
             lo = panel->hi;
@@ -134,49 +137,19 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-/* Estimates the sum of the terms that are left out. It assumes that terms keep decreasing. */
-static real rough_rest(const real *series)
+KERNEL enum num_status num_linear_rough(num_linear_function *f, void *context, real hi, struct num_linear *s)
 {
-    return fabs(series[ROUGH - 1]) + fabs(series[ROUGH - 2]);
-}
-
-KERNEL void num_rough_begin(struct num_rough *s)
-{
-    nodes_make(s->node, ROUGH);
-}
-
-KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *s)
-{
-    const real half = hi / 2;
-    real p[ROUGH], c[ROUGH], series[ROUGH], most = 0;
-    for (int j = 0; j < ROUGH; j++) {
-        struct num_rate rate = {0};
-        if (!f(half + half * s->node[j], context, &rate))
-            return false;
-        p[j] = rate.p;
-        c[j] = rate.c;
-    }
-    series_of(s->node, p, ROUGH, series);
-    series_integral(series, ROUGH, half, 0, s->ln_G);
-    s->ln_G_error = half * rough_rest(series);
-    for (int j = 0; j < ROUGH; j++) {
-        c[j] *= exp(-series_at(s->ln_G, ROUGH + 1, s->node[j]));
-        most = fmax(most, fabs(c[j]));
-    }
-    series_of(s->node, c, ROUGH, series);
-    series_integral(series, ROUGH, half, 0, s->v);
-    s->v_error = half * (rough_rest(series) + 2 * most * s->ln_G_error);
-    return isfinite(s->ln_G_error) && isfinite(s->v_error);
-}
-
-KERNEL real num_rough_v(const struct num_rough *s, real u)
-{
-    return series_at(s->v, ROUGH + 1, u);
-}
-
-KERNEL real num_rough_G(const struct num_rough *s, real u)
-{
-    return exp(series_at(s->ln_G, ROUGH + 1, u));
+    enum { ROUGH = 7 };
+    real node[ROUGH];
+    enum num_status status = NUM_OK;
+    if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
+        return NUM_NO_MEMORY;
+    nodes_make(node, ROUGH);
+    s->ln_G_error = s->v_error = 0;
+    s->panel->lo = 0;
+    s->panel->hi = hi;
+    s->panels = panel_make(f, context, node, ROUGH, 0, 0, (real)INFINITY, s->panel, s, &status);
+    return status;
 }
 
 static int panel_of(const struct num_linear *s, real x)
@@ -192,8 +165,9 @@ KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *
     const struct num_panel *panel = &s->panel[panel_of(s, x)];
     real u = (x - panel->lo - (panel->hi - x)) / (panel->hi - panel->lo);
     u = fmin(fmax(u, -1), 1);
-    *ln_G = series_at(panel->ln_G, N + 1, u);
-    *v = series_at(panel->v, N + 1, u);
+    if (ln_G)
+        *ln_G = series_at(panel->ln_G, panel->terms, u);
+    *v = series_at(panel->v, panel->terms, u);
 }
 
 /* Returns the series at x minus the series at x - by. The recurrence for T_k(x) - T_k(x - by) avoids
@@ -219,7 +193,7 @@ KERNEL real num_linear_moved(const struct num_linear *s, real x, real by)
         const struct num_panel *panel = &s->panel[k];
         real width = panel->hi - panel->lo, part = k == 0 ? by : fmin(by, x - panel->lo);
         real u = fmin(fmax((x - panel->lo - (panel->hi - x)) / width, -1), 1);
-        sum += series_moved(panel->v, N + 1, u, 2 * part / width);
+        sum += series_moved(panel->v, panel->terms, u, 2 * part / width);
         by -= part;
         x = panel->lo;
     }

@@ -112,6 +112,7 @@ typedef bool num_linear_function(real x, void *context, struct num_rate *rate);
 
 struct num_panel {
     real lo, hi;
+    int terms;
     real ln_G[LINEAR_ORDER + 1], v[LINEAR_ORDER + 1]; /* Chebyshev series on [lo, hi] */
 };
 
@@ -127,25 +128,14 @@ struct num_linear {
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
-/* A rough solution from x = 0 to hi. It has a single panel, on which p and c are evaluated only ROUGH times,
- * so its series may not have converged. The errors are absolute, and estimated from the last terms. */
-enum { ROUGH = 8 };
-struct num_rough {
-    real node[ROUGH]; /* Chebyshev nodes, set by num_rough_begin */
-    real ln_G[ROUGH + 1], v[ROUGH + 1];
-    real ln_G_error, v_error;
-};
-KERNEL void num_rough_begin(struct num_rough *solution);
-/* Returns false if p or c cannot be computed, or if the result is not finite. */
-KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *solution);
-
-/* These two functions return v and G at u, where u = -1 at x = 0 and u = 1 at x = hi. */
-KERNEL real num_rough_v(const struct num_rough *solution, real u);
-KERNEL real num_rough_G(const struct num_rough *solution, real u);
+/* Finds a rough solution on [0, hi]. It has a single panel, on which p and c are evaluated only at 7 nodes,
+ * so its series may not have converged. Replaces the solution that was there. */
+KERNEL enum num_status num_linear_rough(num_linear_function *f, void *context, real hi,
+                                        struct num_linear *solution);
 
 KERNEL void num_linear_free(struct num_linear *solution);
 
-/* Finds ln G and v at x, which must lie within the range of the solution. */
+/* Finds ln G, unless it is NULL, and v at x, which must lie within the range of the solution. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
 /* Returns v(x) - v(x - by). The relative error does not grow if `by` is tiny. */

@@ -207,11 +207,3 @@ void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_pla
         kind_draw(draw, order[k], error);
     }
 }
-
-bool draws_gaps(const struct dom_placement *p)
-{
-    bool gaps = true;
-    for (int k = 0; k < DOM_ERROR_COUNT; k++)
-        gaps = gaps && (k == DOM_ERROR_gap || k == DOM_ERROR_place || !(p->error[k].size > 0));
-    return gaps;
-}

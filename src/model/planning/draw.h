@@ -21,9 +21,6 @@ void draw_end(struct draw *draw);
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *placement, size_t i,
               unsigned off);
 
-/* Returns true if the random rows of a placement differ only in their gaps. */
-bool draws_gaps(const struct dom_placement *placement);
-
 /* Returns the steepest slope, in rad, on which no domino of a row falls over by itself. */
 dom_real row_steepest(const struct dom_row *row);
 

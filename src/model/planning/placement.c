@@ -18,7 +18,6 @@ struct shared {
     const struct dom_row *row;
     struct dom_compute compute;
     const struct dom_placement *placement;
-    bool gaps;         /* true if the rows differ only in their gaps */
     bool causes;       /* true to run each row again for each kind of error, without errors of this kind */
     atomic_int status; /* DOM_OK, or the status of the first batch that failed */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
@@ -29,7 +28,7 @@ struct shared {
 struct batch {
     struct draw draw;
     const struct kernel *kernel;
-    struct random_row *sample; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
+    struct study *study; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
 };
 
 static size_t stops_length(const struct shared *s)
@@ -43,8 +42,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                                struct dom_verdict *verdict)
 {
     draw_row(&b->draw, s->row, s->placement, i, off);
-    return b->sample ? b->kernel->row_sample_run(b->sample, &b->draw.row, s->gaps, verdict)
-                     : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
+    return b->study ? b->kernel->row_study(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
+                    : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
 /* Runs random row number i and adds the result to the counts. If s->causes is true, also finds out which
@@ -84,14 +83,10 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     struct dom_row row = *s->row;
     if (s->row->engine)
         return DOM_OK;
-    if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* The random rows may have friction, for which the kernel must allocate memory. It does so if mu is
-         * not 0. */
-        row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);
     b->kernel = q.kernel;
-    return ASK(q, row_sample_begin, &b->sample);
+    return ASK(q, row_study_begin, &b->study, NULL);
 }
 
 /* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
@@ -101,7 +96,7 @@ static void batch_run(size_t index, void *context)
     const struct dom_placement *p = s->placement;
     if (atomic_load(&s->status) != DOM_OK)
         return;
-    struct batch b = {.sample = NULL};
+    struct batch b = {.study = NULL};
     enum dom_status status = draw_begin(&b.draw, s->row);
     if (status == DOM_OK)
         status = batch_begin(&b, s);
@@ -110,8 +105,8 @@ static void batch_run(size_t index, void *context)
     int none = DOM_OK;
     if (status != DOM_OK)
         atomic_compare_exchange_strong(&s->status, &none, (int)status);
-    if (b.sample)
-        (void)b.kernel->row_sample_end(b.sample);
+    if (b.study)
+        (void)b.kernel->row_study_end(b.study);
     draw_end(&b.draw);
 }
 
@@ -172,11 +167,8 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
                                      const struct dom_placement *p, struct dom_study *study,
                                      size_t without[DOM_ERROR_COUNT], size_t *stops)
 {
-    struct shared shared = {.row = row,
-                            .compute = compute_or_default(compute),
-                            .placement = p,
-                            .gaps = draws_gaps(p),
-                            .causes = without != NULL};
+    struct shared shared = {
+        .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
     struct dom_work *work = shared.compute.work;
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)

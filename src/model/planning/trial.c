@@ -35,11 +35,11 @@ bool trial_falls(struct trial *t)
 }
 
 /* Runs the unchanged row and stores states from which runs of changed rows can start. */
-static enum dom_status trial_course(struct trial *t)
+static enum dom_status trial_study(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);
     t->kernel = q.kernel;
-    return ASK(q, row_course, &t->course, &t->verdict);
+    return ASK(q, row_study_begin, &t->study, &t->verdict);
 }
 
 bool trial_begin(struct trial *t)
@@ -48,7 +48,7 @@ bool trial_begin(struct trial *t)
     if (t->row.engine)
         (void)trial_falls(t); /* an engine cannot start in the middle of a row */
     else
-        t->status = trial_course(t);
+        t->status = trial_study(t);
     if (t->status == DOM_OK) {
         t->domino = malloc(t->row.count * sizeof *t->domino);
         if (t->domino)
@@ -64,14 +64,14 @@ bool trial_again(struct trial *t, size_t first, size_t last)
 {
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = t->kernel->row_again(t->course, t->domino, first, last, &t->verdict);
+        t->status = t->kernel->row_study(t->study, &t->row, first, last, &t->verdict);
     return trial_judged(t);
 }
 
 void trial_end(struct trial *t)
 {
-    if (t->course)
-        (void)t->kernel->row_course_end(t->course);
+    if (t->study)
+        (void)t->kernel->row_study_end(t->study);
     free(t->domino);
 }
 

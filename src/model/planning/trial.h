@@ -24,7 +24,7 @@ struct trial {
     dom_real place;
     const struct kernel *kernel;
     /* the kernel's state for running slightly changed rows, or NULL if an engine runs them */
-    struct course *course;
+    struct study *study;
     dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
     void *context;
     enum dom_status status;

@@ -34,16 +34,20 @@
     X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
     X(row_watch, const struct row_request *, const dom_real *, size_t, dom_moment_visit *, void *,           \
       struct dom_verdict *)                                                                                  \
-    X(row_course, const struct row_request *, struct course **, struct dom_verdict *)                        \
-    X(row_again, struct course *, const struct dom_domino *, size_t, size_t, struct dom_verdict *)           \
-    X(row_course_end, struct course *)                                                                       \
-    X(row_sample_begin, const struct row_request *, struct random_row **)                                    \
-    X(row_sample_run, struct random_row *, const struct dom_row *, bool, struct dom_verdict *)               \
-    X(row_sample_end, struct random_row *)                                                                   \
+    X(row_study_begin, const struct row_request *, struct study **, struct dom_verdict *)                    \
+    X(row_study, struct study *, const struct dom_row *, size_t, size_t, struct dom_verdict *)               \
+    X(row_study_end, struct study *)                                                                         \
     X(count_find, dom_real, dom_real, dom_real, const struct dom_compute *, struct dom_count *)
 
-struct course;     /* row/course.c */
-struct random_row; /* row/sample.c */
+struct study; /* row/study.h */
+
+/*
+ * The three functions of a study run a row many times. row_study_begin runs the row as planned. row_study
+ * then runs copies of it in which the dominoes `first` to `last` have changed. If the `verdict` of
+ * row_study_begin is NULL, no row is planned, and each row of row_study may differ in all dominoes, in its
+ * effects and in its push. Of their verdicts only `end` and `domino` count. Call row_study_end even after an
+ * error.
+ */
 
 struct kernel {
 #define KERNEL_MEMBER(name, ...) enum dom_status (*name)(__VA_ARGS__);

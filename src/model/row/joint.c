@@ -5,7 +5,9 @@
  * units of its own: the unit of length is its height, and the unit of energy is its m g h / 2.
  */
 #include "row/joint.h"
+#include "dynamics/flow.h"
 #include "dynamics/walls.h"
+#include <stdlib.h>
 #include <string.h>
 
 /* Returns the thickness of the walls of domino k divided by its height, or 0 if the domino is solid. */
@@ -152,28 +154,6 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
     return status;
 }
 
-KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row)
-{
-    enum dom_status status = DOM_OK;
-    for (size_t k = 0; k < count && status == DOM_OK; k++) {
-        if (k % CHECK_EVERY == 0 && dom_interrupted(request->interrupt))
-            return DOM_INTERRUPTED;
-        status = row_geometry(request, k, row);
-        if (status == DOM_OK && k == 0) /* all joints share the memory that dynamics_begin allocates */
-            status = dynamics_begin(row);
-    }
-    return status;
-}
-
-KERNEL void row_gaps(const struct row_request *request, struct geometry *row)
-{
-    for (size_t k = 0; k < request->count; k++) {
-        row[k].c = row_end(request, k, &row[k]);
-        if (k > 0)
-            joint_shape(request, k, &row[k]);
-    }
-}
-
 /* Returns true if a number is positive and finite, even after rounding to the precision of the kernel. */
 static bool positive(dom_real value)
 {
@@ -234,4 +214,53 @@ KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
             *wrong = k + 1;
     }
     return status;
+}
+
+KERNEL bool row_repeats(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *a = &row->domino[k], *b = a - 1;
+    return a->height == b->height && a->thickness == b->thickness && a->gap == b->gap && a->mass == b->mass &&
+           a->radius == b->radius && a->lean == b->lean && a->width == b->width;
+}
+
+KERNEL enum dom_status row_read(struct row *row, size_t *wrong)
+{
+    struct row_request *request = &row->request;
+    size_t count = request->count;
+    request->block = NULL;
+    enum dom_status status = row_check(request, wrong);
+    for (size_t k = 0; k < count && status == DOM_OK; k++)
+        row->block[k] = block_of(request, k);
+    request->block = row->block;
+    while (status == DOM_OK && count > 1 && row_repeats(request, count - 1))
+        count--;
+    for (row->made = 0; row->made < count && status == DOM_OK; row->made++) {
+        if (row->made % CHECK_EVERY == 0 && dom_interrupted(request->interrupt))
+            return DOM_INTERRUPTED;
+        status = row_geometry(request, row->made, row->geometry);
+        if (status == DOM_OK && !row->geometry[0].flow) /* all joints share the memory of the law of motion */
+            status = dynamics_begin(row->geometry);
+    }
+    return status;
+}
+
+KERNEL enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong)
+{
+    *row = (struct row){.request = *request};
+    if (request->count == 0)
+        return DOM_BAD_COUNT;
+    row->block = malloc(request->count * sizeof *row->block);
+    row->geometry = malloc(request->count * sizeof *row->geometry);
+    if (!row->block || !row->geometry)
+        return DOM_NO_MEMORY;
+    row->geometry[0] = (struct geometry){.flow = NULL};
+    return row_read(row, wrong);
+}
+
+KERNEL void row_free(struct row *row)
+{
+    if (row->geometry)
+        flow_free(row->geometry[0].flow);
+    free(row->geometry);
+    free(row->block);
 }

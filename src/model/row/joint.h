@@ -29,17 +29,30 @@ KERNEL struct block block_of(const struct row_request *row, size_t k);
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/*
- * row_make allocates memory and fills in the geometry of the first `count` dominoes. Before the call,
- * row[0].dynamics must be valid and row[0].flow must be NULL. Afterwards, even if row_make fails, the caller
- * must call dynamics_end(&row[0]). row_geometry fills in only the element row[k], from row[0] and row[k - 1].
- */
-KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
+/* A row that has been checked, with the memory that its runs need. */
+struct row {
+    struct row_request request;
+    struct block *block; /* the dominoes in the kernel's precision */
+    /* geometry[k] describes domino k, both as a head and as the follower of domino k + 1 */
+    struct geometry *geometry;
+    /* number of elements of `geometry` that are filled in so far; a run fills in more when it needs them */
+    size_t made;
+};
+
+/* row_begin checks a row and prepares its runs. Call row_free afterwards, even after an error. If a domino is
+ * bad, sets *wrong to its number. */
+KERNEL enum dom_status row_begin(const struct row_request *request, struct row *row, size_t *wrong);
+KERNEL void row_free(struct row *row);
+
+/* Checks the row again after row->request has changed, and fills in its geometry. If the row ends with many
+ * equal dominoes, leaves out all of them except the first. */
+KERNEL enum dom_status row_read(struct row *row, size_t *wrong);
+
+/* Fills in row[k], from row[k - 1] and from the law of motion in row[0]. */
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row in which only the gaps have changed. All dominoes must be plumb and have
- * sharp edges. */
-KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
+/* Returns true if domino k has the same sizes, mass, gap and lean as the domino before it. */
+KERNEL bool row_repeats(const struct row_request *row, size_t k);
 
 /*
  * Finds where domino k touches domino k + 1, if one of the two leans at the start. Sets *contact to their

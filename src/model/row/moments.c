@@ -9,10 +9,12 @@
 #include "geometry/rounded.h"
 #include <stdlib.h>
 
-KERNEL enum dom_status watch_begin(struct watch *w, size_t count)
+KERNEL enum dom_status watch_begin(struct watch *w, const struct row_request *row)
 {
-    w->tilt = calloc(count, sizeof *w->tilt);
-    w->omega = calloc(count, sizeof *w->omega);
+    w->tilt = calloc(row->count, sizeof *w->tilt);
+    w->omega = calloc(row->count, sizeof *w->omega);
+    for (size_t k = 0; w->tilt && k < row->count; k++)
+        w->tilt[k] = row->domino[k].lean;
     return w->tilt && w->omega ? DOM_OK : DOM_NO_MEMORY;
 }
 

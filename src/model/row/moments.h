@@ -40,8 +40,8 @@ struct watch {
     struct passage last;
 };
 
-/* Allocates the memory for a row of `count` dominoes. Call watch_free even after an error. */
-KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
+/* Allocates the memory for a row. Call watch_free even after an error. */
+KERNEL enum dom_status watch_begin(struct watch *watch, const struct row_request *row);
 KERNEL void watch_free(struct watch *watch);
 
 /* In watch_tip, watch_passage and watch_detach, a NULL `watch` stands for a run without requested times. */

@@ -9,8 +9,7 @@
  * The unit of length is the height of the current head, the unit of energy is its m g h / 2, and the unit of
  * time is its tau.
  */
-#include "growth/margin.h"
-#include "row/steady.h"
+#include "row/run.h"
 #include <stdlib.h>
 
 /* Finds the tilt at which the motion of a head ends early, either because its energy is `used_up`, or because
@@ -288,8 +287,6 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     real before = run->carried;
     const size_t moving = run->moving;
     *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
-    if (dom_interrupted(run->request->interrupt))
-        return DOM_INTERRUPTED;
     enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
     if (status != DOM_OK)
         return status;
@@ -309,42 +306,118 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
     return DOM_OK;
 }
 
-static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
+/* ---- Equal dominoes ---- */
+
+/*
+ * In a long sequence of equal dominoes, all heads eventually move alike. From then on, the last motion is
+ * repeated for each head, instead of computed again: 10,000 equal dominoes take 6 ms instead of 130.
+ */
+struct steady {
+    struct dom_fall fall; /* result for the previous head */
+    size_t alike;         /* number of equal dominoes up to the current head */
+    /* by how many the number of moving dominoes grows from one head to the next; 0 or 1 if `found` is true */
+    size_t more;
+    /* true if the motion is steady. The next head then repeats the motion, provided that the next two
+     * dominoes both equal the current one. */
+    bool found;
+};
+
+/* The number of equal dominoes up to the head must exceed the length of the longest pass along a chain by at
+ * least STEADY_MORE. */
+enum { STEADY_MORE = 2 };
+
+/* The relative change of omegasq over all further heads together must be at most this fraction of the
+ * tolerance. */
+#define STEADY_SHARE ((real)1 / 64)
+
+/* Called when head k begins to move. If head k repeats the motion of the previous head, fills in *fall,
+ * advances the run and returns true. Otherwise returns false. */
+static bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
 {
+    s->alike = k > 0 && row_repeats(run->request, k) ? s->alike + 1 : 1;
+    if (!s->found || s->alike == 1 || k + 1 == run->request->count || !row_repeats(run->request, k + 1))
+        return false;
+    struct dom_fall *self = &s->fall;
+    self->domino++;
+    self->moving += s->more;
+    self->floor_domino += self->floor_domino > 0;
+    self->floor_hit_domino += self->floor_hit_domino > 0;
+    self->time = run->time;
+    run->time += (real)self->duration;
+    run->moving += s->more;
+    run->verdict.domino = self->domino;
+    *fall = *self;
+    return true;
+}
+
+/* Called when head k has hit the next domino. Determines whether the next domino will repeat the motion of
+ * head k, which began as *before. */
+static void steady_find(struct steady *s, const struct run *run, size_t k, const struct run *before,
+                        const struct descent *d, const struct dom_fall *fall)
+{
+    const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
+               left = fabs(after - before->omegasq) * lambda / (1 - lambda);
+    const size_t more = run->moving - fall->moving;
+    s->found = !run->watch && !run->study && k > 0 && run->request->work->longest + STEADY_MORE <= s->alike &&
+               more <= 1 && more == s->more && lambda < 1 &&
+               left <= STEADY_SHARE * (real)run->request->tol * after;
+    s->more = more;
+    s->fall = *fall;
+}
+
+/* ---- The run ---- */
+
+/* Fills in the geometry of the dominoes up to domino k. After a steady motion, leaves out the dominoes that
+ * no pass along the chain of domino k visits: the last one that was filled in equals them, and ends the
+ * chain. */
+static enum dom_status row_ready(struct run *run, size_t k, const struct steady *s)
+{
+    enum dom_status status = DOM_OK;
+    if (s->found) {
+        const size_t from = k - run->request->work->longest - STEADY_MORE;
+        if (from > run->made) {
+            run->geometry[from] = run->geometry[run->made - 1];
+            run->made = from + 1;
+        }
+    }
+    for (; run->made <= k && status == DOM_OK; run->made++)
+        status = row_geometry(run->request, run->made, run->geometry);
+    return status;
+}
+
+KERNEL enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context)
+{
+    const size_t count = run->request->count;
     bool more = true;
     struct steady steady = {.found = false};
-    struct dom_work *work = run->request->work;
-    work->entered[DOM_EFFECT_row]++;
-    if (!isnan(run->request->push))
-        work->entered[DOM_EFFECT_push]++;
-    row_launch(run);
-    for (size_t k = 0; k < run->request->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+    for (; k < count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
+        struct start at;
         struct dom_fall fall;
-        const real before = run->omegasq;
-        const bool last = k + 1 == run->request->count;
-        enum dom_status status = DOM_OK;
+        const struct run before = *run;
+        const bool last = k + 1 == count;
+        if (dom_interrupted(run->request->interrupt))
+            return DOM_INTERRUPTED;
         if (steady_repeats(&steady, run, k, &fall)) {
             more = !visit || visit(&fall, context);
-            if (dom_interrupted(run->request->interrupt))
-                return DOM_INTERRUPTED;
             continue;
         }
-        if (!(last && steady.found && run->made < k && steady_last(&steady, run, k, &d, &fall, &status))) {
-            if (status == DOM_OK)
-                status = row_ready(run, last ? k : k + 1);
-            if (status == DOM_OK)
-                status = row_head(run, k, &d, &fall);
-        }
+        enum dom_status status = row_ready(run, last ? k : k + 1, &steady);
+        const bool passes = status == DOM_OK && study_passes(run, k, &at);
+        run->verdict.domino = k + 1;
+        if (status == DOM_OK && !passes)
+            status = row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
         more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
-        if (more && run->verdict.end == DOM_ROW_FALLS && !last) {
-            status = row_hit(run, k, &d.st.geometry, &d.st.start);
-            steady_find(&steady, run, k, before, &d, &fall);
-        }
+        if (more && run->verdict.end == DOM_ROW_FALLS && !last)
+            status = passes ? row_hit(run, k, &run->geometry[k], &at)
+                            : row_hit(run, k, &d.st.geometry, &d.st.start);
         if (status != DOM_OK)
             return status;
+        if (!passes && more && !last)
+            steady_find(&steady, run, k, &before, &d, &fall);
+        more = more && !(!passes && study_ends(run, k, &before, &d, &fall));
     }
     return DOM_OK;
 }
@@ -363,47 +436,36 @@ static void work_add(struct dom_work *sum, const struct dom_work *self)
 
 /* ---- Public ---- */
 
-static enum dom_status row_answer(const struct row_request *given, bool times, dom_fall_visit *visit,
+static enum dom_status row_answer(const struct row_request *request, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
-    struct row_request row = *given, *const request = &row;
+    struct row_request counted = *request;
     struct dom_work work = {0};
-    enum dom_status status = row_check(request, &verdict->domino);
-    if (status != DOM_OK)
-        return status;
-    struct run run = {.request = request,
+    struct row row;
+    counted.work = &work;
+    enum dom_status status = row_begin(&counted, &row, &verdict->domino);
+    struct run run = {.request = &row.request,
+                      .geometry = row.geometry,
+                      .made = row.made,
                       .times = times,
                       .watch = watch,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
-    run.geometry = malloc(request->count * sizeof *run.geometry);
-    struct block *block = malloc(request->count * sizeof *block);
-    if (!run.geometry || !block) {
-        free(run.geometry);
-        free(block);
-        return DOM_NO_MEMORY;
+    if (status == DOM_OK && watch)
+        status = watch_begin(watch, request);
+    if (status == DOM_OK) {
+        work.entered[DOM_EFFECT_row]++;
+        if (!isnan(request->push))
+            work.entered[DOM_EFFECT_push]++;
+        row_launch(&run);
+        status = row_falls(&run, 0, visit, context);
     }
-    for (size_t k = 0; k < request->count; k++)
-        block[k] = block_of(request, k);
-    row.block = block;
-    row.work = &work;
-    run.made = steady_made(request);
-    run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
-    status = watch ? watch_begin(watch, request->count) : DOM_OK;
-    for (size_t k = 0; watch && status == DOM_OK && k < request->count; k++)
-        watch->tilt[k] = request->domino[k].lean;
-    if (status == DOM_OK)
-        status = row_make(request, run.made, run.geometry);
-    if (status == DOM_OK)
-        status = row_falls(&run, visit, context);
     if (status == DOM_OK && watch)
         status = watch_rest(watch);
-    dynamics_end(&run.geometry[0]);
-    work_add(given->work, &work);
+    row_free(&row);
+    work_add(request->work, &work);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;
-    free(run.geometry);
-    free(block);
     return status;
 }
 

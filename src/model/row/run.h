@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions that run a row, one head after the other (row.c). */
+/* Runs a row, one head after the other (row.c). Everything that runs a row calls row_falls: a single run of a
+ * whole row, and the many runs of a study (study.c), which begin and end where it asks for. */
 #ifndef DOM_RUN_H
 #define DOM_RUN_H
 
@@ -23,6 +24,7 @@ struct run {
     real time;           /* time since the start in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */
     struct watch *watch; /* the times to report, or NULL */
+    struct study *study; /* the study that the run belongs to, or NULL */
     struct dom_verdict verdict;
 };
 
@@ -49,6 +51,9 @@ struct descent {
 /* Sets the state in which the first domino begins to move. */
 KERNEL void row_launch(struct run *run);
 
+/* Runs a row from head k on. The member `made` of *run counts the geometries that are up to date. */
+KERNEL enum dom_status row_falls(struct run *run, size_t k, dom_fall_visit *visit, void *context);
+
 /* Runs head k from the hit, or from the start if k = 0. Updates the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
@@ -62,5 +67,16 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
  */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
+
+/* ---- What a study adds to a run (study.c). Without a study, both functions return false. ---- */
+
+/* Returns true if it is certain, without a search for the barrier, that head k keeps falling. Sets *at to the
+ * state at the end of its motion. */
+KERNEL bool study_passes(struct run *run, size_t k, struct start *at);
+
+/* Called after head k, which began in the state *before. Returns true if the run may end here: either the
+ * row moves as planned again, or the run is rough, and its errors may change the verdict. */
+KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
+                       const struct dom_fall *fall);
 
 #endif
