@@ -144,7 +144,7 @@ static bool quick_rolls(const struct run *run, size_t k, struct start *at)
     const real hi = rough_end(run, k), w = run->omegasq;
     struct sums sums;
     real ln_G, u;
-    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums, NULL) != DOM_OK || !sums.pushes ||
+    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK || !sums.pushes ||
         sums.left != 0 || !flow_rough(head, hi))
         return false;
     flow_at(head, hi, &ln_G, &u);

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Studies save work: they run only the part of a row that a change affects, and leave out the search for the
+ * barrier. They are compared here with runs of whole rows. */
+#include "library.h" /* the names of functions that the files of the library share */
+
+#include "request.h"
+#include "support.h"
+
+static double uniform(uint64_t *seed, double lo, double hi)
+{
+    return lo + (hi - lo) * random_unit(seed);
+}
+
+/* ---- Rows that are run again ---- */
+
+enum { ROW = 24 };
+
+struct random_dominoes {
+    struct dom_domino domino[ROW];
+    struct row_request request;
+};
+
+/* Makes a row of dominoes whose sizes differ. */
+static void dominoes_make(struct random_dominoes *row, uint64_t *seed, double mu)
+{
+    const double s = uniform(seed, 0.2, 0.6), r = uniform(seed, 1, 1.35);
+    double height = 0.05;
+    row->request = (struct row_request){.domino = row->domino,
+                                        .count = 3 + (size_t)(random_unit(seed) * (ROW - 3)),
+                                        .g = 9.81,
+                                        .push = uniform(seed, 3, 9),
+                                        .tol = 1e-12,
+                                        .effect = {[DOM_EFFECT_friction] = mu},
+                                        .precision = DOM_DOUBLE};
+    for (size_t k = 0; k < ROW; k++, height *= r) {
+        struct dom_domino *d = &row->domino[k];
+        const double thickness = 0.15 * uniform(seed, 0.7, 1.4);
+        *d = (struct dom_domino){.height = height * uniform(seed, 0.97, 1.03)};
+        d->thickness = thickness * d->height;
+        d->gap = s * d->height * uniform(seed, 0.8, 1.25);
+        d->mass = 500 * d->thickness * d->height * d->height * uniform(seed, 0.8, 1.25);
+    }
+}
+
+/* Changes one property of a domino. */
+static void domino_change(struct dom_domino *d, uint64_t *seed)
+{
+    const double factor = random_unit(seed) < 0.5 ? uniform(seed, 0.6, 1.7) : uniform(seed, 0.99, 1.01);
+    double *const measure[] = {&d->gap, &d->mass, &d->height, &d->thickness};
+    *measure[(int)(random_unit(seed) * 4)] *= factor;
+}
+
+/* Returns the row of a request, as studies take it. */
+static struct dom_row row_of(const struct row_request *request)
+{
+    return (struct dom_row){.domino = request->domino,
+                            .count = request->count,
+                            .push = request->push,
+                            .mu = request->effect[DOM_EFFECT_friction],
+                            .alpha = request->effect[DOM_EFFECT_slope],
+                            .rho = request->effect[DOM_EFFECT_edges]};
+}
+
+static bool falls_all(const struct row_request *request)
+{
+    struct dom_verdict verdict;
+    assert_status(row_run(request, false, NULL, NULL, &verdict), DOM_OK);
+    return verdict.end == DOM_ROW_FALLS;
+}
+
+/*
+ * Makes the last domino almost heavy enough to stop the row, or slightly heavier, so that a small change of a
+ * much earlier domino decides how the row ends. If even a light last domino does not fall, the last domino
+ * stays light.
+ */
+static void last_domino_balance(struct random_dominoes *row, uint64_t *seed)
+{
+    double *mass = &row->domino[row->request.count - 1].mass, light = 1e-3 * *mass, heavy = 1e3 * *mass;
+    *mass = light;
+    if (!falls_all(&row->request))
+        return;
+    while (heavy > light * (1 + 1e-9)) {
+        *mass = sqrt(light * heavy);
+        *(falls_all(&row->request) ? &light : &heavy) = *mass;
+    }
+    *mass *= 1 + (random_unit(seed) < 0.5 ? 1 : -1) * random_log(seed, 1e-7, 1e-2);
+}
+
+/* Checks that a row with one changed domino ends in the same way, whether the whole row is run or only the
+ * part that the change can affect. */
+TEST(rows_again_end_like_whole_rows)
+{
+    uint64_t seed = 43;
+    int falls = 0, other = 0;
+    for (int i = 0; i < 150; i++) {
+        static struct random_dominoes row;
+        struct dom_domino changed[ROW];
+        struct study *study;
+        struct dom_verdict before, again, whole;
+        dominoes_make(&row, &seed, i % 5 ? 0 : 0.2);
+        if (i % 4)
+            last_domino_balance(&row, &seed);
+        enum dom_status status = row_study_begin(&row.request, &study, &before);
+        struct dom_row copy = row_of(&row.request);
+        for (int j = 0; j < 20 && status == DOM_OK; j++) {
+            const size_t k = (size_t)(random_unit(&seed) * (double)row.request.count);
+            struct row_request request = row.request;
+            struct dom_work work = {0};
+            memcpy(changed, row.domino, sizeof changed);
+            domino_change(&changed[k], &seed);
+            request.domino = copy.domino = changed;
+            request.work = &work;
+            assert_status(row_run(&request, false, NULL, NULL, &whole), DOM_OK);
+            assert_status(row_study(study, &copy, k, k, &again), DOM_OK);
+            assert_int_equal(again.end == DOM_ROW_FALLS, whole.end == DOM_ROW_FALLS);
+            falls += whole.end == DOM_ROW_FALLS;
+            other += (whole.end == DOM_ROW_FALLS) != (before.end == DOM_ROW_FALLS);
+        }
+        row.domino[1].thickness *= -1;
+        copy.domino = row.domino;
+        assert_status(row_study(study, &copy, 0, 1, &again), DOM_BAD_THICKNESS);
+        (void)row_study_end(study);
+    }
+    print_message("# %d rows fall; %d changes also change the verdict\n", falls, other);
+    assert_true(falls > 500 && other > 100);
+}
+
+/* Checks that a random row ends at the same domino and in the same way, whether it is run as in a study or in
+ * full. The barrier of thin dominoes with friction is narrow, and lies close to the start of their motion. */
+TEST(random_rows_end_like_whole_rows)
+{
+    uint64_t seed = 44;
+    int ends[2] = {0}, quick = 0;
+    for (int i = 0; i < 2000; i++) {
+        static struct random_dominoes row;
+        struct study *study;
+        struct dom_verdict found, whole;
+        dominoes_make(&row, &seed, i % 2 ? uniform(&seed, 0, 0.5) : 0);
+        row.request.push = i % 7 ? exp(uniform(&seed, 0, 3)) : DOM_NAN;
+        row.request.effect[DOM_EFFECT_edges] = i % 5 == 1 ? uniform(&seed, 0, 0.01) : 0;
+        row.request.effect[DOM_EFFECT_slope] = i % 3 ? 0 : uniform(&seed, -0.01, 0.01);
+        const double thin = uniform(&seed, 0.3, 2);
+        for (size_t k = 0; k < ROW; k++) {
+            row.domino[k].thickness *= thin;
+            row.domino[k].lean = i % 11 || i % 5 == 1 ? 0 : uniform(&seed, -0.01, 0.02);
+        }
+        assert_status(row_study_begin(&row.request, &study, NULL), DOM_OK);
+        const struct dom_row copy = row_of(&row.request);
+        assert_status(row_study(study, &copy, 0, row.request.count - 1, &found), DOM_OK);
+        quick += study->quick && !study->doubt;
+        (void)row_study_end(study);
+        assert_status(row_run(&row.request, false, NULL, NULL, &whole), DOM_OK);
+        if (found.end != whole.end || found.domino != whole.domino)
+            fail_msg("row %d: %d at domino %zu instead of %d at %zu", i, found.end, found.domino, whole.end,
+                     whole.domino);
+        ends[whole.end == DOM_ROW_FALLS]++;
+    }
+    print_message("# %d fall, %d end early; %d need one run\n", ends[1], ends[0], quick);
+    assert_true(ends[0] > 200 && ends[1] > 200 && quick > 1500);
+}
+
+/* ---- Heads that certainly keep falling ---- */
+
+/* Returns the tilt of follower i at a tilt of the head. */
+static double follower_tilt(const struct geometry *head, size_t i, double theta)
+{
+    struct link link = link_head(head, tilt_make(sin(theta), cos(theta)));
+    while (link.i < i)
+        link_next(&link);
+    return tilt_angle(link.tilt);
+}
+
+/* Checks the bound of -theta_i'' while the head moves, for the first dominoes of a chain. */
+static void curve_check(const struct geometry *head, size_t moving)
+{
+    const double end = tilt_angle(head->c), by = 1e-3 * end;
+    struct link a = link_head(head, head->c), b = link_head(head, standing);
+    struct glide g = {.t = half_of_tilt(head->c)};
+    while (a.i + 1 < moving && a.i < 5 && a.tilt.v < a.geometry->leave.v) {
+        glide_next(&g, &a, &b);
+        link_next(&a);
+        link_next(&b);
+        for (int k = 1; k < 8; k++) {
+            const double at = end * k / 8, bend = 2 * follower_tilt(head, a.i, at) -
+                                                  follower_tilt(head, a.i, at - by) -
+                                                  follower_tilt(head, a.i, at + by);
+            assert_true(bend / (by * by) <= g.curve + 1e-6);
+        }
+    }
+}
+
+/* Checks the next head of a run. With too little energy, the head must not be certain to keep falling. A head
+ * that is certain to keep falling must arrive with the energy of a full run. */
+static void head_check(const struct run *run, size_t k, int *count)
+{
+    struct run full = *run, slow = *run, quick = *run;
+    struct descent d;
+    struct dom_fall fall = {.domino = k + 1};
+    struct start at;
+    curve_check(&run->geometry[k], run->moving);
+    assert_status(row_descend(&full, k, &d, &fall), DOM_OK);
+    count[0]++;
+    const double need = run->omegasq - d.least_margin / d.J0;
+    slow.omegasq = need * (1 - 1e-7);
+    assert_false(need > 1e-9 * run->omegasq && study_passes(&slow, k, &at));
+    if (!study_passes(&quick, k, &at))
+        return;
+    count[1]++;
+    assert_false(d.stops);
+    assert_near("omegasq", at.omegasq, d.st.start.omegasq, 1e-9);
+}
+
+TEST(heads_that_keep_falling)
+{
+    uint64_t seed = 47;
+    int count[2] = {0, 0};
+    for (int i = 0; i < 150; i++) {
+        static struct random_dominoes row;
+        struct study *study;
+        dominoes_make(&row, &seed, 0);
+        assert_status(row_study_begin(&row.request, &study, NULL), DOM_OK);
+        study->quick = true;
+        struct run run = {.request = &study->row.request,
+                          .geometry = study->row.geometry,
+                          .study = study,
+                          .verdict = {.end = DOM_ROW_FALLS}};
+        row_launch(&run);
+        for (size_t k = 0; k < row.request.count && run.verdict.end == DOM_ROW_FALLS; k++) {
+            struct descent d;
+            struct dom_fall fall;
+            head_check(&run, k, count);
+            assert_status(row_head(&run, k, &d, &fall), DOM_OK);
+            if (k + 1 < row.request.count && run.verdict.end == DOM_ROW_FALLS)
+                assert_status(row_hit(&run, k, &d.st.geometry, &d.st.start), DOM_OK);
+        }
+        (void)row_study_end(study);
+    }
+    print_message("# %d of %d heads certainly keep falling\n", count[1], count[0]);
+    assert_true(count[1] > 300 && count[1] > count[0] / 2);
+}
