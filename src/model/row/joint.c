@@ -251,10 +251,9 @@ KERNEL enum dom_status row_begin(const struct row_request *request, struct row *
         return DOM_BAD_COUNT;
     row->block = malloc(request->count * sizeof *row->block);
     row->geometry = malloc(request->count * sizeof *row->geometry);
-    if (!row->block || !row->geometry)
-        return DOM_NO_MEMORY;
-    row->geometry[0] = (struct geometry){.flow = NULL};
-    return row_read(row, wrong);
+    if (row->geometry)
+        row->geometry[0] = (struct geometry){.flow = NULL};
+    return row->block && row->geometry ? row_read(row, wrong) : DOM_NO_MEMORY;
 }
 
 KERNEL void row_free(struct row *row)
