@@ -97,3 +97,10 @@ END
     wrong 'change 2 gap 1 cm' 'there is no row'
     wrong 'effect row 3; set walls 1 mm; change 2 thickness 1 mm' 'walls of 1 mm do not fit into domino 2'
 }
+
+@test "change takes a range with '-', ':' or '..'" {
+    for range in 2-4 2:4 2..4 2,3,4; do
+        same "$range" '0.048 0.09 0.09 0.09 0.243' "$(json "effect row 5; change $range height 9 cm; row" | values height | paste -sd ' ' -)"
+    done
+    wrong 'effect row 5; change 4:2 height 9 cm' "'4-2' names no dominoes; write the smaller number first"
+}

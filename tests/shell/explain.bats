@@ -181,3 +181,31 @@ END
         grep -q "\"quantity\":\"$name\"" tree || same needs "$name" '(nothing)'
     done
 }
+
+@test "explain takes the label or the number of an equation, and its value is that of the command" {
+    while IFS='|' read -r label number quantity command; do
+        answer=$(json "explain $label 0.2" 2>/dev/null || json "explain $label")
+        close "$label" "$(json "print $command" | values value)" "$(grep "\"quantity\":\"$quantity\"" <<<"$answer" | head -n 1 | values value)" 1e-12
+        for word in "$number" "($label)" "($number)"; do
+            same "$word" "$(json "explain $label")" "$(json "explain $word")"
+            same "$word, in words" "$("$DOMINO" -e "explain $label")" "$("$DOMINO" -e "explain $word")"
+        done
+    done <<'END'
+a1|1|tau|duration.tau
+a2|2|theta_c|thetac.theta_c
+b1|4|theta_u|thetac.theta_u
+b8|12|theta_1|theta1(0.2).theta_1
+b10|14|slope_1|theta1(0.2).slope
+c1|19|dH|energy(0.2).dH
+c2|20|J|energy(0.2).J
+c3|21|w|omega(0.2).omegasq
+c6|24|w_0|launch.omega0sq
+c7|25|P|fuel.fuel
+c8|26|margin|barrier.margin
+A16|40|theta_inf|thetac.theta_inf
+A18|42|theta_f|thetac.theta_f
+END
+    wrong 'explain d3' "equation \(d3\) gives no number here; 'man domino-model' lists all equations"
+    wrong 'explain 99' 'equation \(99\) gives no number here'
+    wrong 'explain c66x' "unknown question 'c66x'"
+}

@@ -67,6 +67,13 @@ struct explained {
 };
 extern const struct explained explained_list[];
 
+/* An equation of the paper, by its printed number and its label, and the quantity that it gives. */
+struct explained_label {
+    const char *number;
+    struct explained explained; /* its name is the label */
+};
+extern const struct explained_label explained_labels[];
+
 /* A names_list of the questions. */
 const char *explained_names(const void *context, int k);
 

@@ -9,6 +9,7 @@
 #include "language/text.h"
 #include "picture/show.h"
 #include "picture/typeset.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,6 +41,48 @@ static const char *deep_names(const void *context, int k)
     return k == 0 ? "deep" : NULL;
 }
 
+enum { LABELS = 1000 /* question LABELS + k is equation k of explained_labels */ };
+
+static const struct explained *explained_at(domq_real number)
+{
+    return number >= LABELS ? &explained_labels[(int)number - LABELS].explained
+                            : &explained_list[(int)number];
+}
+
+/* Returns true if the word can be the number or the label of an equation, such as 24, c6 or A18. */
+static bool is_label(const char *word, size_t length)
+{
+    const size_t letters = isalpha((unsigned char)*word) ? 1 : 0;
+    return length > letters && length <= 3 && strspn(word + letters, "0123456789") >= length - letters;
+}
+
+/* Parses the name of a command, or an equation of the paper, as in 'explain c6', 'explain 24' and 'explain
+ * (A18)'. */
+static bool what_parse(struct reader *r, struct question *q)
+{
+    static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
+    struct item *item = &q->item[0];
+    const char *begin = r->at + (*r->at == '('), *shown = r->at;
+    const size_t length = strcspn(begin, " \t\r\f\v);>#");
+    if (r->offer || !is_label(begin, length))
+        return item_parse_choice(r, &what, item);
+    *item = (struct item){.at = r->at};
+    reader_place(r, r->at);
+    r->at = begin + length + (begin > shown && begin[length] == ')');
+    for (int k = 0; explained_labels[k].number; k++) {
+        const char *label = explained_labels[k].explained.name, *number = explained_labels[k].number;
+        if ((strlen(label) == length && strncmp(label, begin, length) == 0) ||
+            (strlen(number) == length && strncmp(number, begin, length) == 0)) {
+            item->number = LABELS + k;
+            return true;
+        }
+    }
+    return problem_error(r->problem,
+                         "equation (%.*s) gives no number here; 'man domino-model' lists all equations, and "
+                         "those with numbers are a1 a2 b1 b8 b10 c1 c2 c3 c6 c7 c8 A5 A16 A17 A18",
+                         (int)length, begin);
+}
+
 static const struct argument *value_argument(const struct explained *e)
 {
     static const struct argument tilt = {.name = "VALUE", .kind = ARGUMENT_TILT},
@@ -54,7 +97,7 @@ static const struct argument *value_argument(const struct explained *e)
 static bool explain_parse(struct reader *r, struct question *q)
 {
     static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
-    const struct explained *e = &explained_list[(int)q->item[0].number];
+    const struct explained *e = explained_at(q->item[0].number);
     struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
     if (!p)
@@ -177,8 +220,9 @@ static bool explain_answer(struct answer *a, const struct derivation *d, const s
 
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct explained *e = &explained_list[(int)query->given->number[0]];
-    const struct explain_arguments *bound = query->given->bound, none = {.value = DOMQ_NAN};
+    const struct explained *e = explained_at(query->given->number[0]);
+    const struct explain_arguments *bound = query->given->bound;
+    struct explain_arguments none = {.value = DOMQ_NAN};
     const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
     struct domq_fall fall;
     char verdict[VERDICT_TEXT] = "";
@@ -186,6 +230,13 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     if (extension && extension->is_document && strcmp(extension->text, ".pdf") == 0 &&
         !typeset_ready(problem))
         return false;
+    /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
+    struct domq_angles angles;
+    if (query->given->number[0] >= LABELS && e->value && !bound &&
+        domq_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
+        none.value = angles.theta_c / 2;
+        bound = &none;
+    }
     if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
                              e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
@@ -209,7 +260,11 @@ const struct command explain_commands[] = {
     {.name = "explain",
      .synonyms = "derive derivation equation formula show steps proof lesson teacher",
      .train = true,
-     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .noun = "question", .choices = explained_names},
+     .argument = {{.name = "WHAT",
+                   .kind = ARGUMENT_WORDS,
+                   .noun = "question",
+                   .parse = what_parse,
+                   .choices = explained_names},
                   {.name = "MORE",
                    .kind = ARGUMENT_GRID,
                    .optional = true,
@@ -217,16 +272,18 @@ const struct command explain_commands[] = {
                    .bind = explain_bind,
                    .choices = deep_names}},
      .summary = "where a number comes from: its equations, with numbers filled in",
-     .help = "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the "
-             "equation in symbols and with numbers, and the value. It also lists the quantities in the "
-             "equation. With 'deep' at the end, these quantities are explained as well, down to the "
-             "parameters. The values are the ones that the commands themselves print. With theta1, energy "
-             "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
-             "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
-             "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
-             "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
-             "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
-             "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
+     .help =
+         "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
+         "c6 or 24. For each quantity of its answer, 'explain' shows the "
+         "equation in symbols and with numbers, and the value. It also lists the quantities in the "
+         "equation. With 'deep' at the end, these quantities are explained as well, down to the "
+         "parameters. The values are the ones that the commands themselves print. With theta1, energy "
+         "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
+         "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
+         "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
+         "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
+         "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
+         "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep_refusal = "it explains one train",

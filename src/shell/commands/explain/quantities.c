@@ -175,6 +175,25 @@ const struct explained explained_list[] = {
     {NULL, NULL, NULL},
 };
 
+const struct explained_label explained_labels[] = {
+    {"1", {"a1", NULL, "tau"}},
+    {"2", {"a2", NULL, "theta_c"}},
+    {"4", {"b1", NULL, "theta_u"}},
+    {"12", {"b8", "theta", "theta_1"}},
+    {"14", {"b10", "theta", "slope_1 a b"}},
+    {"19", {"c1", "theta", "dH"}},
+    {"20", {"c2", "theta", "J"}},
+    {"21", {"c3", "theta", "w"}},
+    {"24", {"c6", NULL, "w_0"}},
+    {"25", {"c7", NULL, "P"}},
+    {"26", {"c8", NULL, "margin"}},
+    {"30", {"A5", "theta", "X Y"}},
+    {"40", {"A16", NULL, "theta_inf"}},
+    {"41", {"A17", NULL, "theta_f"}},
+    {"42", {"A18", NULL, "theta_f"}},
+    {NULL, {NULL, NULL, NULL}},
+};
+
 const char *explained_names(const void *context, int k)
 {
     (void)context;

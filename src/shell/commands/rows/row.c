@@ -129,16 +129,17 @@ struct change_parsed {
     bool is_share; /* the value ends with '%' */
 };
 
-/* Reads a number or a range, such as "4" or "3-7". If the text is anything else, returns false and reads
- * nothing. */
+/* Reads a number or a range, such as "4", "3-7", "3:7" or "3..7". If the text is anything else, returns false
+ * and reads nothing. */
 static bool range_read(struct reader *r, struct row_range *range)
 {
     char *end;
     if (!isdigit((unsigned char)*r->at))
         return false;
     range->first = range->last = strtoul(r->at, &end, 10);
-    if (*end == '-' && isdigit((unsigned char)end[1]))
-        range->last = strtoul(end + 1, &end, 10);
+    const char *after = end + (strncmp(end, "..", 2) == 0 ? 2 : *end == '-' || *end == ':');
+    if (after > end && isdigit((unsigned char)*after))
+        range->last = strtoul(after, &end, 10);
     if (!isspace((unsigned char)*end) && *end != ',' && !command_ends(end))
         return false;
     r->at = end;
@@ -412,7 +413,8 @@ const struct command row_commands[] = {
           {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .noun = "measure", .choices = row_measure_names},
           {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the height, gap, mass or another property of dominoes",
-     .help = "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
+     .help = "K is the number of a domino, several numbers as in 4,5 or 3-7 (also 3:7 and 3..7), or 'all'. "
+             "MEASURE is height, "
              "thickness, width, gap (before the domino), mass, radius (of the edges) or lean. A lean is an "
              "angle, or the distance of the top from plumb. A negative lean is backwards. X is the new "
              "value. An X with a sign is added to the old value, as in 'change 4 gap +1 cm'. A percentage "
