@@ -193,3 +193,36 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
         same "$command" 42 "${lines[-1]}"
     done
 }
+
+@test "every byte of a text reaches a terminal, a file, csv and json as itself or as an escape sequence" {
+    local byte
+    for byte in {1..9} {11..255}; do
+        printf 'echo "a%b,;=b"\n' "$(printf '\\x%02x' "$byte" | sed 's/\\x22/""/')"
+    done >all.dom
+    for format in table csv json; do
+        { echo "set output $format"; cat all.dom; } >script.dom
+        "$DOMINO" script.dom >$format
+        harmless $format
+    done
+    python3 "$BATS_TEST_DIRNAME/terminal.py" 80 24 "$DOMINO" -n all.dom >terminal
+    harmless terminal
+    same_file table terminal
+    python3 - <<'END'
+import csv, json
+typed = [bytes([k]) for k in range(1, 256) if k != 10]
+plain = [k.decode() if 32 <= k[0] <= 126 else "\\x%02x" % k[0] for k in typed]
+rows = [row[0] for row in csv.reader(open("csv", encoding="utf-8", newline=""))][1:]
+assert rows == ["a%s,;=b" % k for k in plain], rows
+table = open("table", encoding="utf-8").read().split("\n")[:-1]
+assert table == ["a%s,;=b" % k for k in plain], table
+answers = [json.loads(line) for line in open("json", encoding="utf-8")]
+texts = [answer["text"] for answer in answers if answer["command"] == "echo"]
+assert texts == ["a%s,;=b" % (k.decode() if k[0] < 128 else "\ufffd") for k in typed], texts
+END
+    # A unit, a variable and a heading are shown in messages and heads.
+    printf 'let a%s = 1\nprint 1 %s\nsweep a%s 1 : rmax\n' $'\e[31m' $'\302\233m' $'\342\200\256' >names.dom
+    run -1 --separate-stderr "$DOMINO" --keep-going names.dom
+    printf '%s\n' "$stderr" >messages
+    harmless messages
+    same 'a line each' 3 "$(wc -l <messages)"
+}

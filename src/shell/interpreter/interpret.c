@@ -72,6 +72,20 @@ static void rest_keep(struct session *session, const struct command *c, const st
     session->details = text;
 }
 
+/* Keeps the answer for 'ans'. */
+static void answer_remember(struct session *session, const struct command *c, const struct answer *answer,
+                            const struct cell kept[ANSWER_CELLS])
+{
+    if (answer->is_value || c->principal)
+        session->ans.printed = answer->is_value;
+    if (answer->is_value)
+        session->ans.value = answer->value;
+    else if (c->principal) {
+        session->ans.command = c;
+        memcpy(session->ans.cells, kept, ANSWER_CELLS * sizeof *kept);
+    }
+}
+
 /* Runs a command and writes its answer to the output at the top of the stack. */
 static bool run_command(struct session *session, const struct command *c, const struct query *query,
                         struct problem *problem)
@@ -126,14 +140,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     snprintf(session->made, sizeof session->made, "%s", answer.made);
     end->answered = end->answered || (done && c->columns) || answer.wrote_text;
     end->error = answer.error ? answer.error : end->error;
-    if (done && (answer.is_value || c->principal))
-        session->ans.printed = answer.is_value;
-    if (done && answer.is_value)
-        session->ans.value = answer.value;
-    else if (done && c->principal) {
-        session->ans.command = c;
-        memcpy(session->ans.cells, kept, sizeof kept);
-    }
+    if (done)
+        answer_remember(session, c, &answer, kept);
     if (done && session->state.settings.timing && c->columns) {
         /* Programs may read csv, json and files, so the time must not appear there. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
