@@ -469,6 +469,10 @@ struct dom_limit {
     /* With DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or DOM_OUT_OF_REACH.
      * Otherwise DOM_OK. */
     enum dom_status why;
+    /* How far r_max may be from its exact value because of rounding errors and the tolerance, estimated from
+     * the slope of the margin. NaN with DOM_END_NONE. */
+    dom_real uncertainty;
+    dom_real open; /* a growth below r_max, only with the status DOM_OPEN; otherwise NaN */
 };
 
 /*
@@ -476,11 +480,12 @@ struct dom_limit {
  * margin never falls to 0, the largest growth is dom_train_reach. If even equal dominoes do not keep falling,
  * the status is DOM_OK and `ends` is DOM_END_NONE. Does not use train->r.
  *
- * The margin can dip below 0 and rise again, so the search must not jump over a dip. Without friction and
- * with sharp edges, bounds on the margin cover every growth up to r_max. Even so, the search can miss a dip
- * that is narrower than 1e-6 in ln r. Just below r_max, it can miss a dip that is narrower than 1e-4. If the
- * search takes more than 1,500 intervals, it can also miss wider dips. With friction or rounded edges, no
- * bounds are known. The margin is then only sampled, and a dip between two samples can be missed.
+ * The margin can dip below 0 and rise again. The search samples the margin, with more samples where it is
+ * curved, and finds the minimum of each dip. Only a dip that lies between two samples and leaves no trace in
+ * them can be missed.
+ *
+ * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN: r_max
+ * is `open`, the growth of this minimum, or the later root that is stored in `r_max`.
  *
  * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
  * than a second or two in double precision.
@@ -502,17 +507,18 @@ enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_c
 struct dom_best {
     dom_real s;     /* the separation that allows the largest growth */
     dom_real r_max; /* the largest growth at the separation s */
+    /* How far s and r_max may be from their exact values. The train with the separation s keeps falling at
+     * growths up to r_max - r_uncertainty. */
+    dom_real s_uncertainty, r_uncertainty;
 };
 
 /*
  * Finds the separation that allows the largest growth. Does not use train->s and train->r. The status is
  * DOM_NO_GROWTH if no separation allows r > 1.
  *
- * Without friction and with sharp edges, bounds show which separations cannot allow a larger growth than the
- * best one found so far. The search bisects the remaining separations down to intervals of 0.2 % of s, or
- * wider ones if the search takes long. It can miss a peak of the function r_max(s) that is narrower than
- * these intervals. With friction or rounded edges, no bounds are known. The separations are then only
- * sampled, and a peak between two samples can be missed.
+ * The search samples r_max(s), with more samples where a larger value may hide between two of them. Often the
+ * best separation is where r_max jumps, because a dip of the margin touches 0 there. Then s is on the side of
+ * the jump where the train passes the dip.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);

@@ -61,6 +61,7 @@ extern "C" {
     X(NO_MARGIN,                                                                                             \
       "the margin is 0 within rounding errors, so times cannot be computed; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
+    X(OPEN, "at a smaller growth than this r_max the margin is 0 within rounding errors, so r_max is open")  \
     X(TOO_LONG, "the answer depends on more dominoes than can be computed")                                  \
     X(UNDERFLOW, "r^(2q+1) is too large for this precision; use a smaller r or q")                           \
     X(NO_PRECISION, "this machine does not support the requested precision")                                 \

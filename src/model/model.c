@@ -139,14 +139,63 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* A search in the quad kernel starts from the result of the double kernel. Makes the request for the double
- * kernel. Returns false if the question is invalid or does not go to the quad kernel. */
+/* Makes the request for the double kernel from which a search in the quad kernel starts. Returns false if the
+ * question is invalid or does not go to the quad kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;
     coarse->precision = DOM_DOUBLE;
     coarse->tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
     return q->status == DOM_OK && q->request.precision == DOM_QUAD && q->request.method == DOM_METHOD_OURS;
+}
+
+/* Asks the same question in quad, about the train whose parameters are rounded to the precision of `q`. */
+static struct question question_in_quad(const struct question *q)
+{
+    struct question fine = *q;
+    struct request *f = &fine.request;
+#define ROUND(x)                   ((x) = q->request.precision == DOM_FLOAT ? (dom_real)(float)(x) : (dom_real)(double)(x))
+#define ROUND_PARAMETER(name, ...) ROUND(f->name);
+    DOM_TRAIN_PARAMETERS(ROUND_PARAMETER)
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        ROUND(f->effect[k]);
+#undef ROUND_PARAMETER
+#undef ROUND
+    f->precision = DOM_QUAD;
+    f->near = 0;
+    fine.kernel = kernels[DOM_QUAD];
+    return fine;
+}
+
+typedef enum dom_status find_limit(const struct request *request, struct dom_limit *limit);
+
+/* Finds a limit. An open answer is computed again in quad, where fewer minima of the margin are open. */
+static enum dom_status limit_ask(const struct question *q, find_limit *(*find)(const struct kernel *),
+                                 struct dom_limit *limit)
+{
+    if (q->status != DOM_OK)
+        return q->status;
+    find_limit *of = find(q->kernel);
+    enum dom_status status = of ? of(&q->request, limit) : DOM_NO_METHOD;
+    if (status == DOM_OPEN && q->request.precision != DOM_QUAD && dom_arithmetic(DOM_QUAD)->bits > 0) {
+        struct question fine = question_in_quad(q);
+        struct dom_limit again;
+        const enum dom_status in_quad = find(fine.kernel)(&fine.request, &again);
+        if (in_quad == DOM_OK || in_quad == DOM_OPEN)
+            *limit = again;
+        status = in_quad == DOM_OK || in_quad == DOM_INTERRUPTED ? in_quad : status;
+    }
+    return status;
+}
+
+static find_limit *kernel_rmax(const struct kernel *kernel)
+{
+    return kernel->limit_rmax;
+}
+
+static find_limit *kernel_pair(const struct kernel *kernel)
+{
+    return kernel->limit_pair;
 }
 
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
@@ -158,14 +207,14 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
     if (coarse_first(&q, &coarse) && kernels[DOM_DOUBLE]->limit_rmax(&coarse, &near) == DOM_OK &&
         near.ends == DOM_END_BARRIER && near.r_max > 1)
         q.request.near = near.r_max;
-    return ASK(q, limit_rmax, limit);
+    return limit_ask(&q, kernel_rmax, limit);
 }
 
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
-    return ASK(q, limit_pair, limit);
+    return limit_ask(&q, kernel_pair, limit);
 }
 
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,

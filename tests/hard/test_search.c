@@ -9,8 +9,7 @@
 #include "library.h"
 #include "sweep.h"
 
-/* A dip or a band narrower than this in r may be missed. scan.c misses only dips and bands narrower than
- * 1e-6; the larger width allows for rounding. */
+/* Just below r_max, rounding errors hide the sign of the margin. */
 #define RESOLVED 1e-5
 
 /* Returns how many of `all` trains are checked. */
@@ -148,15 +147,12 @@ TEST(pairs_succeed_in_their_first_band)
 TEST(no_separation_allows_more)
 {
     uint64_t seed = 31;
-    int missed = 0, found = 0, refused = 0;
+    int missed = 0, found = 0;
     for (int i = 0; i < part_of(40); i++) {
         struct setup train = any_train(&seed, 0);
         struct domq_best best;
         struct domq_limit limit;
         enum dom_status status = ask_limit_best(&train, &best);
-        /* for thin dominoes with q < 1 the search takes too much work */
-        if (status == DOM_TOO_LONG && ++refused)
-            continue;
         if (status != DOM_OK && status != DOM_NO_GROWTH)
             fail_msg("d %.17g q %.17g fuel %d: %s", (double)train.d, (double)train.q, train.fuel,
                      dom_status_text(status));
@@ -174,6 +170,6 @@ TEST(no_separation_allows_more)
                             (double)train.s, most, status == DOM_OK ? (double)best.s : (double)NAN);
         }
     }
-    print_message("# %d best separations, %d missed, %d refused\n", found, missed, refused);
-    assert_true(missed == 0 && found >= part_of(20) && refused <= 6);
+    print_message("# %d best separations, %d missed\n", found, missed);
+    assert_true(missed == 0 && found >= part_of(20));
 }

@@ -177,10 +177,3 @@ TEST(durations_of_thin_dominoes)
     assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
     assert_near("duration", duration, 13.0849188, 1e-8);
 }
-
-TEST(the_reason_is_the_first)
-{
-    struct setup train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
-    struct domq_best best;
-    assert_status(ask_limit_best(&train, &best), DOM_TOO_LONG);
-}

@@ -108,11 +108,4 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if bounds are known on all trains of a strip (growth/strip.h). If no bounds are known,
- * searches for a growth or a separation rely on samples alone. */
-KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
-{
-    return geometry->dynamics->conservative && geometry->law->closed_form;
-}
-
 #endif

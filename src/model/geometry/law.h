@@ -52,8 +52,8 @@ enum pass {
 };
 
 struct contact_law {
-    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Bounds for strips
-     * of growths, and shortcuts for random rows exist only for such a law. */
+    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Shortcuts
+     * for random rows exist only for such a law. */
     bool closed_form;
     /* The maximum number of dominoes that a search may visit. In double, this takes about a second. */
     size_t work_most;

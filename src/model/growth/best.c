@@ -1,215 +1,108 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the best separation: the separation s with the largest r_max. Samples of s give a first growth R.
- * Then bounds (strip.h) exclude the intervals of s in which no train can have a growth above R. The intervals
- * that remain are bisected until their width is BEST_FINEST * s, or more in a long search (search_finest). A
- * peak of r_max(s) that is narrower than this width can be missed.
+ * Finds the best separation: the separation s with the largest r_max. r_max(s) is smooth, apart from kinks
+ * and jumps. It jumps where a dip of the margin touches 0, and the best separation is often at such a jump.
  *
- * With friction or rounded edges no bounds are known, so there are only samples.
- *
- * Quad precision starts from the result of double precision and refines it. If the refinement fails, quad
- * precision searches all s itself.
+ * Samples of s come first, then more samples where a larger value may hide between two of them. Near the
+ * largest sample the search closes in on the place where r_max(s) stops to increase, whether it is a smooth
+ * maximum, a kink or a jump. Quad precision starts there, from the result of double precision.
  */
 #include "growth/limit.h"
 
 /* The ratio of one sample of s to the next larger one. */
 #define BEST_RATIO ((real)0.9)
-/* Sampling ends after this many successive samples without a larger r_max. */
-#define BEST_PATIENCE 8
-#define BEST_LOWEST   ((real)1e-6)
-#define BEST_FINEST   ((real)2e-3)
-/* Until an r_max above 1 is found, intervals of s are bisected down to this width, relative to s. */
-#define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
+/* Sampling ends after this many successive samples without a larger r_max, or at BEST_LOWEST. */
+enum { BEST_PATIENCE = 16, BEST_MOST = 140 };
+#define BEST_LOWEST ((real)1e-6)
+/* Intervals of s are halved down to this width, relative to s. Until an r_max above 1 is found, they are
+ * halved down to BEST_FIRST. */
+#define BEST_FINEST ((real)1e-3)
+#define BEST_FIRST  fmax((real)1e-6, 64 * REAL_EPSILON)
 
-struct search {
+struct best {
     struct margin_context *c;
-    real s, r_max; /* the best separation so far, and r_max there */
-    real finest;   /* width of the narrowest interval, relative to s */
-    real finer;    /* slope_step is multiplied by this factor */
+    real s, r_max;     /* the best separation so far, and r_max there */
+    struct limit last; /* of the last separation that was tried */
+    real finer;        /* slope_step is multiplied by this factor */
 };
 
-/* Returns r_max at s, or 0 if there is no r_max. After an error, returns NaN. */
-static real rmax_at(real s, void *context)
+/* Returns r_max at s, or 0 if there is no r_max. After an error, returns NaN. At an open dip the result is
+ * its growth: the train goes on at least up to there. */
+static real rmax_at(struct best *b, real s)
 {
-    struct margin_context *c = context;
-    struct limit limit;
+    struct margin_context *c = b->c;
+    struct limit *limit = &b->last;
     if (c->status != DOM_OK) /* a later failure does not replace the status of the first one */
         return REAL_NAN;
     c->s = s;
-    if (limit_find(c, &limit) != DOM_OK)
+    if (limit_find(c, limit) != DOM_OK)
         return REAL_NAN;
-    return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
-}
-
-/* If r_max at s is the largest r_max so far, stores s and r_max in *b. Returns r_max. If r_max is not larger
- * than b->r_max, the result may be only an upper bound on r_max. */
-static real search_at(struct search *b, real s)
-{
-    /* A coarse scan gives an upper bound on r_max, so it can rule out this s. */
-    b->c->coarse = (real)1e-3;
-    real r_max = rmax_at(s, b->c);
-    b->c->coarse = 0;
-    if (b->c->status == DOM_OK && r_max > b->r_max)
-        r_max = rmax_at(s, b->c);
-    if (b->c->status == DOM_OK && r_max > b->r_max) {
+    const real r_max = limit->ends == DOM_END_NONE ? 0 : fmin(limit->r_max, limit->open);
+    if (r_max > b->r_max) {
         b->s = s;
         b->r_max = r_max;
     }
     return r_max;
 }
 
-/* Finds the margin at s and r. A train without fuel gets a negative margin. */
-static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
+/* A point of the curve r_max(s). */
+struct point {
+    real s, r_max;
+};
+
+/* Returns an upper bound on r_max between a point and another one at the distance `width`, estimated from the
+ * slope of the curve on the far side of the point. If this slope is unknown, it is taken to be that of the
+ * reach. */
+static real highest_near(const struct point *at, const struct point *beyond, real width)
 {
-    c->s = s;
-    *m = margin_rough(c, r, fmax((real)1e-6, c->geometry.tol));
-    if (c->status == DOM_NO_FUEL) {
-        *m = (struct margin){.kinetic = -1};
-        c->status = DOM_OK;
-    }
-    return c->status;
+    const bool known = beyond && beyond->r_max > 0;
+    const real slope =
+        known ? 2 * fabs((at->r_max - beyond->r_max) / (at->s - beyond->s)) : at->r_max / at->s;
+    return at->r_max + fmin(slope, 2 * at->r_max / at->s) * width;
 }
 
-/* Tries to show that, at growth r, the trains of all separations from lo to hi stop. *stops is true if the
- * bounds show this. m is the margin at the separation lo. */
-static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
-                                    const struct margin *m, bool *stops)
+/* Returns an upper bound on r_max between lo and hi, estimated from the points before and after them. */
+static real highest_between(const struct point *before, const struct point *lo, const struct point *hi,
+                            const struct point *after)
 {
-    struct geometry at_lo = c->geometry, at_hi = c->geometry;
-    struct strip strip;
-    *stops = false;
-    enum dom_status status = geometry_set(&at_lo, lo, r);
-    if (status == DOM_OK)
-        status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 paper_fuel is exact. Where it is positive, it increases with s. So if it is not positive at
-     * hi, no train of the interval has any fuel. */
-    if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
-        *stops = true;
-        return DOM_OK;
-    }
-    if (status == DOM_OK)
-        status = strip_walk(&at_lo, &at_hi, c->train->fuel, (real)INFINITY,
-                            fmin((real)1e-2, (hi - lo) / lo / 16), &strip);
-    if (status != DOM_OK)
-        return status;
-    real barrier = m->barrier * (1 - (real)1e-5),
-         least = strip_barrier_least(&strip, barrier, barrier_most(&at_lo), hi - lo);
-    *stops = strip.kinetic_most <= 0 || strip.kinetic_most < least;
-    return DOM_OK;
+    const real width = hi->s - lo->s;
+    return fmax(highest_near(lo, before, width), highest_near(hi, after, width));
 }
 
-/*
- * Looks for growths between r_max and b->r_max at which the train stops. Sets *witness to the growth with the
- * most negative margin_share. If the train stops at none of the growths that are tried, sets *witness to
- * b->r_max.
- */
-static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
+/* Halves an interval of s as long as a larger r_max may hide inside. */
+static void best_between(struct best *b, const struct point *before, const struct point *lo,
+                         const struct point *hi, const struct point *after)
 {
-    real lowest = 0;
-    *witness = b->r_max;
-    real step = (b->r_max - r_max) / 2;
-    while (step > (real)1e-4 * r_max) {
-        struct margin m;
-        enum dom_status status = margin_of_s(b->c, s, r_max + step, &m);
-        if (status != DOM_OK)
-            return status;
-        if (margin_share(&m) < lowest) {
-            lowest = margin_share(&m);
-            *witness = r_max + step;
-        }
-        step /= 2;
-    }
-    return DOM_OK;
+    if (b->c->status != DOM_OK || hi->s - lo->s <= (b->r_max > 1 ? BEST_FINEST : BEST_FIRST) * hi->s ||
+        !(highest_between(before, lo, hi, after) > b->r_max))
+        return;
+    const real s = (lo->s + hi->s) / 2;
+    const struct point middle = {s, rmax_at(b, s)};
+    best_between(b, lo, &middle, hi, after);
+    best_between(b, before, lo, &middle, hi);
 }
 
-/* Returns the width, relative to s, below which an interval of s is no longer bisected. Once a growth above 1
- * is known, this width grows with the work that the search has done, so that the search ends in time. */
-static real search_finest(const struct search *b)
+/* Samples r_max(s), from large separations down. */
+static void best_sample(struct best *b)
 {
-    const struct geometry *geometry = &b->c->geometry;
-    real done = (real)*geometry->effort / (real)geometry->effort_most;
-    return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
-}
-
-/*
- * Searches the separations between lo and hi for an r_max above b->r_max. If a train stops at some growth,
- * its r_max is below this growth. So the interval is skipped if bounds show that all of its trains stop at
- * the growth b->r_max. It is also skipped if bounds show that all of its trains stop at `witness`, a growth
- * below b->r_max at which a train with a similar separation is known to stop. If no such growth is known, the
- * caller passes b->r_max or infinity as `witness`. An interval that is not skipped is bisected.
- */
-static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
-{
-    struct margin_context *c = b->c;
-    struct margin m;
-    enum dom_status status = DOM_OK;
-    bool stops = false;
-    real last = 1 / fmax(b->r_max, 1); /* at a larger s, the growth b->r_max is beyond the reach */
-    hi = fmin(hi, last);
-    if (lo >= hi)
-        return DOM_OK;
-    for (int k = 0; k < 2 && status == DOM_OK && !stops; k++) {
-        real r = fmax(k == 0 ? b->r_max : witness, 1);
-        if (k == 1 && (witness >= b->r_max || witness * hi > 1))
-            break;
-        status = margin_of_s(c, lo, r, &m);
-        if (status == DOM_OK && margin_value(&m) < 0)
-            status = search_stops(c, lo, hi, r, &m, &stops);
-    }
-    if (status != DOM_OK || stops)
-        return status;
-    real middle = sqrt(lo * hi);
-    status = margin_of_s(c, middle, fmax(b->r_max, 1), &m);
-    bool above = status == DOM_OK && margin_value(&m) >= 0;
-    if (above && witness < b->r_max) {
-        status = margin_of_s(c, middle, witness, &m);
-        above = status == DOM_OK && margin_value(&m) >= 0;
-    }
-    if (above) {
-        real r_max = search_at(b, middle);
-        status = c->status;
-        if (status == DOM_OK && r_max > 0 && r_max < b->r_max * (1 - (real)1e-3))
-            status = search_witness(b, middle, r_max, &witness);
-    }
-    if (status != DOM_OK || hi - lo <= search_finest(b) * hi)
-        return status;
-    status = search_between(b, middle, hi, witness);
-    return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
-}
-
-static enum dom_status search_samples(struct search *b)
-{
-    int lower = 0;
+    struct point at[BEST_MOST];
     const real span = b->c->geometry.span;
-    b->s = span;
-    b->r_max = rmax_at(span, b->c);
-    for (real s = span * BEST_RATIO; b->c->status == DOM_OK && lower < BEST_PATIENCE && s > BEST_LOWEST;
-         s *= BEST_RATIO) {
-        real before = b->r_max;
-        search_at(b, s);
-        lower = b->r_max > before ? 0 : lower + 1;
+    int n = 0, lower = 0;
+    for (real s = span; n < BEST_MOST && s > BEST_LOWEST && lower < BEST_PATIENCE && b->c->status == DOM_OK;
+         s *= BEST_RATIO, n++) {
+        const real before = b->r_max;
+        at[n] = (struct point){s, rmax_at(b, s)};
+        lower = b->r_max > before || b->r_max == 0 ? 0 : lower + 1;
     }
-    return b->c->status;
+    for (int k = 0; k + 1 < n; k++)
+        best_between(b, k + 2 < n ? &at[k + 2] : NULL, &at[k + 1], &at[k], k > 0 ? &at[k - 1] : NULL);
 }
 
-/* Takes samples of s near the best separation, in smaller and smaller steps. Used instead of search_between
- * if no bounds are known. */
-static enum dom_status search_finely(struct search *b)
-{
-    for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
-         ratio = sqrt(ratio)) {
-        bool any = b->r_max > 0; /* if every train has stopped so far, s goes down to 0.5 */
-        const real span = b->c->geometry.span;
-        real from = any ? fmin(b->s / (ratio * ratio), span) : span,
-             to = any ? b->s * ratio * ratio : (real)0.5;
-        for (real s = from; s > to && b->c->status == DOM_OK; s *= ratio)
-            if (s * b->r_max < span)
-                search_at(b, s);
-    }
-    return b->c->status;
-}
+/* Where r_max(s) drops by more than this fraction, it jumps. */
+#define BEST_JUMP ((real)1e-6)
 
-/* ---- The maximum of r_max(s) ---- */
+/* Near a jump, the margin at a dip is below BEST_DIP, in the unit of struct change. */
+#define BEST_DIP ((real)1e-2)
 
 /* Returns the step h of the nine-point rule for d margin / ds at a fixed growth. */
 static real slope_step(real span, real s, real r)
@@ -218,48 +111,55 @@ static real slope_step(real span, real s, real r)
     return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
-static real margin_slope_by(struct margin_context *c, real s, real r, real h)
+static real margin_slope(struct margin_context *c, real s, real r, real h)
 {
     static const int weight[] = {672, -168, 32, -3};
+    const real tol = c->geometry.tol;
     real sum = 0;
+    c->geometry.tol = fmax(tol / 512, 8 * REAL_EPSILON); /* a difference quotient needs all digits */
     for (int k = 1; k <= 4 && c->status == DOM_OK; k++) {
         c->s = s + (real)k * h;
-        real after = margin_at(r, c);
+        const real after = margin_at(r, c);
         c->s = s - (real)k * h;
         sum += (real)weight[k - 1] * (after - (c->status == DOM_OK ? margin_at(r, c) : 0));
     }
-    return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
+    c->geometry.tol = tol;
+    return sum / (840 * h);
 }
 
-/* Returns d margin / ds at r_max(s), which has the sign of d r_max / ds. */
-static real top_slope(real s, void *context)
+/* Returns d margin / ds at r_max(s), which has the sign of d r_max / ds. If r_max is limited by the reach,
+ * returns -1, because the reach decreases with s. Beyond a jump, the sign points back to the best
+ * separation. Near a jump, the size of the result is the depth of the dip, which is 0 at the jump. */
+static real best_slope(real s, void *context)
 {
-    struct search *b = context;
+    struct best *b = context;
     struct margin_context *c = b->c;
-    real r = rmax_at(s, c), span = c->geometry.span, h = slope_step(span, s, r) * b->finer;
+    const real r = rmax_at(b, s), h = r > 0 ? slope_step(c->geometry.span, s, r) * b->finer : 0;
     if (c->status != DOM_OK)
         return REAL_NAN;
-    /* if r_max is limited by the reach, it decreases with s */
-    return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
+    const real slope = b->last.ends == DOM_END_BARRIER && s + h > s ? margin_slope(c, s, r, h) : -1;
+    const bool rises = r >= b->r_max * (1 - BEST_JUMP) ? slope > 0 : s < b->s;
+    const real size = fmin(fabs(slope), 1), dip = fabs(b->last.dip);
+    return (rises ? 1 : -1) * (dip < BEST_DIP ? dip : size);
 }
 
-/* Sets b->finer to the factor at which the estimated error of the nine-point rule is smallest. */
-static void search_step(struct search *b)
+/* Sets b->finer to the factor at which the estimated error of the nine-point rule is smallest. A smaller step
+ * is better where a follower begins to detach: the second derivative of the margin jumps there. */
+static void best_step(struct best *b)
 {
-    real span = b->c->geometry.span, s = b->s, r = b->r_max, h = slope_step(span, s, r),
-         least = (real)INFINITY;
+    struct margin_context *c = b->c;
+    const real s = b->s, r = b->r_max, h = slope_step(c->geometry.span, s, r),
+               most = barrier_most(&c->geometry);
+    real least = (real)INFINITY;
     b->finer = 1;
-    if (!(h > 0) || s + 4 * h >= span / r)
+    if (!(s + h > s))
         return;
-    real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->geometry);
-    /* A smaller step is better where a follower begins to detach: the second derivative jumps there. */
-    for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
-        real rounding = 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
+    real last = margin_slope(c, s, r, h);
+    for (real share = 1; share > (real)1e-5 && c->status == DOM_OK; share /= 4) {
+        const real rounding = 128 * REAL_EPSILON * most / (h * share);
         if (rounding >= least)
             break;
-        /* The slope is computed with this step and with a quarter of it. The error is estimated as the
-         * difference between the two slopes, plus the rounding error. */
-        real next = margin_slope_by(b->c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
+        const real next = margin_slope(c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
         if (wrong < least) {
             least = wrong;
             b->finer = share;
@@ -268,182 +168,130 @@ static void search_step(struct search *b)
     }
 }
 
-/* Finds the maximum of r_max near b->s by golden section, to the tolerance tol. */
-static enum dom_status search_golden(struct search *b, real tol)
+static real rmax_of_s(real s, void *context)
+{
+    return rmax_at(context, s);
+}
+
+/* Close to a kink of r_max(s), the nine-point rule mixes the slopes on both sides. There, finds the maximum
+ * from r_max alone, within `width` of b->s. */
+static enum dom_status best_kink(struct best *b, real width, bool *found)
+{
+    const real s = b->s, lo = s - width, hi = fmin(s + width, b->c->geometry.span), r = b->r_max,
+               noise = 64 * REAL_EPSILON * r;
+    const real far[] = {r - rmax_at(b, lo), r - rmax_at(b, hi)},
+               near[] = {r - rmax_at(b, (lo + s) / 2), r - rmax_at(b, (hi + s) / 2)};
+    bool kink = b->r_max > r + noise;
+    for (int k = 0; k < 2; k++) /* next to a smooth maximum, r_max falls with the square of the distance */
+        kink = kink || (far[k] > noise && near[k] > (real)0.4 * far[k]);
+    *found = false;
+    if (b->c->status != DOM_OK || !kink || !(b->s > lo && b->s < hi))
+        return b->c->status;
+    real top;
+    const enum num_status solver = num_maximum(rmax_of_s, b, lo, b->s, hi, b->c->geometry.tol / 8, &top);
+    *found = solver == NUM_OK;
+    return solver == NUM_NOT_BRACKETED ? b->c->status : model_status(b->c->status, solver);
+}
+
+/* Finds the maximum of r_max(s) near b->s, within the distance `width`, relative to s. If there is none,
+ * *found is false. */
+static enum dom_status best_top(struct best *b, real width, bool *found)
 {
     struct margin_context *c = b->c;
-    const real span = c->geometry.span;
-    real s = b->s, low = 0, high = 0, width;
-    c->geometry.tol = (real)c->train->tol;
-    /* If r_max is larger at an end of the interval, move s to that end. If r_max at an end only equals r_max
-     * at s, widen the interval. */
-    for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
-        low = rmax_at(s * (1 - width), c);
-        high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
-        if (!(low >= b->r_max || high >= b->r_max))
-            break;
-        if (low > b->r_max || high > b->r_max) {
-            s = low > high ? s * (1 - width) : s * (1 + width);
-            b->s = s;
-            b->r_max = fmax(low, high);
-            width /= 2;
-        }
-    }
-    if (c->status != DOM_OK)
+    const real lo = b->s * (1 - width), hi = fmin(b->s * (1 + width), c->geometry.span);
+    best_step(b);
+    const real up = best_slope(lo, b), down = c->status == DOM_OK ? best_slope(hi, b) : up;
+    real s = hi;
+    *found = c->status == DOM_OK && up > 0;
+    if (*found && down < 0) {
+        const enum num_status solver =
+            num_root_between(best_slope, b, lo, up, hi, down, c->geometry.tol / 8, &s);
+        c->status = model_status(c->status, solver);
+        /* At a jump, the dip is open. Step back to the nearest separation whose train certainly passes it. */
+        real r = rmax_at(b, s), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
+        for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
+            r = rmax_at(b, s + step);
+        const real h = slope_step(c->geometry.span, b->s, b->r_max) * b->finer;
+        bool kink;
+        if (c->status == DOM_OK && fabs(b->last.dip) > BEST_DIP && s + h > s)
+            best_kink(b, 8 * h, &kink);
+    } else if (c->near > 0)
+        best_kink(b, width * b->s, found);
+    else
+        *found = *found && hi == c->geometry.span;
+    return c->status;
+}
+
+/* Finds the uncertainty of s and r_max. */
+static enum dom_status best_uncertainty(struct best *b, struct dom_best *best)
+{
+    struct margin_context *c = b->c;
+    const real s = b->s, r = b->r_max, span = c->geometry.span, tol = fmax(c->geometry.tol, REAL_EPSILON);
+    struct limit limit = {.ends = DOM_END_NONE};
+    real r_error = 0, s_error = 4 * tol * s, drop = s * tol * 4;
+    c->s = s;
+    if (limit_find(c, &limit) != DOM_OK || limit_uncertainty(c, &limit, &r_error) != DOM_OK)
         return c->status;
-    real top = s, hi = fmin(s * (1 + width), span);
-    enum num_status solver =
-        s < hi ? num_maximum(rmax_at, c, s * (1 - width), s, hi, tol, &top) : NUM_NOT_BRACKETED;
-    if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
-        return model_status(c->status, solver);
-    search_at(b, top);
+    const struct margin at = {.kinetic = limit.barrier, .barrier = limit.barrier};
+    const real error = margin_error(c, &at, margin_finest(c)), h = slope_step(span, s, r) * b->finer;
+    /* on which side r_max is lower by a jump, if at all */
+    struct best aside = *b;
+    aside.r_max = (real)INFINITY;
+    const real below = rmax_at(&aside, s - drop), above = s + drop < span ? rmax_at(&aside, s + drop) : r;
+    if (c->status == DOM_OK && fmin(below, above) < r * (1 - BEST_JUMP)) {
+        /* The lower side stops in a dip. The margin at this dip is 0 at the jump. */
+        const real dip = fmax(fmin(below, above), 1),
+                   by = fabs(margin_slope(c, s, dip, slope_step(span, s, dip)));
+        s_error += 2 * error / by;
+        const real far = rmax_at(&aside, below < above ? s + 2 * s_error : s - 2 * s_error);
+        r_error += fabs(far - r);
+    } else if (c->status == DOM_OK && limit.ends == DOM_END_BARRIER && s + h > s) {
+        const real second = fabs(best_slope(s + 4 * h, b) - best_slope(s - 4 * h, b)) / (8 * h);
+        s_error += 3 * error / h / second;
+    }
+    *best = (struct dom_best){.s = s, .r_max = r, .s_uncertainty = s_error, .r_uncertainty = r_error};
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, as a root of the slope. If the maximum is a kink or a jump
- * instead, sets *smooth to false. `width` must be much larger than the relative error of b->s. */
-static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
+/* Quad precision looks for the best separation within these distances, relative to s, of the one that the
+ * double kernel found. Within the first distance, r_max is close to the one that the double kernel found, but
+ * dips are not noticed. */
+#define NEAR_WIDTH ((real)1e-11)
+#define JUMP_WIDTH ((real)1e-9)
+
+static enum dom_status best_find(struct best *b)
 {
     struct margin_context *c = b->c;
-    const real span = c->geometry.span;
-    *smooth = false;
-    /* The slope is a difference quotient of the margin, so the margin needs all its digits. */
-    c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
-    search_step(b);
-    for (; c->status == DOM_OK && width < (real)0.02; width *= 4) {
-        real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
-        real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
-        if (c->status != DOM_OK || !(before > 0 && after < 0))
-            continue;
-        /* Close to a kink or a jump, the slope remains large on one side. */
-        real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
-        if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
-            break;
-        if (num_root_between(top_slope, b, lo, before, up, after, tol / 8, &zero) != NUM_OK)
-            break;
-        real height = rmax_at(zero, c);
-        if (c->status == DOM_OK && height >= b->r_max * (1 - fmax(16 * tol, 64 * REAL_EPSILON))) {
-            *smooth = slope_step(c->geometry.span, zero, height) > 0 && zero * height < c->geometry.span;
-            b->s = zero;
-            b->r_max = height;
+    enum dom_status status = c->status;
+    bool found = false;
+    if (c->near > 0) {
+        b->s = c->s;
+        rmax_at(b, b->s);
+        status = best_top(b, NEAR_WIDTH, &found);
+        if (status == DOM_OK && !found) {
+            c->near = b->r_max = 0;
+            rmax_at(b, (real)c->train->s);
+            status = best_top(b, JUMP_WIDTH, &found);
         }
-        break;
     }
+    if (status != DOM_OK || found)
+        return status;
+    b->r_max = 0;
+    best_sample(b);
+    if (c->status == DOM_OK && !(b->r_max > 1))
+        c->status = DOM_NO_GROWTH;
+    for (real width = 2 * BEST_FINEST; c->status == DOM_OK && !found && width < (real)0.5; width *= 4)
+        best_top(b, width, &found);
     return c->status;
-}
-
-/* Finds the maximum of r_max near b->s. *smooth is true on entry if b->s is already close to the maximum. */
-static enum dom_status search_top(struct search *b, real tol, bool *smooth)
-{
-    /* Rounding noise in r_max shifts a smooth maximum by about the square root of the noise. The bracket must
-     * be wider than this shift. */
-    const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
-    enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
-    if (status == DOM_OK && !*smooth) {
-        status = search_golden(b, tol);
-        if (status == DOM_OK)
-            status = search_smooth(b, width, tol, smooth);
-    }
-    return status;
-}
-
-/* Searches all separations, without the help of a coarser kernel. */
-static enum dom_status search_all(struct search *b, bool *smooth)
-{
-    struct margin_context *c = b->c;
-    const bool bounded = dynamics_bounded(&c->geometry);
-    enum dom_status status = search_samples(b);
-    if (status == DOM_OK)
-        status = bounded ? search_between(b, BEST_LOWEST, 1, INFINITY) : search_finely(b);
-    if (status == DOM_OK && !(b->r_max > 1))
-        status = DOM_NO_GROWTH;
-    if (status == DOM_OK)
-        status = search_top(b, (real)1e-6, smooth);
-    /* Near a jump there may be several maxima. Search again around the best one, in narrower intervals. */
-    real before = 0;
-    for (int k = 0; status == DOM_OK && bounded && !*smooth && k < 3 && b->r_max > before; k++) {
-        before = b->r_max;
-        b->finest = BEST_FINEST / 64;
-        status =
-            search_between(b, b->s * (1 - 4 * BEST_FINEST), b->s * (1 + 4 * BEST_FINEST), (real)INFINITY);
-    }
-    return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
-}
-
-/* Quad precision first looks for the best separation s within this distance, relative to s, of the separation
- * that the double kernel found. The distance is larger than the error of the double kernel. */
-#define NEAR_WIDTH ((real)1e-8)
-
-/* The straight line through two points of the curve r_max(s). */
-struct line {
-    real s[2], r[2], slope;
-};
-
-/* Replaces the older point of the line by the point of the curve at s. */
-static void line_to(struct line *line, struct margin_context *c, real s)
-{
-    line->s[0] = line->s[1];
-    line->r[0] = line->r[1];
-    line->s[1] = s;
-    line->r[1] = rmax_at(s, c);
-    line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
-}
-
-/* Finds a kink of r_max very close to b->s. Each side of the kink is extrapolated as a straight line. The
- * kink is the point where the two lines meet. Returns false if there is no kink. */
-static bool search_kink(struct search *b, real tol)
-{
-    struct line up = {.slope = 0}, down = up;
-    real s = b->s, aside = NEAR_WIDTH * s, moved = aside;
-    line_to(&up, b->c, s - 2 * aside);
-    line_to(&down, b->c, s + 2 * aside);
-    while (b->c->status == DOM_OK && moved > tol * s) {
-        line_to(&up, b->c, s - aside);
-        line_to(&down, b->c, s + aside);
-        real next =
-            s + ((down.r[1] - down.slope * aside) - (up.r[1] + up.slope * aside)) / (up.slope - down.slope);
-        moved = fabs(next - s);
-        s = next;
-        if (!(up.slope > 0 && down.slope < 0 && moved < aside))
-            return false;
-        aside = fmin(4 * moved, aside / 4);
-    }
-    b->s = s;
-    b->r_max = rmax_at(s, b->c);
-    return b->c->status == DOM_OK;
-}
-
-/* Refines c->s, the best separation that the double kernel found. Sets *found on success. */
-static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
-{
-    struct margin_context *c = b->c;
-    const real tol = (real)c->train->tol;
-    b->s = c->s;
-    b->r_max = rmax_at(b->s, c);
-    if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
-        *found = *smooth || search_kink(b, tol);
-    /* If the refinement has failed, s may lie beyond a jump of r_max, where r_max is far from c->near. So
-     * c->near is cleared, and the search over all separations does not look there. */
-    c->near = *found ? c->near : 0;
-    return c->status;
-}
-
-static enum dom_status best_find(struct margin_context *c, struct dom_best *best)
-{
-    struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
-    bool smooth = false, found = false;
-    enum dom_status status = c->near > 0 ? best_near(&b, &smooth, &found) : DOM_OK;
-    if (status == DOM_OK && !found)
-        status = search_all(&b, &smooth);
-    struct dom_best answer = {.s = b.s, .r_max = b.r_max};
-    if (status == DOM_OK)
-        *best = answer;
-    return c->status = status;
 }
 
 KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best)
 {
     struct margin_context c = margin_of_train(train);
+    struct best b = {.c = &c, .finer = 1};
     limit_begin(&c);
-    return c.status == DOM_OK ? best_find(&c, best) : c.status;
+    enum dom_status status = c.status == DOM_OK ? best_find(&b) : c.status;
+    if (status == DOM_OK)
+        status = best_uncertainty(&b, best);
+    return status;
 }

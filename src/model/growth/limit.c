@@ -1,34 +1,67 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Finds r_max, the largest growth. r_max is the first root of the margin between r = 1 and the reach. The
- * reach is r = 1/s with sharp edges, and less with rounded edges. If there is no root, r_max is the reach.
- *
- * The margin need not be monotone. For thin dominoes it first decreases, then increases, and finally drops
- * near the reach. So it can have more than one root, and an ordinary root finder could miss the first one.
- * The methods of limit.h look for the first root.
- */
+/* Finds r_max, the largest growth. r_max is the first root of the margin between r = 1 and the reach. The
+ * reach is r = 1/s with sharp edges, and less with rounded edges. If there is no root, r_max is the reach. */
 #include "growth/limit.h"
 
-static struct dom_limit limit_public(const struct limit *limit)
+/*
+ * If the margin is known to the error e, its root is known to e / |m'|, where m' is the slope of the margin.
+ * At the bottom of a dip m' is almost 0. The root is then known to sqrt(2 e / |m''|).
+ */
+KERNEL enum dom_status limit_uncertainty(struct margin_context *c, const struct limit *limit,
+                                         real *uncertainty)
 {
-    return (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends, .why = limit->why};
+    const real r = limit->r_max, reach = c->geometry.span / c->s, tol = c->geometry.tol;
+    *uncertainty = ROUNDOFF * r;
+    if (limit->ends != DOM_END_BARRIER)
+        return DOM_OK;
+    /* At the root, K and B are equal. The tails of their sums may be cut off at TAIL_SHARE tol. */
+    const real K = limit->barrier,
+               e = 2 * TAIL_SHARE * tol * K + 16 * REAL_EPSILON * (K + barrier_most(&c->geometry));
+    real falls = limit->falls;
+    *uncertainty += r * tol / 4;
+    if (!(falls * (reach - r) > e * 1000)) {
+        const real step = fmin(sqrt(sqrt(REAL_EPSILON)) * r, fmin(reach - r, r - 1) / 2);
+        const struct margin lo = margin_to_tol(c, r - step, margin_finest(c));
+        const struct margin hi = c->status == DOM_OK ? margin_to_tol(c, r + step, margin_finest(c)) : lo;
+        const real wrong = e + 2 * fmax(lo.barrier_error, hi.barrier_error), up = margin_value(&lo),
+                   down = margin_value(&hi);
+        *uncertainty += fmin(2 * step * wrong / fabs(up - down), step * sqrt(2 * wrong / fabs(up + down)));
+        return c->status;
+    }
+    *uncertainty += e / falls;
+    return DOM_OK;
 }
 
-static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
+static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
+                                    struct dom_limit *result)
+{
+    real uncertainty = REAL_NAN;
+    const bool open = isfinite(limit->open);
+    enum dom_status status = limit->ends == DOM_END_NONE ? DOM_OK : limit_uncertainty(c, limit, &uncertainty);
+    *result = (struct dom_limit){.r_max = limit->r_max,
+                                 .ends = limit->ends,
+                                 .why = limit->why,
+                                 .uncertainty = uncertainty,
+                                 .open = open ? limit->open : REAL_NAN};
+    return status == DOM_OK && open ? DOM_OPEN : status;
+}
+
+static const struct limit no_limit = {
+    .r_max = REAL_NAN, .ends = DOM_END_NONE, .open = (real)INFINITY, .dip = (real)INFINITY};
 
 /* Finds the first r > from->r at which the margin becomes negative, or the reach if there is none. The margin
  * at from->r is >= 0. */
 static enum dom_status limit_to_negative(struct margin_context *c, const struct margin_sample *from,
                                          struct limit *limit)
 {
-    *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
-    if (dynamics_bounded(&c->geometry) && c->dominoes == CHAIN_ENDLESS)
-        return scan_to_negative(c, from, &limit->r_max, &limit->ends);
-    struct margin_sample root;
-    bool found = false;
-    enum dom_status status = probe_change(c, from, &root, &found);
-    if (status == DOM_OK && found)
-        *limit = (struct limit){.r_max = root.r, .ends = DOM_END_BARRIER};
+    struct change change = {.found = false};
+    enum dom_status status = first_change(c, from, &change);
+    *limit = (struct limit){.r_max = change.found ? change.at.r : c->geometry.span / c->s,
+                            .barrier = change.at.margin.barrier,
+                            .falls = change.falls,
+                            .ends = change.found ? DOM_END_BARRIER : DOM_END_REACH,
+                            .open = change.open,
+                            .dip = change.dip};
     return status;
 }
 
@@ -37,10 +70,14 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     struct margin_sample first = {.r = 1};
     struct geometry geometry = c->geometry;
     bool known = false;
-    *limit = (struct limit){.ends = DOM_END_BARRIER};
+    *limit = (struct limit){.ends = DOM_END_BARRIER, .open = (real)INFINITY, .dip = (real)INFINITY};
     /* A coarser kernel has already found c->near as the first root. */
+    struct root root = {.r = 0};
     if (c->status == DOM_OK && c->near > 0)
-        c->status = root_near(c, c->near, &limit->r_max, &known);
+        c->status = root_near(c, c->near, &root, &known);
+    limit->r_max = root.r;
+    limit->barrier = root.barrier;
+    limit->falls = root.falls;
     if (known)
         return c->status;
     enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
@@ -87,9 +124,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     struct limit found;
     limit_begin(&c);
     enum dom_status status = limit_find(&c, &found);
-    if (status == DOM_OK)
-        *limit = limit_public(&found);
-    return status;
+    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }
 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
@@ -97,15 +132,19 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     *found = no_limit;
     /* If the growth is less than first.r, domino 1 does not tip over by itself before it hits the next domino
      * (5; b0). */
-    struct margin_sample first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, sample;
+    struct margin_sample first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)};
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
-    sample = first;
-    sample.margin = first.margin = margin_sign(c, first.r);
-    bool any = c->status == DOM_OK && margin_value(&first.margin) >= 0;
-    if (c->status == DOM_OK && !any)
-        c->status = probe_change(c, &first, &sample, &any);
-    return c->status == DOM_OK && any ? limit_to_negative(c, &sample, found) : c->status;
+    first.margin = margin_sign(c, first.r);
+    if (c->status != DOM_OK || margin_value(&first.margin) >= 0)
+        return c->status == DOM_OK ? limit_to_negative(c, &first, found) : c->status;
+    struct change change;
+    c->status = first_change(c, &first, &change);
+    if (c->status == DOM_OK && change.found)
+        c->status = limit_to_negative(c, &change.at, found);
+    /* the margin may or may not become positive at the first of two open growths */
+    found->open = fmin(found->open, change.open);
+    return c->status;
 }
 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)
@@ -114,7 +153,5 @@ KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit 
     struct limit found;
     limit_begin(&c);
     enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
-    if (status == DOM_OK)
-        *limit = limit_public(&found);
-    return status;
+    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }

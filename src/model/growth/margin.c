@@ -11,8 +11,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
                                       const struct sums *near, struct margin *m)
 {
     struct barrier *b = &c->barrier;
-    real most = barrier_most(geometry), sure = 4 * geometry->tol;
-    if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
+    const real most = barrier_most(geometry), sure = 4 * geometry->tol;
+    if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > MARGIN_HIGH * most) {
         m->barrier = most;
         m->barrier_is_bound = true;
         return DOM_OK;
@@ -37,7 +37,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         /* With friction, Newton's method is not available. The error of the tilt then affects the barrier to
          * second order instead of third order, so the tilt needs a finer tolerance. */
         status = barrier_search(geometry, tilt_angle(geometry->c),
-                                !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
+                                geometry->dynamics->conservative ? TOP_TOL(geometry) : geometry->tol / 8, b);
     m->barrier_error = status == DOM_OK && geometry->dynamics->required_energy_error
                            ? geometry->dynamics->required_energy_error(geometry)
                            : 0;
@@ -147,7 +147,7 @@ KERNEL real margin_at(real r, void *context)
     return margin_to(c, r, c->geometry.tol, &m) == DOM_OK ? margin_value(&m) : REAL_NAN;
 }
 
-KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
+KERNEL struct margin margin_to_tol(struct margin_context *c, real r, real tol)
 {
     struct margin m = {.kinetic = REAL_NAN};
     c->how = MARGIN_SURE;
@@ -155,50 +155,43 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
     return m;
 }
 
-#define MARGIN_ROUGH ((real)1e-3)
-
-/* Finds the sign of the margin. `how` is MARGIN_SIGN or MARGIN_TOPS. With friction, `how` is ignored. */
-static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
+KERNEL real margin_unit(const struct margin_context *c, const struct margin *m)
 {
-    struct margin m = {.kinetic = REAL_NAN};
-    const real tol_wanted = c->geometry.tol;
-    real tol = fmax(MARGIN_ROUGH, tol_wanted);
-    bool conservative = c->geometry.dynamics->conservative;
-    c->how = conservative ? how : MARGIN_SURE;
-    for (;; tol = fmax(tol * MARGIN_ROUGH, tol_wanted)) {
-        if (margin_to(c, r, tol, &m) == DOM_OK &&
-            fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.barrier_error)
-            return m;
-        if (c->status != DOM_OK || !conservative || tol <= tol_wanted)
-            break;
-    }
-    c->how = MARGIN_SURE;
-    /* K and B are nearly equal, so their errors may be larger than the margin. Refine K and B until the
-     * relative error of the margin itself is below the tolerance. */
-    real reached = tol_wanted, fine;
-    if (margin_to(c, r, reached, &m) != DOM_OK)
-        return m;
-    while ((fine = balance_tol(reached, fabs(margin_value(&m)), fabs(m.kinetic))) < reached / 4) {
-        struct margin finer = {.kinetic = REAL_NAN};
-        if (margin_to(c, r, fine, &finer) != DOM_OK) {
-            /* the arithmetic allows no finer tolerance: keep the last result */
-            c->status = c->status == DOM_NOT_CONVERGED ? DOM_OK : c->status;
-            break;
-        }
-        m = finer;
-        reached = fine;
-    }
-    return m;
+    return fabs(m->kinetic) + barrier_most(&c->geometry);
 }
+
+KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol)
+{
+    return 4 * tol * (fabs(m->kinetic) + m->barrier) + 16 * REAL_EPSILON * margin_unit(c, m) +
+           2 * m->barrier_error;
+}
+
+KERNEL real margin_finest(const struct margin_context *c)
+{
+    return fmin(c->geometry.tol, 4 * REAL_EPSILON);
+}
+
+#define MARGIN_ROUGH ((real)1e-3)
 
 KERNEL struct margin margin_sign(struct margin_context *c, real r)
 {
-    return margin_as(c, r, MARGIN_SIGN);
-}
-
-KERNEL struct margin margin_tops(struct margin_context *c, real r)
-{
-    return margin_as(c, r, MARGIN_TOPS);
+    struct margin m = {.kinetic = REAL_NAN};
+    const bool conservative = c->geometry.dynamics->conservative;
+    real tol = fmax(MARGIN_ROUGH, c->geometry.tol);
+    c->how = conservative ? MARGIN_SIGN : MARGIN_SURE;
+    for (;; tol = fmax(tol * MARGIN_ROUGH, margin_finest(c))) {
+        struct margin finer = {.kinetic = REAL_NAN};
+        const enum dom_status status = margin_to(c, r, tol, &finer);
+        /* if the arithmetic allows no finer tolerance, keep the last result */
+        if (status == DOM_NOT_CONVERGED && !isnan(m.kinetic)) {
+            c->status = DOM_OK;
+            return m;
+        }
+        m = finer;
+        if (status != DOM_OK || tol <= margin_finest(c) || fabs(margin_value(&m)) > margin_error(c, &m, tol))
+            return m;
+        c->how = tol <= c->geometry.tol ? MARGIN_SURE : c->how;
+    }
 }
 
 KERNEL void margin_follow_begin(struct margin_context *c)

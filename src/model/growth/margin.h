@@ -5,8 +5,7 @@
 
 #include "energy/barrier.h"
 
-/* The kinetic energy after the collision, and the barrier. If `barrier` is only an upper bound, `kinetic` may
- * be only a lower bound. */
+/* The kinetic energy after the collision, and the barrier. */
 struct margin {
     real kinetic, barrier;
     bool barrier_is_bound; /* true if `barrier` is only an upper bound */
@@ -31,12 +30,9 @@ struct margin_context {
     real s;
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum margin_how {
-        MARGIN_SURE, /* find the barrier by a search for all local maxima of H */
-        /* find only the sign: an upper bound on the barrier or one maximum of H may be enough */
-        MARGIN_SIGN,
-        /* like MARGIN_SIGN, but use no upper bound on the barrier */
-        MARGIN_TOPS,
-        MARGIN_FOLLOW, /* follow one local maximum of H from growth to growth */
+        MARGIN_SURE,  /* find the barrier by a search for all local maxima of H */
+        MARGIN_SIGN,  /* find the sign: an upper bound on the barrier or one maximum of H may be enough */
+        MARGIN_FOLLOW /* follow one local maximum of H from growth to growth */
     } how;
     struct barrier barrier; /* the barrier found by the last search */
     struct followed {
@@ -47,12 +43,9 @@ struct margin_context {
      * begins with the value 1, or with a smaller value if its first margin needs more digits. */
     real share;
     real followed_value, followed_tol; /* the last margin of margin_follow, and its tolerance */
-    /* If `coarse` is positive, a scan does not divide a strip that is already narrower than `coarse` in ln r.
-     * The scan can then miss roots, so its result is only an upper bound on r_max. */
-    real coarse;
-    real near;     /* r_max from a coarser kernel at a separation close to s, or 0 */
-    bool locked;   /* true if friction locked the train at the last r */
-    size_t effort; /* work of the whole search, in the unit of geometry.effort */
+    real near;                         /* r_max from a coarser kernel, or 0 */
+    bool locked;                       /* true if friction locked the train at the last r */
+    size_t effort;                     /* work of the whole search, in the unit of geometry.effort */
     enum dom_status status;
 };
 
@@ -67,14 +60,23 @@ KERNEL real margin_at(real r, void *context);
 
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. The kinetic energy is NaN after
  * an error. */
-KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
+KERNEL struct margin margin_to_tol(struct margin_context *c, real r, real tol);
+
+/* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
+#define MARGIN_HIGH 1
 
 /* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
-/* Like margin_sign, but if the margin is positive, `barrier` is not just an upper bound: its relative error
- * is at most about a thousandth. */
-KERNEL struct margin margin_tops(struct margin_context *c, real r);
+/* Returns the unit in which a margin is measured: |K| + barrier_most. Near a root, it is of the size of the
+ * terms whose difference the margin is. */
+KERNEL real margin_unit(const struct margin_context *c, const struct margin *m);
+
+/* Returns an estimate of the error of a margin that was computed to the tolerance tol. */
+KERNEL real margin_error(const struct margin_context *c, const struct margin *m, real tol);
+
+/* The finest tolerance of a margin. */
+KERNEL real margin_finest(const struct margin_context *c);
 
 /*
  * margin_follow returns margin_share at r, for the next step of a root search. It computes only as many

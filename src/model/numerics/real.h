@@ -32,6 +32,7 @@
     X(tan)                                                                                                   \
     X(asin)                                                                                                  \
     X(atan)                                                                                                  \
+    X(asinh)                                                                                                 \
     X(exp)                                                                                                   \
     X(expm1)                                                                                                 \
     X(log)                                                                                                   \
@@ -91,6 +92,7 @@ typedef domq_real real;
 #define cos(x)       MATH(cos)(x)
 #define asin(x)      MATH(asin)(x)
 #define atan(x)      MATH(atan)(x)
+#define asinh(x)     MATH(asinh)(x)
 #define exp(x)       MATH(exp)(x)
 #define expm1(x)     MATH(expm1)(x)
 #define log(x)       MATH(log)(x)

@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Finds the first growth at which the margin changes sign. An ordinary root finder could step over the first
+ * root, because the margin of thin dominoes can dip below 0 and rise again.
+ *
+ * The search samples the margin at a few growths. An interval between two samples is clear if the margin is
+ * not curved enough to change sign there. Other intervals are halved. Where the slope of the margin changes
+ * from minus to plus, the root of the slope gives the minimum itself. So the depth of a dip decides, and not
+ * its width: only a minimum whose sign is hidden by rounding errors remains open.
+ */
+#include "growth/limit.h"
+
+/* Returns the variable x = -sqrt(1 - r/reach), which replaces the growth r here. The margin is a smooth
+ * function of x. As a function of r, it is not smooth at the reach. */
+static real x_of(const struct margin_context *c, real r)
+{
+    return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
+}
+
+static real r_of(const struct margin_context *c, real x)
+{
+    return (1 - x * x) * c->geometry.span / c->s;
+}
+
+/* The number of samples per unit of ln r. They lie between r = 1 and 0.9 of the reach. One more sample is
+ * taken at the reach itself. */
+#define SAMPLES_PER_E 5
+/* Enough for a reach of 1.6e6, the largest there is. */
+enum { SAMPLES_MOST = 80 };
+
+/* Returns the growth of sample k. Beyond the last sample, the result is the reach. */
+static real first_place(const struct margin_context *c, int k)
+{
+    const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
+    const int far = (int)ceil(fmax(ln_near, 0) * SAMPLES_PER_E);
+    return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
+}
+
+/* An interval is halved at most so often, down to about 2e-6 r. After every LOOK_EVERY halvings, the slopes
+ * at its ends tell whether it contains a minimum. */
+enum { HALVES = 17, LOOK_EVERY = 4 };
+
+/* An interval is clear if the scaled margin exceeds SAFETY f w^2 at both ends. Here w is the width of the
+ * interval in x, and f is a second divided difference, which measures the curvature. If the margin were a
+ * parabola, f w^2 / 4 would be enough. */
+#define SAFETY 3
+
+/* The largest relative tolerance of samples. Larger errors would look like curvature of the margin. */
+#define SAMPLE_TOL ((real)1e-3)
+
+/* A place where the scaled margin, minus `value`, is 0: the known root (power 1), or a minimum (power 2). If
+ * no root is known, `power` is 0. */
+struct zero {
+    real x, value;
+    int power;
+};
+
+static const struct zero no_zero = {.power = 0};
+
+struct first {
+    struct margin_context *c;
+    real sign, from; /* 1 if the margin is >= 0 at the start, otherwise -1; x of the start */
+    real unit;       /* barrier_most */
+    struct change change;
+    struct zero root;
+    real falls; /* scaled_value at the known root */
+    real step;  /* of the difference quotient in scaled_slope */
+};
+
+/* An interval between two samples, with the samples before and after it if there are any, and the minimum
+ * that has been found in it or near it. */
+struct stretch {
+    const struct margin_sample *before, *lo, *hi, *after;
+    const struct zero *dip;
+    int halves;
+};
+
+static bool sign_kept(const struct first *s, const struct margin_sample *sample)
+{
+    return (margin_value(&sample->margin) >= 0) == (s->sign > 0);
+}
+
+/* Returns the margin, scaled so that it varies smoothly with x. The value is positive as long as the margin
+ * has its initial sign. If the barrier of `sample` is only an upper bound, uses the argument `barrier`
+ * instead. */
+static real scaled(const struct first *s, const struct margin_sample *sample, real barrier)
+{
+    const struct margin *m = &sample->margin;
+    return s->sign * (m->kinetic - (m->barrier_is_bound ? barrier : m->barrier)) /
+           (fabs(m->kinetic) + s->unit);
+}
+
+/* Divides the scaled margin by its known zeros, so that only the others are left: by the distance from the
+ * known root or, after the value of a known minimum has been subtracted, by the square of the distance from
+ * this minimum. */
+static real scaled_value(const struct first *s, const struct margin_sample *sample, real barrier,
+                         const struct zero *zero)
+{
+    const real value = scaled(s, sample, barrier) - zero->value;
+    if (zero->power == 0)
+        return value;
+    if (sample->r == s->change.at.r && zero->power == 1)
+        return s->falls;
+    const real distance = zero->x - x_of(s->c, sample->r);
+    return zero->power == 1 ? value / distance : value / (distance * distance);
+}
+
+/* Returns f w^2 of a third sample and the two ends of an interval of width w, where f is a second divided
+ * difference of the scaled value. Sets ends[] to the values at the ends. */
+static real bend_of(const struct first *s, const struct stretch *in, const struct margin_sample *third,
+                    const struct zero *zero, real ends[2])
+{
+    /* a mixture of upper bounds and true barriers would look like curvature */
+    const real barrier = in->hi->margin.barrier_is_bound ? third->margin.barrier : in->hi->margin.barrier,
+               at_third = scaled_value(s, third, barrier, zero), x = x_of(s->c, in->lo->r),
+               width = x_of(s->c, in->hi->r) - x, offset = x_of(s->c, third->r) - x;
+    ends[0] = scaled_value(s, in->lo, barrier, zero);
+    ends[1] = scaled_value(s, in->hi, barrier, zero);
+    return (ends[1] - ends[0] - (at_third - ends[0]) / offset * width) * width / (width - offset);
+}
+
+/* Returns true if the margin is not curved enough to change sign between lo and hi. The curvature is
+ * estimated with a third sample. */
+static bool is_clear_by(const struct first *s, const struct stretch *in, const struct margin_sample *third,
+                        const struct zero *zero)
+{
+    real ends[2];
+    const real bend = bend_of(s, in, third, zero, ends);
+    return fmin(ends[0], ends[1]) > SAFETY * fabs(bend);
+}
+
+/* Returns true if the kinetic energy of this sample exceeds every possible barrier by far. */
+static bool is_high(const struct first *s, const struct margin_sample *sample)
+{
+    return s->sign > 0 && sample->margin.kinetic > SAFETY * s->unit;
+}
+
+/* Returns true if the interval has no sign change, apart from the known root. The third samples on both sides
+ * must agree. */
+static bool is_clear(const struct first *s, const struct stretch *in, const struct zero *zero)
+{
+    if (is_high(s, in->lo) && is_high(s, in->hi))
+        return true;
+    /* behind the known root, the margin may change on much smaller scales */
+    const struct margin_sample *after =
+        in->after && in->after->r > s->change.at.r && s->sign > 0 ? &s->change.at : in->after;
+    return (in->before || after) && (!in->before || is_clear_by(s, in, in->before, zero)) &&
+           (!after || is_clear_by(s, in, after, zero));
+}
+
+/* Computes the margin with all digits that the arithmetic allows. */
+static enum dom_status sample_finely(const struct first *s, real r, struct margin_sample *sample)
+{
+    struct margin_context *c = s->c;
+    *sample = (struct margin_sample){r, margin_to_tol(c, r, margin_finest(c))};
+    if (c->status == DOM_NOT_CONVERGED)
+        sample->margin = margin_to_tol(c, r, c->geometry.tol);
+    return c->status;
+}
+
+/* Returns the derivative of the scaled margin with respect to x, or NaN after an error. Near a minimum, the
+ * error of the difference quotient moves the minimum so little that its value does not change. */
+static real scaled_slope(real x, void *context)
+{
+    struct first *s = context;
+    const real step = s->step, lo = fmax(x - step, s->from), hi = fmin(x + step, 0);
+    struct margin_sample a, b;
+    if (sample_finely(s, r_of(s->c, lo), &a) != DOM_OK || sample_finely(s, r_of(s->c, hi), &b) != DOM_OK)
+        return REAL_NAN;
+    return (scaled(s, &b, 0) - scaled(s, &a, 0)) / (hi - lo);
+}
+
+/* Returns true if the scaled margin changes by so much that the interval cannot contain a minimum: by more
+ * than its curvature and the errors of the samples allow. */
+static bool is_steep(const struct first *s, const struct stretch *in)
+{
+    const struct margin *m = &in->hi->margin;
+    const struct margin_sample *third[] = {in->before, in->after};
+    real ends[2] = {0},
+         least = 8 * SAMPLE_TOL * (fabs(m->kinetic) + m->barrier) / (fabs(m->kinetic) + s->unit);
+    for (int k = 0; k < 2; k++)
+        if (third[k])
+            least = fmax(least, 2 * fabs(bend_of(s, in, third[k], &no_zero, ends)));
+    return fabs(ends[1] - ends[0]) > least;
+}
+
+/* Looks for a minimum of the scaled margin inside the interval. */
+static enum dom_status find_minimum(struct first *s, const struct stretch *in, struct margin_sample *minimum,
+                                    struct zero *dip, bool *found)
+{
+    const real lo = x_of(s->c, in->lo->r), hi = x_of(s->c, in->hi->r);
+    *found = false;
+    if (in->dip && in->dip->x >= lo && in->dip->x <= hi) /* this minimum is known */
+        return DOM_OK;
+    if (is_steep(s, in))
+        return DOM_OK;
+    s->step = fmin(cbrt(REAL_EPSILON) / 8, (hi - lo) / 256);
+    const real at_lo = scaled_slope(lo, s), at_hi = at_lo < 0 ? scaled_slope(hi, s) : 0;
+    if (s->c->status != DOM_OK || !(at_lo < 0 && at_hi > 0))
+        return s->c->status;
+    /* near the minimum, the margin changes with the square of the distance */
+    const real tol = sqrt(REAL_EPSILON) * (hi - lo) / fabs(lo);
+    enum dom_status status =
+        model_status(s->c->status, num_root_between(scaled_slope, s, lo, at_lo, hi, at_hi, tol, &dip->x));
+    if (status == DOM_OK)
+        status = sample_finely(s, r_of(s->c, dip->x), minimum);
+    dip->value = scaled(s, minimum, 0);
+    dip->power = 2;
+    *found = status == DOM_OK;
+    return status;
+}
+
+/* Takes note of a root. Converts its slope from r to x, and to the unit of `scaled`. */
+static void keep_root(struct first *s, const struct root *root)
+{
+    const struct margin_context *c = s->c;
+    s->change.at = (struct margin_sample){root->r, {.kinetic = root->barrier, .barrier = root->barrier}};
+    s->change.falls = root->falls;
+    s->falls = -(x_of(c, root->r) + x_of(c, root->beside)) * c->geometry.span / c->s * root->falls /
+               (root->barrier + s->unit);
+    s->root = (struct zero){.x = x_of(c, root->r), .power = 1};
+}
+
+/* Finds a root between lo and hi, where the margin has opposite signs. */
+static enum dom_status find_root(struct first *s, const struct stretch *in)
+{
+    struct margin_context *c = s->c;
+    const real tol = c->geometry.tol;
+    const bool follows = c->geometry.dynamics->conservative,
+               shallow = fabs(scaled(s, in->hi, in->hi->margin.barrier)) < SAMPLE_TOL;
+    struct root root = {.r = 0};
+    enum dom_status status = DOM_OK;
+    /* First follow one maximum of H. If this fails, or if another maximum is higher at that root, start again
+     * with a search for all maxima at each growth. */
+    if (follows && !shallow) {
+        status = root_between(c, in->lo, in->hi, &root);
+        if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+            return status;
+        c->status = DOM_OK;
+        if (status == DOM_OK && root.falls > 0 && margin_highest(c, root.r)) {
+            keep_root(s, &root);
+            return DOM_OK;
+        }
+    }
+    c->geometry.tol = shallow && follows ? margin_finest(c) : tol;
+    const enum num_status solver =
+        num_root_between(margin_at, c, in->lo->r, margin_value(&in->lo->margin), in->hi->r,
+                         margin_value(&in->hi->margin), tol / 8, &root.r);
+    status = model_status(c->status, solver);
+    c->geometry.tol = tol;
+    root.barrier = c->barrier.height;
+    keep_root(s, &root);
+    s->step = cbrt(REAL_EPSILON) / 8;
+    if (status == DOM_OK)
+        s->falls = -scaled_slope(x_of(c, root.r), s);
+    return status == DOM_OK ? c->status : status;
+}
+
+static enum dom_status search_stretch(struct first *s, const struct stretch *in);
+
+/* Searches the two halves of an interval. */
+static enum dom_status search_halves(struct first *s, const struct stretch *in)
+{
+    struct margin_sample middle;
+    const real r = r_of(s->c, (x_of(s->c, in->lo->r) + x_of(s->c, in->hi->r)) / 2);
+    enum dom_status status;
+    if (in->dip) {
+        struct stretch inside = *in;
+        status = sample_finely(s, r, &middle);
+        inside.before = NULL;
+        inside.after = &middle;
+        if (status != DOM_OK || is_clear(s, &inside, in->dip))
+            return status;
+    } else {
+        middle = (struct margin_sample){r, margin_sign(s->c, r)};
+        status = s->c->status;
+    }
+    if (status == DOM_OK)
+        status = search_stretch(
+            s, &(struct stretch){in->before, in->lo, &middle, in->hi, in->dip, in->halves - 1});
+    return status == DOM_OK ? search_stretch(s, &(struct stretch){in->lo, &middle, in->hi, in->after, in->dip,
+                                                                  in->halves - 1})
+                            : status;
+}
+
+/* Searches an interval that has a minimum. */
+static enum dom_status search_dip(struct first *s, const struct stretch *in,
+                                  const struct margin_sample *minimum, const struct zero *dip)
+{
+    const struct margin *m = &minimum->margin;
+    const real error = margin_error(s->c, m, margin_finest(s->c)) / (fabs(m->kinetic) + s->unit);
+    if (fabs(dip->value) < fabs(s->change.dip))
+        s->change.dip = dip->value;
+    if (dip->value < -error && s->sign < 0) {
+        s->change.at = *minimum;
+        return DOM_OK;
+    }
+    if (dip->value < -error)
+        return search_stretch(s,
+                              &(struct stretch){in->before, in->lo, minimum, in->hi, NULL, in->halves - 1});
+    if (dip->value <= error)
+        s->change.open = fmin(s->change.open, minimum->r);
+    if (in->halves <= 0)
+        return DOM_OK;
+    struct margin_sample lo, hi;
+    enum dom_status status = sample_finely(s, in->lo->r, &lo);
+    if (status == DOM_OK)
+        status = sample_finely(s, in->hi->r, &hi);
+    return status == DOM_OK ? search_halves(s, &(struct stretch){NULL, &lo, &hi, NULL, dip, in->halves})
+                            : status;
+}
+
+/* Looks for the first sign change in an interval. Ignores sign changes beyond the known root. At `lo` the
+ * margin has its initial sign. */
+static enum dom_status search_stretch(struct first *s, const struct stretch *in)
+{
+    enum dom_status status = DOM_OK;
+    if (in->lo->r >= s->change.at.r)
+        return DOM_OK;
+    const bool changes = !sign_kept(s, in->hi) && in->hi->r < s->change.at.r,
+               finest = in->halves <= 0 || in->hi->r - in->lo->r <= 64 * REAL_EPSILON * in->hi->r;
+    /* find any root first; the bisection below looks for earlier ones */
+    if (changes && s->sign > 0) {
+        status = find_root(s, in);
+        const struct margin_sample root = s->change.at;
+        return status == DOM_OK
+                   ? search_stretch(s, &(struct stretch){in->before, in->lo, &root, NULL, NULL, in->halves})
+                   : status;
+    }
+    if (changes && finest)
+        s->change.at = *in->hi;
+    if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
+        return status;
+    if (in->halves >= 0 && in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
+        struct margin_sample minimum;
+        struct zero dip;
+        bool found;
+        status = find_minimum(s, in, &minimum, &dip, &found);
+        if (status != DOM_OK || found)
+            return found ? search_dip(s, in, &minimum, &dip) : status;
+    }
+    return finest ? DOM_OK : search_halves(s, in);
+}
+
+KERNEL enum dom_status first_change(struct margin_context *c, const struct margin_sample *from,
+                                    struct change *change)
+{
+    struct first s = {.c = c,
+                      .sign = margin_value(&from->margin) >= 0 ? 1 : -1,
+                      .from = x_of(c, from->r),
+                      .unit = barrier_most(&c->geometry),
+                      .change = {.at = {.r = (real)INFINITY}, .open = (real)INFINITY, .dip = (real)INFINITY}};
+    struct margin_sample sample[SAMPLES_MOST] = {*from};
+    const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
+    struct root root = {.r = (real)INFINITY};
+    int n = 1;
+    c->geometry.tol = fmin(tol, SAMPLE_TOL);
+    enum dom_status status = DOM_OK;
+    if (s.sign > 0 && c->geometry.dynamics->conservative && c->dominoes == CHAIN_ENDLESS)
+        status = root_any(c, from->r, &root);
+    if (isfinite(root.r))
+        keep_root(&s, &root);
+    for (int k = 0; status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach); k++) {
+        const real r = first_place(c, k);
+        if (r <= sample[n - 1].r)
+            continue;
+        if (r < root.r)
+            sample[n] = (struct margin_sample){r, margin_sign(c, r)};
+        else
+            sample[n] = s.change.at;
+        status = r < root.r ? c->status : DOM_OK;
+        /* the kinetic energy at the start may be only a lower bound */
+        if (n == 1 && status == DOM_OK && from->margin.barrier_is_bound && !is_high(&s, &sample[1])) {
+            sample[0].margin = margin_sign(c, from->r);
+            status = c->status;
+        }
+        if (!sign_kept(&s, &sample[n++]))
+            break;
+    }
+    /* An interval that ends in a known root is searched first: earlier roots make the later ones irrelevant,
+     * but the known root helps to show that there are none. */
+    for (int i = n - 1; status == DOM_OK && i > 0; i--)
+        status = search_stretch(
+            &s,
+            &(struct stretch){i > 2 || (i > 1 && !is_high(&s, &sample[1])) ? &sample[i - 2] : NULL,
+                              &sample[i - 1], &sample[i], i + 1 < n ? &sample[i + 1] : NULL, NULL, HALVES});
+    c->geometry.tol = tol;
+    s.change.found = isfinite(s.change.at.r);
+    if (s.change.open >= s.change.at.r)
+        s.change.open = (real)INFINITY;
+    *change = s.change;
+    return status;
+}
