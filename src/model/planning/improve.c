@@ -12,13 +12,13 @@
  * A single width for all margins would be a mistake. Errors of a few mm hardly affect large dominoes. But
  * with a single width, large dominoes would get as much spare energy as small ones, without needing it.
  *
- * The minimizer is BFGS from GSL. For eleven dominoes with errors of gaps, and of four kinds, 3.8 % and 5.1 %
- * of rows still fail. Methods without derivatives would need less code:
- * - COBYLA from NLopt, with 600 evaluations: 3.8 % and 5.0 %, in less time. But Debian has NLopt only as a
- * shared library. Loading it would take 190,000 instructions, while the whole program starts in 460,000.
- * - The simplex method of Nelder and Mead from GSL, with 750 evaluations: 4.3 % for gaps. For 24 dominoes,
- * with 46 variables, it hardly moves: from 22.4 % to 18.4 %.
- * - Cross-entropy (40 candidates, of which 10 are kept) with 960 evaluations: over 10 % in both cases.
+ * The minimizer is BFGS from GSL. For eleven dominoes, 3.8 % of rows still fail with errors of gaps, and 5.1
+ * % with errors of four kinds. Methods without derivatives would need less code, but in about the same time
+ * they do not reach both:
+ * - COBYLA from NLopt: 3.8 % and 5.9 %. Besides, Debian has NLopt only as a shared library. Loading it would
+ *   take 190,000 instructions, while the whole program starts in 460,000.
+ * - The simplex method of Nelder and Mead from GSL: 4.3 % and 5.5 %.
+ * - Cross-entropy, with 40 candidates of which 10 are kept: over 10 % with errors of gaps.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
