@@ -211,7 +211,7 @@ END
 
 @test "a file extension that does not suit the answer is an error before anything is computed, and leaves no file" {
     wrong 'rmax > a.gif' "'a.gif' is the name of a film, which 'rmax' cannot write; use .csv, .json or .txt"
-    for name in a.jpg a.xlsx a.foo v.dat; do
+    for name in a.jpg a.md a.xlsx a.foo v.dat; do
         wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
         wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
     done

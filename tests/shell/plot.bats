@@ -391,5 +391,5 @@ END
         pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
     fi
     wrong 'draw > d.tex' "'d.tex' is the name of a picture, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
-    wrong 'plot growth > d.md' "'d.md' is the name of a document, which 'plot' cannot write; use .svg"
+    wrong 'plot growth > d.md' "the file extension of 'd.md' is unknown; use .svg"
 }

@@ -131,7 +131,7 @@ struct command {
         WRITES_PICTURES, /* in csv and json: the data of a picture */
         WRITES_CHARTS,   /* pictures that can also be written to a .tex file */
         WRITES_FILMS,
-        WRITES_DOCUMENTS, /* text that can also be written to a .md or .tex file */
+        WRITES_DOCUMENTS, /* text that can also be written to a .tex file */
         WRITES_PAGES,     /* long text for the pager */
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
@@ -154,7 +154,7 @@ struct command {
 
 struct command_group {
     const char *title;
-    const char *word; /* the word that 'help' accepts; consecutive groups can share it */
+    const char *word;               /* the word that 'help' accepts; consecutive groups can share it */
     const struct command *commands; /* the name of the last element is NULL */
 };
 

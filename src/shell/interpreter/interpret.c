@@ -180,7 +180,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 /* Lists the extensions of the files that a command can write, for messages. */
 static const char *endings_of(const struct command *c)
 {
-    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt (for the data: .csv or .json)"
+    return c->writes == WRITES_DOCUMENTS ? ".tex or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"

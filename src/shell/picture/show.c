@@ -18,13 +18,12 @@ static const struct extension extensions[] = {
     FORMATS(EXTENSION_OF_FORMAT){.text = ".txt", .kind = EXTENSION_TEXT},
     {.text = ".svg", .kind = EXTENSION_SHEET, .terminal = "svg"},
     {.text = ".png", .kind = EXTENSION_SHEET, .terminal = "pngcairo"},
-    {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_document = true},
+    {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo"},
     {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
     {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
     {.text = ".gif", .kind = EXTENSION_FILM},
     {.text = ".webm", .kind = EXTENSION_FILM},
     {.text = ".mp4", .kind = EXTENSION_FILM},
-    {.text = ".md", .kind = EXTENSION_SHEET, .is_document = true},
 };
 
 const struct extension *extension_of(const char *path)

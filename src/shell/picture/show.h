@@ -16,7 +16,7 @@ enum extension_kind {
     EXTENSION_TEXT,  /* .txt, which has the same effect as no extension */
     EXTENSION_DATA,  /* the extension of an answer format, such as .csv */
     EXTENSION_FILM,  /* an extension for animations (.gif) */
-    EXTENSION_SHEET, /* an extension for pictures (.png), for documents (.md), or for both (.pdf) */
+    EXTENSION_SHEET, /* an extension for pictures (.png), or also for documents (.tex) */
 };
 
 /* A file extension, and how files with this extension are written. */

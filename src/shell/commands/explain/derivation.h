@@ -136,7 +136,7 @@ struct explain_arguments {
     bool deep;
 };
 
-/* Writes a derivation as text or, in a .md, .tex or .pdf file, as a lesson. `verdict` is the first sentence
+/* Writes a derivation as text or, in a .tex file, as a document. `verdict` is the first sentence
  * of the derivation, or "". Returns false on an error, for example if pdflatex fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_arguments *bound,

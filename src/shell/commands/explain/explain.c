@@ -8,7 +8,6 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "picture/show.h"
-#include "picture/typeset.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -226,10 +225,6 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
     struct domq_fall fall;
     char verdict[VERDICT_TEXT] = "";
-    const struct extension *extension = a->path ? extension_of(a->path) : NULL;
-    if (extension && extension->is_document && strcmp(extension->text, ".pdf") == 0 &&
-        !typeset_ready(problem))
-        return false;
     /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
     struct domq_angles angles;
     if (query->given->number[0] >= LABELS && e->value && !bound &&
@@ -282,8 +277,8 @@ const struct command explain_commands[] = {
          "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
          "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
          "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
-         "lesson.pdf' writes a lesson, typeset by pdflatex. '> lesson.tex' and '> lesson.md' write it "
-         "with formulas. json gives the tree: 'needs' names the quantities in each equation.",
+         "lesson.tex' writes a document with formulas. json gives the tree: 'needs' names the quantities in "
+         "each equation.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .sweep_refusal = "it explains one train",

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes derivations as text and as lessons. */
+/* Writes derivations as text and as TeX documents. */
 #include "answer/wrap.h"
 #include "commands/explain/derivation.h"
 #include "io/escape.h"
 #include "language/quad.h"
-#include "picture/picture.h"
 #include "picture/show.h"
-#include "picture/typeset.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,22 +77,21 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
 
 /* The texts before, between and after the equations of a derivation. */
 enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, FROM, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
-enum dialect { PLAIN, MARKDOWN, TEX, DIALECTS };
+enum dialect { PLAIN, TEX, DIALECTS };
 
 static const char *const texts[][DIALECTS] = {
-    [HEADING] = {":\n", ":\n\n", ":\n\n"},
-    [OPEN] = {"    ", "$$\n\\begin{aligned}\n", "\\[\n\\begin{aligned}\n"},
-    [EQUALS] = {" = ", " &= ", " &= "},
-    [JOIN] = {"\n      = ", " \\\\\n&= ", " \\\\\n&= "},
-    [CLOSE] = {"", "\\end{aligned}\n$$\n", "\\end{aligned}\n\\]\n"},
-    [FROM] = {"  from\n", "\nfrom\n\n", "\nfrom\n\n"},
-    [GIVEN] = {"given:\n", "Given:\n\n", "Given:\n\n"},
-    [LIST] = {"", "", "\\begin{itemize}\n"},
-    [ITEM] = {"    ", "- $", "\\item $"},
-    [MEANING] = {": ", "$: ", "$: "},
-    [END] = {"", "", "\\end{itemize}\n"},
-    [NO_VALUE] = {"no value: this train has no complete cycle; 'why' says more", "\\text{no value}",
-                  "\\text{no value}"},
+    [HEADING] = {":\n", ":\n\n"},
+    [OPEN] = {"    ", "\\[\n\\begin{aligned}\n"},
+    [EQUALS] = {" = ", " &= "},
+    [JOIN] = {"\n      = ", " \\\\\n&= "},
+    [CLOSE] = {"", "\\end{aligned}\n\\]\n"},
+    [FROM] = {"  from\n", "\nfrom\n\n"},
+    [GIVEN] = {"given:\n", "Given:\n\n"},
+    [LIST] = {"", "\\begin{itemize}\n"},
+    [ITEM] = {"    ", "\\item $"},
+    [MEANING] = {": ", "$: "},
+    [END] = {"", "\\end{itemize}\n"},
+    [NO_VALUE] = {"no value: this train has no complete cycle; 'why' says more", "\\text{no value}"},
 };
 
 /* A derivation, and the form in which to write it. */
@@ -227,35 +224,18 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     }
 }
 
-/* Writes a lesson in Markdown or TeX. */
+/* Writes a lesson in TeX. */
 static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
     FILE *out = w->formula.out;
-    if (w->dialect == MARKDOWN)
-        fprintf(out, "# Where %s comes from\n\n", e->name);
-    else
-        fprintf(out,
-                "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
-                "\\begin{document}\n\\section*{Where %s comes from}\n\n",
-                e->name);
+    fprintf(out,
+            "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
+            "\\begin{document}\n\\section*{Where %s comes from}\n\n",
+            e->name);
     if (*verdict)
         fprintf(out, "%s\n\n", verdict);
     derivation_write(w, e, deep);
-    if (w->dialect == TEX)
-        fputs("\\end{document}\n", out);
-}
-
-static bool typeset_write(struct writer *w, const struct explained *e, bool deep, const char *verdict,
-                          FILE *out, struct problem *problem)
-{
-    w->formula.out = temporary_open(problem);
-    if (!w->formula.out)
-        return false;
-    document_write(w, e, deep, verdict);
-    const volatile sig_atomic_t *interrupt = w->derivation->query.scene->compute.interrupt;
-    bool done = typeset(w->formula.out, out, interrupt, problem);
-    fclose(w->formula.out);
-    return done;
+    fputs("\\end{document}\n", out);
 }
 
 /* Writes lines of text so that they fit the terminal. Broken lines keep their indentation. */
@@ -290,17 +270,14 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
                    const struct explain_arguments *bound, const char *verdict, struct problem *problem)
 {
-    const struct extension *extension = a->path ? extension_of(a->path) : NULL;
-    const bool is_document = extension && extension->is_document;
+    const bool is_document = a->path && extension_of(a->path)->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
-    w.dialect = !is_document ? PLAIN : strcmp(extension->text, ".md") == 0 ? MARKDOWN : TEX;
+    w.dialect = is_document ? TEX : PLAIN;
     answer_plan(a, NULL);
     w.formula = (struct formula){.out = a->out,
                                  .style = is_document         ? FORMULA_TEX
                                           : a->layout.letters ? FORMULA_LETTERS
                                                               : FORMULA_PLAIN};
-    if (is_document && strcmp(extension->text, ".pdf") == 0)
-        return typeset_write(&w, e, bound->deep, verdict, a->out, problem);
     if (is_document) {
         document_write(&w, e, bound->deep, verdict);
         return true;
