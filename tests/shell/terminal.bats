@@ -130,15 +130,15 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
 @test "a long text goes through PAGER, but not in a pipe, into a file, on a dumb terminal, or in a safe session" {
     export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
     open_session 80 24
-    ask 'help; print 6*7'
+    ask 'help all; print 6*7'
     see '^PAGED$'
     see '^42$'
     clear_screen
-    ask "help > $BATS_TEST_TMPDIR/file"
+    ask "help all > $BATS_TEST_TMPDIR/file"
     ask "help s"
     see "'set s VALUE'"
     hides PAGED
-    "$DOMINO" -e help | diff - "$BATS_TEST_TMPDIR/file"
+    "$DOMINO" -e "help all" | diff - "$BATS_TEST_TMPDIR/file"
     ask 'curve 0.1 0.9 40'
     see '^PAGED$'
     clear_screen
@@ -148,19 +148,19 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     press -l quit
     press Enter
     until_true gone
-    open_terminal 80 24 sh -c "'$DOMINO' -e help | tail -n 1; '$DOMINO' --safe"
+    open_terminal 80 24 sh -c "'$DOMINO' -e \"help all\" | tail -n 1; '$DOMINO' --safe"
     see_last "$prompt"
     see "'apropos WORD' finds one"
-    ask 'help'
+    ask 'help all'
     ask 'curve 0.1 0.9 40'
     hides PAGED
-    terminal capture-pane -p -S - | grep -q '^The first five minutes'
+    terminal capture-pane -p -S - | grep -q '^One cycle of the train'
     close_terminal
     export PAGER=''
     open_terminal 80 24 env TERM=dumb "$DOMINO"
     see_last "$prompt"
-    ask 'help'
-    terminal capture-pane -p -S - | grep -q '^The first five minutes'
+    ask 'help all'
+    terminal capture-pane -p -S - | grep -q '^One cycle of the train'
 }
 
 @test "a slow answer appears as it comes; once it is longer than the screen, the pager has it from its first line" {
@@ -184,7 +184,7 @@ END
     see 'with -FRX --header=1 -P'  # the head of a table is kept in sight
     head -n 4 "$BATS_TEST_TMPDIR/paged" | grep -q '^seed '
     same 'rows' 14 "$(grep -Ec '^ +[0-9]+ ' "$BATS_TEST_TMPDIR/paged")"
-    ask help
+    ask 'help all'
     see 'with -FRX  -P' # a text has no head
 }
 gone() { ! terminal has-session 2>/dev/null; }
