@@ -43,6 +43,102 @@ TEST(the_first_root_counts)
     }
 }
 
+/* Checks dips that are shallower than 1e-8 of the kinetic energy. The values come from a minimization of the
+ * margin with 40 digits. */
+TEST(shallow_dips_are_found)
+{
+    static const struct {
+        double s, d, q, r_max;
+    } cases[] = {{0.119202042, 0.254524, 0.474363, 4.466885565832},
+                 {0.00735522243724, 0.0244133, 0.653582, 5.222109374}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int p = 1; p < 3; p++) {
+            struct setup train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct domq_limit limit;
+            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+            assert_int_equal(limit.ends, DOM_END_BARRIER);
+            assert_near("r_max", limit.r_max, cases[i].r_max, 2e-10);
+            assert_true(limit.uncertainty > 0 && limit.uncertainty < 1e-6 && isnan((double)limit.open));
+        }
+}
+
+/* Returns the margin of a train at the growth r, divided by its terms, in quad. */
+static double share_in_quad(struct setup train, double r)
+{
+    struct domq_barrier b;
+    train.precision = DOM_QUAD;
+    train.tol = (domq_real)1e-26;
+    train.r = (domq_real)r;
+    const enum dom_status status = ask_barrier_find(&train, &b);
+    assert_true(status == DOM_OK || status == DOM_STOPS);
+    return (double)(b.margin / (b.kinetic + b.barrier));
+}
+
+/* Returns the depth of the dip near the growth r: the minimum of share_in_quad, by golden section. */
+static double dip_in_quad(const struct setup *train, double r)
+{
+    const double part = (sqrt(5) - 1) / 2;
+    double lo = r * 0.99, hi = r * 1.01, a = hi - part * (hi - lo), b = lo + part * (hi - lo);
+    double at_a = share_in_quad(*train, a), at_b = share_in_quad(*train, b);
+    while (hi - lo > 1e-9 * r) {
+        const bool left = at_a < at_b;
+        *(left ? &hi : &lo) = left ? b : a;
+        a = hi - part * (hi - lo);
+        b = lo + part * (hi - lo);
+        at_a = share_in_quad(*train, a);
+        at_b = share_in_quad(*train, b);
+    }
+    return fmin(at_a, at_b);
+}
+
+/* Checks trains next to the separation at which a dip touches 0: the sign of the minimum decides, down to the
+ * last digits of s. */
+TEST(the_sign_of_a_dip_decides)
+{
+    struct setup train = train_of(0.119202042, 0.254524, 0.474363, 0, DOM_DOUBLE);
+    struct domq_limit limit;
+    const double dip = 4.4669;
+    double stops = 0.119202042, passes = 0.12;
+    for (int k = 0; k < 60; k++) {
+        const double middle = (stops + passes) / 2;
+        train.s = (domq_real)middle;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        *(limit.r_max < 5 ? &stops : &passes) = middle;
+    }
+    int shallow = 0;
+    for (int k = 4; k <= 15; k++)
+        for (int side = -1; side <= 1; side += 2) {
+            train.s = (domq_real)(passes + side * pow(10, -k));
+            assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+            const double depth = dip_in_quad(&train, dip);
+            shallow += fabs(depth) < 1e-12;
+            if ((depth < 0) != (limit.r_max < 5))
+                fail_train("a dip decides", &train, (double)limit.r_max, depth);
+        }
+    assert_true(shallow >= 4);
+}
+
+/* Checks separations at which r_max jumps, because a dip touches 0 there. The train passes the dip. */
+TEST(the_best_separation_at_a_jump)
+{
+    static const struct {
+        double d, q, s, r_max;
+    } cases[] = {{0.134101, 0.370576, 0.02760431303202, 34.1206806955},
+                 {0.0124453, 0.522, 0.00274654571703, 364.044522361},
+                 {0.0758594, 0.312005, 0.01063775410219, 92.855140264}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct setup train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct domq_best best;
+        struct domq_limit limit;
+        assert_status(ask_limit_best(&train, &best), DOM_OK);
+        assert_near("best s", best.s, cases[i].s, 1e-12);
+        assert_near("best r_max", best.r_max, cases[i].r_max, 1e-11);
+        train.s = best.s;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        assert_near("r_max there", limit.r_max, best.r_max, 1e-12);
+    }
+}
+
 /* Checks bands of growths that begin and end between two samples. Successive samples differ by a factor of
  * e^(1/8). */
 TEST(narrow_bands_of_pairs)

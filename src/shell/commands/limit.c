@@ -25,6 +25,17 @@ static const char *no_growth(struct domq_limit limit)
                  "1) have too little energy to keep falling";
 }
 
+/* Explains a limit that is open. Returns false. */
+static bool limit_is_open(struct problem *problem, const struct domq_limit *limit)
+{
+    return problem_no_answer(
+        problem,
+        "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
+        "quad; if a train passes this growth, r_max is %s",
+        quad_text(limit->open, 12),
+        limit->ends == DOM_END_NONE ? "still unknown" : quad_text(limit->r_max, 12));
+}
+
 /* Finds the largest growth with each of the two formulas for the fuel. */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
@@ -34,7 +45,8 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
     if (status != DOM_OK)
         return status;
     /* The paper's formula does not cover friction, slopes or rounded edges. */
-    *paper = (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why};
+    *paper =
+        (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why, .open = DOMQ_NAN};
     train.fuel = DOM_FUEL_PAPER;
     return domq_first_effect(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
 }
@@ -120,9 +132,12 @@ static const char *start_missing(const struct query *query, const struct answer 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_train train = query->scene->train;
-    struct domq_limit exact = {.r_max = DOMQ_NAN}, paper = exact;
+    struct domq_limit exact = {.r_max = DOMQ_NAN, .open = DOMQ_NAN}, paper = exact;
     train.s = argument_or(query->given, 0, train.s);
-    if (!query_status(query, problem, limits_find(train, query_compute(query), &exact, &paper)))
+    const enum dom_status status = limits_find(train, query_compute(query), &exact, &paper);
+    if (status == DOM_OPEN)
+        return limit_is_open(problem, isnan(paper.open) ? &exact : &paper);
+    if (!query_status(query, problem, status))
         return false;
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {DOMQ_NAN, false};
@@ -156,7 +171,10 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     struct domq_train train = query->scene->train;
     struct domq_limit limit;
     train.s = argument_or(query->given, 0, train.s);
-    if (!query_status(query, problem, domq_limit_pair(&train, query_compute(query), &limit)))
+    const enum dom_status status = domq_limit_pair(&train, query_compute(query), &limit);
+    if (status == DOM_OPEN)
+        return limit_is_open(problem, &limit);
+    if (!query_status(query, problem, status))
         return false;
     if (limit.ends != DOM_END_NONE)
         answer_say(a,

@@ -164,6 +164,9 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
+    if (status == DOM_OPEN)
+        return problem_no_answer(problem, "%s; with a slightly different s it is not",
+                                 dom_status_text(status));
     if (status == DOM_TOO_LONG)
         return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
     return problem_no_answer(problem, "%s", dom_status_text(status));
