@@ -367,7 +367,7 @@ END
         fi
     done
     same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
-        `' barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s count.dominoes'`
+        `' barrier.barrier duration.duration why.margin rmax.r_max pair.r_max best.s count.dominoes'`
         `' verdict.seconds rowmax.r_max design.steps improve.probability placement.probability budget.sigma slip.motion' "$list"
 }
 
@@ -440,4 +440,18 @@ END
     wrong 'print energy 0' "in an expression, the argument of 'energy' stands in parentheses: 'energy[(]0[)]'"
     wrong 'print 2*omega 0.1' "'omega[(]0.1[)]'"
     wrong 'assert rmax > 1.6' "put a comparison in parentheses, as in 'assert [(]rmax[(]0.4[)] > 1.6[)]'"
+}
+
+@test "echo writes the values of expressions in braces" {
+    all_print <<'END'
+echo growth {rmax} of {h to mm}, {1+1}|growth 1.64423 of 48 mm, 2
+echo "a {rmax(0.3)}; b > c"|a 1.51445; b > c
+echo "{2*3 m}; {{x}"|6 m; {x}
+let x = 3; echo x is {x}|x is 3
+set q hollow; echo {(rmax with s 0.3)}|1.81351
+END
+    same json '{"command":"echo","text":"6 m"}' "$("$DOMINO" -e 'set output json; echo {2*3} m')"
+    wrong 'echo {foo}' "^-e:1: echo: VALUE at 'foo': 'foo' has no value$"
+    wrong 'echo {rmax' "^-e:1: echo: this '\{' is never closed; write '\{\{' for a brace$"
+    wrong 'echo {}' '^-e:1: echo: VALUE is missing'
 }
