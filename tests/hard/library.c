@@ -195,8 +195,8 @@ void library_link(const struct setup *setup, domq_real tilt, size_t link, struct
     const struct setup exactly = exact_of(setup);
     struct answers exact;
     library_nothing(&exact);
-    link_find(&exactly, tilt, link, &exact);
     link_find(setup, tilt, link, answers);
+    link_find(&exactly, tilt, answers->link, &exact);
     errors_find(setup, &exact, answers);
 }
 

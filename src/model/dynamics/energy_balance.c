@@ -65,8 +65,7 @@ static enum dom_status energy_slope(const struct geometry *geometry, struct tilt
                                     real *slope)
 {
     struct sums sums = {0};
-    if (rough)
-        return geometry->law->sign(geometry, head, slope);
+    (void)rough;
     enum dom_status status = geometry->law->sum(geometry, head, &sums);
     *slope = sums.H1;
     return status;

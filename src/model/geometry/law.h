@@ -102,9 +102,6 @@ struct contact_law {
 
     /* ---- Passes down a chain ---- */
 
-    /* Sets *H1 to a number that has the sign of H1, as far as rounding permits. The pass stops as soon as the
-     * sign is certain. */
-    enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
@@ -148,6 +145,9 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* Members of `sharp_edges` that are not defined in sharp.c. */
+KERNEL enum dom_status sharp_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
+KERNEL enum dom_status sharp_rates(const struct geometry *geometry, struct tilt head, bool every,
+                                   struct sums *sums, real *half_J1);
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums);
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
@@ -158,7 +158,7 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
 /* Finds geometry->far_friction for an endless train with sharp edges in which no domino detaches. */
 KERNEL void far_friction_make(struct geometry *geometry);
 
-/* The test `pushes` for sharp edges, explained in sharp_change.c. */
+/* The test `pushes` for sharp edges, explained in pushes.c. */
 KERNEL bool contact_pushes(const struct link *a, const struct link *b);
 
 #endif

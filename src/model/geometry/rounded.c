@@ -487,7 +487,6 @@ static const struct contact_law rounded_edges = {
     .arms = rounded_arms,
     .pushes = rounded_pushes,
     .list = rounded_list,
-    .sign = rounded_sign,
     .sum = rounded_sum,
     .change = rounded_change,
     .both = rounded_both,

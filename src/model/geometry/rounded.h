@@ -17,7 +17,7 @@
  *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
  *
- * The passes down a chain are in rolling.c and, with friction, in rolling_friction.c.
+ * The passes down a chain are in pass.c and, with friction, in rolling_friction.c.
  */
 #ifndef DOM_ROUNDED_H
 #define DOM_ROUNDED_H
@@ -53,7 +53,6 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 KERNEL void rounded_count(const struct geometry *geometry);
 
 /* Members of struct contact_law. */
-KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums);

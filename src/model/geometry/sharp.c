@@ -141,88 +141,6 @@ static size_t sharp_list(const struct geometry *geometry, struct tilt head, stru
     return n;
 }
 
-/* ---- Passes ---- */
-
-static enum dom_status sharp_sign(const struct geometry *geometry, struct tilt head, real *H1)
-{
-    struct sum_state a = {0};
-    struct sums sums;
-    struct link k = link_head(geometry, head);
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        add_H1(&a, &k);
-        if (k.i + 1 >= geometry->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
-            status = sum_result(geometry, &a, 0, k.i + 1, &sums);
-            *H1 = sums.H1;
-            return status;
-        }
-        link_next(&k);
-    }
-}
-
-static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
-{
-    struct sum_state a = {0};
-    struct link k = link_head(geometry, head);
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        add_J(&a, &k);
-        add_H1(&a, &k);
-        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
-            return sum_result(geometry, &a, 0, k.i + 1, sums);
-        link_next(&k);
-    }
-}
-
-/* Uses the far series to add this domino and all dominoes behind it to J, H1 and J'/2. If no series applies,
- * or if the tilt is too far from theta_inf for the series, adds nothing and returns false. */
-static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
-{
-    const struct geometry *geometry = k->geometry;
-    const struct far *far = &geometry->far;
-    if (geometry->n != CHAIN_ENDLESS || far->order == 0 || geometry->follower)
-        return false;
-    real z = far_variable(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
-         J = k->inertia * k->slope * k->slope;
-    if (!far_done(&a->H1, -H1 / 2 * far->H[1], H1 / 2 * far->rest_H * share, geometry->tol) ||
-        !far_done(&a->J, J * far->J[0], J * far->rest_J * share, geometry->tol))
-        return false;
-    struct far_point J_far = far_J(far, z);
-    series_add(&a->H1, H1 * far_H(far, z).first);
-    series_add(&a->J, J * J_far.value);
-    *half_J1 +=
-        k->inertia * k->slope * (second_derivative * J_far.value + k->slope * k->slope * J_far.first / 2);
-    return true;
-}
-
-static enum dom_status sharp_rates(const struct geometry *geometry, struct tilt head, bool every,
-                                   struct sums *sums, real *half_J1)
-{
-    struct sum_state a = {0};
-    struct link k = link_head(geometry, head);
-    real second_derivative = 0;
-    *half_J1 = 0;
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        if (!every && rates_close(&k, second_derivative, &a, half_J1))
-            break;
-        add_J(&a, &k);
-        add_H1(&a, &k);
-        *half_J1 += k.inertia * k.slope * second_derivative;
-        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
-            break;
-        second_derivative = link_second_derivative(&k, second_derivative);
-        link_next(&k);
-    }
-    return sum_result(geometry, &a, 0, k.i + 1, sums);
-}
-
 static const struct contact_law sharp_edges = {
     .closed_form = true,
     .work_most = 60000000,
@@ -239,7 +157,6 @@ static const struct contact_law sharp_edges = {
     .arms = sharp_arms,
     .pushes = sharp_pushes,
     .list = sharp_list,
-    .sign = sharp_sign,
     .sum = sharp_sum,
     .change = sharp_change,
     .both = sharp_both,

@@ -97,31 +97,6 @@ struct sum_state {
     real left;
 };
 
-KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
-{
-    series_add(&a->J, k->inertia * k->slope * k->slope);
-}
-
-KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
-{
-    series_add(&a->H1, k->weight * k->slope * geometry_height_slope(k->geometry, k->tilt));
-}
-
-KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
-{
-    const struct geometry *geometry = k->geometry;
-    return series_done(&a->J, k->inertia * k->slope * k->slope,
-                       fmax(geometry->inertia * k->contact_slope * k->contact_slope, geometry->decay_J),
-                       geometry->tol);
-}
-
-KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
-{
-    const struct geometry *geometry = k->geometry;
-    return series_done(&a->H1, k->weight * k->slope * geometry->steepest,
-                       fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
-}
-
 KERNEL struct sums sums_of(const struct sum_state *a, real H2, size_t n)
 {
     return (struct sums){.J = a->J.sum + a->J.lost,

@@ -17,13 +17,14 @@ static domq_real reference_tol(const struct domq_compute *compute)
 }
 
 /* A tilt that the session has rounded up to theta_c must not exceed theta_c in quad precision. */
-static void tilts_limit(const struct command *c, const struct query *exact, struct arguments *given)
+static void tilts_limit(const struct command *c, const struct query *exact, const struct domq_train *train,
+                        struct arguments *given)
 {
     struct domq_angles angles;
     for (int i = 0; i < given->count; i++) {
         const enum argument_kind kind = c->argument[i].kind;
         if ((kind == ARGUMENT_TILT || kind == ARGUMENT_PLACE) &&
-            domq_angles_find(&exact->scene->train, query_compute(exact), &angles) == DOM_OK)
+            domq_angles_find(train, query_compute(exact), &angles) == DOM_OK)
             given->number[i] = quad_smaller(given->number[i], angles.theta_c);
     }
 }
@@ -54,7 +55,7 @@ static void reference_compute(const struct command *c, const struct query *query
     compute->method = DOM_METHOD_OURS;
     state.settings.style.errors = 0;
     state.settings.threads = 1; /* the rows come in order */
-    tilts_limit(c, &exact, &given);
+    tilts_limit(c, &exact, &state.scene.train, &given);
     exact.given = &given;
     exact.reference = reference;
     a.sink = row_drop;
