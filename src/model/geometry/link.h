@@ -41,8 +41,8 @@ KERNEL_LOOP void link_next(struct link *k)
     const struct geometry *geometry = k->geometry;
     const struct tilt leader = k->tilt;
     k->i++;
-    k->tilt = tilt_follower(leader, k->contact);
-    k->slope *= k->contact_slope;
+    k->tilt = tilt_follower(leader, k->contact); /* (31; A6) */
+    k->slope *= k->contact_slope;                /* (35; A11) */
     k->weight *= geometry->weight;
     k->inertia *= geometry->inertia;
     if (geometry->follower) {

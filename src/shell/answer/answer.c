@@ -131,7 +131,7 @@ struct answer answer_part(const struct answer *a, FILE *out, size_t row)
     part.out = out;
     part.kept = NULL;
     part.rest = NULL;
-    part.row = row;
+    part.errors.row = row;
     part.has_rows = part.has_rows || row > 0;
     part.is_open = part.is_open || row > 0;
     return part;
@@ -184,8 +184,8 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
         struct cell *cell = &shown[count];
         *cell = cells[count];
         cell->error = a->style.errors ? cell->error : 0;
-        a->has_unknown = a->has_unknown || (cell->kind == CELL_REAL && cell->computed && cell->digits == 0 &&
-                                            isnan(cell->error));
+        a->errors.has_unknown = a->errors.has_unknown || (cell->kind == CELL_REAL && cell->computed &&
+                                                          cell->digits == 0 && isnan(cell->error));
         if (column_is_angle(&a->columns[count])) {
             cell->number = style_angle(&a->style, cell->number);
             cell->error = style_angle(&a->style, cell->error);
@@ -220,7 +220,7 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->kept = NULL;
     rest->answer->brief = NULL;
     rest->answer->rest = NULL;
-    rest->answer->reference = NULL; /* the cells have been compared already */
+    rest->answer->errors.reference = NULL; /* the cells have been compared already */
     rest->answer->is_open = true;
     rest->answer->layout.letters = rest->answer->layout.bold = false; /* 'details > FILE' is plain text */
     rest->answer->has_rows = false;
@@ -311,14 +311,14 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct cell compared[ANSWER_COLUMNS], left[ANSWER_COLUMNS];
     answer_keep(a, cells);
-    if (a->recorder)
-        reference_add(a->recorder, a->row, cells, cells_count(a));
-    if (a->reference) {
+    if (a->errors.recorder)
+        reference_add(a->errors.recorder, a->errors.row, cells, (size_t)cells_count(a));
+    if (a->errors.reference) {
         memcpy(compared, cells, (size_t)cells_count(a) * sizeof *cells);
-        reference_compare(a, compared, cells_count(a));
+        reference_compare(a->errors.reference, a->errors.row, &a->style, compared, (size_t)cells_count(a));
         cells = compared;
     }
-    a->row++;
+    a->errors.row++;
     const bool is_brief = a->brief && *a->brief != '*' && answer_for_people(a);
     if (is_brief && !a->has_rest_rows)
         rest_begin_rows(a);

@@ -105,12 +105,14 @@ struct answer {
     void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
     void *sink_context;
 
-    size_t row; /* the index of the next row */
-    /* The same answer, computed with 30 digits. NULL if errors are not shown, or not known. */
-    const struct reference *reference;
-    struct reference *recorder; /* receives the rows of an answer that is itself the reference */
-    bool has_unknown;           /* a number was shown without its error, although errors are on */
-    size_t point;               /* in a sweep: the number of the point, counted from 0 */
+    size_t point; /* in a sweep: the number of the point, counted from 0 */
+    struct {
+        size_t row; /* the index of the next row */
+        /* The same answer, computed with 30 digits. NULL if errors are not shown, or not known. */
+        const struct reference *reference;
+        struct reference *recorder; /* receives the rows of an answer that is itself the reference */
+        bool has_unknown;           /* a number was shown without its error, although errors are on */
+    } errors;
 };
 
 /* An error, as reported to programs that read answers. */

@@ -4,22 +4,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-void reference_add(struct reference *r, size_t at, const struct cell *cells, int count)
+void reference_add(struct reference *r, size_t at, const struct cell *cells, size_t columns)
 {
-    r->first = r->rows ? r->first : at;
+    if (r->rows == 0) {
+        r->first = at;
+        r->columns = columns;
+    }
     if (r->rows == r->room && !r->is_void) {
         const size_t room = r->room ? 2 * r->room : 4;
-        void *row = realloc(r->row, room * sizeof *r->row);
-        r->is_void = !row;
-        r->row = row ? row : r->row;
-        r->room = row ? room : r->room;
+        void *all = realloc(r->cell, room * r->columns * sizeof *r->cell);
+        r->cell = all ? all : r->cell;
+        r->room = all ? room : r->room;
+        r->is_void = !all;
     }
-    if (r->is_void)
+    if (r->is_void || columns != r->columns) {
+        r->is_void = true;
         return;
-    struct cell *row = r->row[r->rows++];
-    memset(row, 0, sizeof *r->row);
-    memcpy(row, cells, (size_t)count * sizeof *cells);
-    for (int i = 0; i < ANSWER_COLUMNS; i++)
+    }
+    struct cell *row = r->cell + r->columns * r->rows++;
+    memcpy(row, cells, columns * sizeof *cells);
+    for (size_t i = 0; i < columns; i++)
         if (row[i].kind == CELL_WORD) { /* the word may be gone when it is compared */
             row[i].word = strdup(row[i].word);
             r->is_void = r->is_void || !row[i].word;
@@ -28,17 +32,16 @@ void reference_add(struct reference *r, size_t at, const struct cell *cells, int
 
 void reference_free(struct reference *r)
 {
-    for (size_t k = 0; k < r->rows; k++)
-        for (int i = 0; i < ANSWER_COLUMNS; i++)
-            if (r->row[k][i].kind == CELL_WORD)
-                free((char *)r->row[k][i].word);
-    free(r->row);
+    for (size_t i = 0; i < r->rows * r->columns; i++)
+        if (r->cell[i].kind == CELL_WORD)
+            free((char *)r->cell[i].word);
+    free(r->cell);
 }
 
 /* Returns true if the two rows come to the same conclusions. */
-static bool rows_agree(const struct cell *a, const struct cell *b, int count)
+static bool rows_agree(const struct cell *a, const struct cell *b, size_t columns)
 {
-    for (int i = 0; i < count; i++) {
+    for (size_t i = 0; i < columns; i++) {
         if (a[i].kind == CELL_WORD && b[i].kind == CELL_WORD && strcmp(a[i].word, b[i].word) != 0)
             return false;
         const bool is_conclusion = a[i].kind == CELL_COUNT || a[i].kind == CELL_FLAG;
@@ -54,14 +57,14 @@ static domq_real rounding(const struct answer_style *style)
     return (domq_real)domq_arithmetic(style->precision)->epsilon;
 }
 
-void reference_compare(const struct answer *a, struct cell *cells, int count)
+void reference_compare(const struct reference *r, size_t at, const struct answer_style *style,
+                       struct cell *cells, size_t columns)
 {
-    const struct reference *r = a->reference;
-    const size_t k = a->row - r->first;
-    const struct cell *exact = !r->is_void && a->row >= r->first && k < r->rows ? r->row[k] : NULL;
-    if (exact && !rows_agree(cells, exact, count))
+    const bool has_row = !r->is_void && at >= r->first && at - r->first < r->rows && columns == r->columns;
+    const struct cell *exact = has_row ? r->cell + r->columns * (at - r->first) : NULL;
+    if (exact && !rows_agree(cells, exact, columns))
         exact = NULL;
-    for (int i = 0; i < count; i++) {
+    for (size_t i = 0; i < columns; i++) {
         struct cell *cell = &cells[i];
         const bool is_open = !exact || exact[i].kind != CELL_REAL;
         const domq_real difference = is_open ? DOMQ_NAN : quad(fabs)(cell->number - exact[i].number);
@@ -69,6 +72,6 @@ void reference_compare(const struct answer *a, struct cell *cells, int count)
         if (cell->kind != CELL_REAL || has_none)
             continue;
         const domq_real uncertainty = isnan(cell->error) ? 0 : cell->error;
-        cell->error = difference + rounding(&a->style) * quad(fabs)(cell->number) + uncertainty;
+        cell->error = difference + rounding(style) * quad(fabs)(cell->number) + uncertainty;
     }
 }

@@ -8,24 +8,27 @@
 #ifndef SHELL_REFERENCE_H
 #define SHELL_REFERENCE_H
 
-#include "answer/answer.h"
+#include "answer/cell.h"
 
 /* The rows of the same answer in quad precision. */
 struct reference {
-    struct cell (*row)[ANSWER_COLUMNS];
-    size_t first, rows, room; /* `first` is the index of the first row: with --shard, it may be above 0 */
+    struct cell *cell; /* the cells of all rows */
+    size_t columns;    /* the number of cells in a row */
+    size_t first;      /* the index of the first row: with --shard, it may be above 0 */
+    size_t rows, room;
     /* True if nothing can be compared with these rows: the computation failed, or a part of it has only one
      * precision. */
     bool is_void;
 };
 
 /* Adds the row with the index `at`. Rows come in order. */
-void reference_add(struct reference *reference, size_t at, const struct cell *cells, int count);
+void reference_add(struct reference *reference, size_t at, const struct cell *cells, size_t columns);
 
-/* Sets the errors of the numbers in the next row of the answer. If a word, a count or a yes-or-no cell of
+/* Sets the errors of the numbers in the row with the index `at`. If a word, a count or a yes-or-no cell of
  * this row differs from the reference, no error of the row is known: the two computations have come to
  * different conclusions. */
-void reference_compare(const struct answer *answer, struct cell *cells, int count);
+void reference_compare(const struct reference *reference, size_t at, const struct answer_style *style,
+                       struct cell *cells, size_t columns);
 
 void reference_free(struct reference *reference);
 

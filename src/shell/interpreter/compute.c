@@ -59,7 +59,7 @@ static void reference_compute(const struct command *c, const struct query *query
     exact.given = &given;
     exact.reference = reference;
     a.sink = row_drop;
-    a.recorder = reference;
+    a.errors.recorder = reference;
     a.brief = NULL;
     a.rest = NULL;
     a.kept = NULL;
@@ -79,11 +79,11 @@ bool command_compute(const struct command *c, const struct query *query, struct 
     if (!is_wanted)
         return c->run(query, answer, problem);
     struct reference reference = {.is_void = false};
-    answer->row = 0;
+    answer->errors.row = 0;
     reference_compute(c, query, answer, &reference);
-    answer->reference = &reference;
+    answer->errors.reference = &reference;
     const bool done = c->run(query, answer, problem);
-    answer->reference = NULL;
+    answer->errors.reference = NULL;
     reference_free(&reference);
     return done;
 }

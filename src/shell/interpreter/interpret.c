@@ -86,6 +86,16 @@ static void answer_remember(struct session *session, const struct command *c, co
     }
 }
 
+/* Says why some numbers have no error. */
+static void unknown_note(const struct command *c, struct answer *answer)
+{
+    answer_say(answer,
+               c->has_errors ? "Where no error is given, 30 digits lead to another answer, or a part of the "
+                               "answer is computed in double precision only."
+                             : "No errors are given: '%s' computes in double precision only.",
+               c->name);
+}
+
 /* Runs a command and writes its answer to the output at the top of the stack. */
 static bool run_command(struct session *session, const struct command *c, const struct query *query,
                         struct problem *problem)
@@ -124,13 +134,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
     if (done && answer.note)
         train_note(session, &answer);
-    if (done && answer.has_unknown)
-        answer_say(&answer,
-                   c->has_errors
-                       ? "Where no error is given, 30 digits lead to another answer, or a part of the "
-                         "answer is computed in double precision only."
-                       : "No errors are given: '%s' computes in double precision only.",
-                   c->name);
+    if (done && answer.errors.has_unknown)
+        unknown_note(c, &answer);
     const struct format *format = answer.style.format;
     const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)
