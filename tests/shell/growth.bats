@@ -86,3 +86,9 @@ END
     wrong 'print rmax.r_start' "rmax.r_start is not available in expressions, because it takes a long time to compute; enter 'rmax', and then 'ans.r_start'"
     grep -q '"r_start":null,"reason":"r_start has no value: no row falls' <<<"$answer"
 }
+
+@test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
+    local scene='set precision quad; set d 0.254524; set q 0.474363'
+    wrong "$scene; rmax 0.1192020420696138643273314766323029" 'r_max is open: at the growth 4.4669'
+    wrong "$scene; print rmax(0.1192020420696138643273314766323029)" 'r_max is open'
+}
