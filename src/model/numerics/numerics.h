@@ -62,25 +62,6 @@ KERNEL void series_integral(const real *series, int n, real half, real start, re
 
 enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
 
-/* The integral of a function with a peak, from lo to any x <= hi. It is stored as a Chebyshev series in the
- * variable u of num_peak_integral. */
-struct num_series {
-    real lo, hi, peak, width; /* as in num_peak_integral; if the width is NaN, u = x */
-    real from, half;          /* u at lo, and half of the range of u */
-    int terms;
-    real term[CHEBYSHEV_MOST + 2];
-};
-
-/* Finds the series. Returns NUM_NOT_CONVERGED if CHEBYSHEV_MOST terms are too few for the relative tolerance
- * tol. */
-KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, real hi, real peak,
-                                       real width, real tol, struct num_series *series);
-
-/* num_series_at returns the integral from lo to x. num_series_find does the reverse: it finds the x at which
- * the integral has a given value. For this, the function must be positive. */
-KERNEL real num_series_at(const struct num_series *series, real x);
-KERNEL enum num_status num_series_find(const struct num_series *series, real integral, real *x);
-
 /* ---- Linear differential equations ---- */
 
 /*

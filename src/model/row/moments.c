@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the state of a row at given times. The motion of each head is divided into passages: whenever a
- * domino detaches, a new passage begins. A detached domino keeps its tilt. In a passage with requested times,
- * time is expressed as a Chebyshev series in the tilt of the head. The tilt at a given time is found by
- * inverting this series. If no series is accurate enough, time is integrated instead.
+ * domino detaches, a new passage begins. A detached domino keeps its tilt. Within a passage, the tilt at a
+ * given time is found from the tilt at the time before, by Newton's method.
  */
 #include "row/moments.h"
 #include "geometry/rounded.h"
@@ -91,73 +90,81 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Computes s->series, from which passage_tilt finds the tilt at a given time. Sets s->lasts, the duration of
- * the passage, to `lasts`. If `lasts` is NaN, computes the duration. */
+/* Sets s->lasts, the duration of the passage, to `lasts`. If `lasts` is NaN, computes the duration. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
-    enum num_status solver;
     real kinetic = st->start.kinetic,
-         noise = 16 * REAL_EPSILON * kinetic / fabs(kinetic - st->barrier.height),
-         tol = fmax(st->geometry.tol / 8, noise);
+         noise = 16 * REAL_EPSILON * kinetic / fabs(kinetic - st->barrier.height);
+    s->tol = fmax(st->geometry.tol / 8, noise);
+    s->at = st->lo;
+    s->lasts = lasts;
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;
-    if (s->rests) {
+    if (s->rests)
         s->span = sqrt((s->to - st->lo) / passage_size(s));
-        solver = num_peak_series(slowness_to_rest, s, 0, 1, 0, REAL_NAN, tol, &s->series);
-    } else {
-        real width = barrier_width(&st->geometry, st->start.from, &st->barrier, kinetic - st->barrier.height);
-        solver = num_peak_series(slowness, st, st->lo, s->to, st->barrier.theta_m, width, tol, &s->series);
-    }
-    s->has_series = solver == NUM_OK;
-    if (st->status != DOM_OK && st->status != DOM_NOT_CONVERGED)
-        return st->status;
-    s->lasts = lasts;
-    if (isnan(lasts) && s->has_series)
-        s->lasts = num_series_at(&s->series, s->rests ? 1 : s->to);
-    else if (isnan(lasts) && s->rests)
-        return model_status(st->status, num_integral(slowness_to_rest, s, 0, 1, tol, &s->lasts, NULL));
-    else if (isnan(lasts))
-        return segment_integral(st, slowness, st->lo, s->to, tol, &s->lasts);
-    return DOM_OK;
+    if (!isnan(lasts))
+        return DOM_OK;
+    return s->rests
+               ? model_status(st->status, num_integral(slowness_to_rest, s, 0, 1, s->tol, &s->lasts, NULL))
+               : segment_integral(st, slowness, st->lo, s->to, s->tol, &s->lasts);
 }
 
-/*
- * Returns the time from the beginning of the passage to the tilt `at`, minus s->into. passage_tilt finds the
- * root of this function. If s->rests is true, `at` is not a tilt, but the variable x of slowness_to_rest. The
- * time then runs from x until the head comes to rest.
- */
-static real passage_over(real at, void *context)
+/* Returns the time from x, the variable of slowness_to_rest, until the head comes to rest, minus s->left. */
+static real passage_left(real x, void *context)
 {
     struct passage *s = context;
     real time = 0;
-    enum dom_status status = DOM_OK;
-    if (s->rests)
-        status = model_status(s->st.status,
-                              num_integral(slowness_to_rest, s, 0, at, s->st.geometry.tol / 8, &time, NULL));
-    else if (at > s->st.lo)
-        status = segment_integral(&s->st, slowness, s->st.lo, at, s->st.geometry.tol / 8, &time);
-    s->st.status = status;
-    return status == DOM_OK ? time - s->into : REAL_NAN;
+    const enum num_status solver = num_integral(slowness_to_rest, s, 0, x, s->tol, &time, NULL);
+    return solver == NUM_OK ? time - s->left : REAL_NAN;
+}
+
+/* Moves the state (s->at, s->passed) to the time `into`, by Newton's method. Bisects if a step would leave
+ * the bracket. */
+static enum dom_status passage_find(struct passage *s, real into)
+{
+    struct segment *st = &s->st;
+    const real close = fmax(s->tol, 4 * REAL_EPSILON) * passage_size(s);
+    real lo = st->lo, hi = s->to;
+    for (int i = 0; i < 200; i++) {
+        const real off = into - s->passed, at = s->at;
+        real omegasq = 0, step = 0;
+        enum dom_status status = segment_speed(st, at, &omegasq);
+        real next = at + off * sqrt(fmax(omegasq, 0));
+        *(off >= 0 ? &lo : &hi) = at;
+        if (!(next > lo && next < hi))
+            next = (lo + hi) / 2;
+        s->at = next;
+        if (status == DOM_OK && fabs(next - at) <= close) {
+            s->passed = into;
+            return DOM_OK;
+        }
+        if (status == DOM_OK)
+            status = segment_integral(st, slowness, fmin(at, next), fmax(at, next), s->tol, &step);
+        if (status != DOM_OK)
+            return status;
+        s->passed += next > at ? step : -step;
+    }
+    return DOM_NOT_CONVERGED;
 }
 
 /* Finds the tilt of the head at the time `into`, counted in tau from the beginning of the passage. */
 static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
 {
     real x = 0;
-    enum num_status solver;
     *theta = into <= 0 ? s->st.lo : s->to;
     if (!(into > 0 && into < s->lasts))
         return DOM_OK;
-    s->into = s->rests ? s->lasts - into : into;
-    if (s->has_series)
-        solver = num_series_find(&s->series, s->into, &x);
-    else
-        solver = num_root(passage_over, s, s->rests ? 0 : s->st.lo, s->rests ? 1 : s->to,
-                          fmax(s->st.geometry.tol, 4 * REAL_EPSILON), &x);
-    x = s->rests ? s->to - (s->to - s->st.lo) * x * x : x;
-    *theta = fmin(fmax(x, s->st.lo), s->to);
-    return model_status(s->has_series ? DOM_OK : s->st.status, solver);
+    if (!s->rests) {
+        enum dom_status status = passage_find(s, into);
+        *theta = s->at;
+        return status;
+    }
+    s->left = s->lasts - into;
+    enum num_status solver = num_root_between(passage_left, s, 0, -s->left, 1, s->lasts - s->left,
+                                              fmax(s->tol, 4 * REAL_EPSILON), &x);
+    *theta = s->to - (s->to - s->st.lo) * x * x;
+    return model_status(s->st.status, solver);
 }
 
 static real passage_end(const struct passage *s)
@@ -175,8 +182,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
     /*
-     * The series for the time is needed if a requested time lies in this passage. It is also needed if the
-     * motion ends here: the caller then does not know the duration, and watch_rest needs the time of the end.
+     * If a requested time lies in this passage, its tilt is sought. If the motion ends here, the caller does
+     * not know the duration, and watch_rest needs the time of the end.
      */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;

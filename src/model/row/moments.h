@@ -20,12 +20,11 @@ struct passage {
     struct since since;
     real lasts;      /* duration of the passage in tau */
     size_t head;     /* index of the head, from 0 */
-    bool has_series; /* true if times are computed from `series`, false if from integrals */
+    real tol;        /* tolerance of times */
     real span;       /* sqrt((to - lo) / passage_size), if `rests` is true */
-    /* The time, in tau, at which the tilt of the head is sought. It is counted from the beginning of the
-     * passage or, if `rests` is true, backwards from the end. */
-    real into;
-    struct num_series series;
+    real at, passed; /* a tilt of the head, and the time, in tau, from the start of the passage to it */
+    /* Only if `rests` is true: the time, in tau, that is left when the head has the tilt that is sought. */
+    real left;
 };
 
 /* The times at which the caller wants the state of a row, and the current state. */
