@@ -35,7 +35,7 @@ END
     close seconds "$(values seconds <answers | tail -n 1)" "$(values seconds <answers | head -n 1)" 1e-9
 }
 
-@test "design: the row becomes the row of the session, and 'effect row' can read it from a file" {
+@test "design: the row becomes the row of the session, and 'set row' can read it from a file" {
     "$DOMINO" -e "$wood; design 8 m hall 20 m > hall.csv; fall > typed.csv; show s > s.json"
     same head 'domino,height (m),thickness (m),gap (m),relative' "$(head -n 1 hall.csv)"
     same last 12,8 "$(tail -n 1 hall.csv | cut -d , -f 1,2)"
@@ -84,7 +84,7 @@ END
     below=$(sed -n 's/.*a safety below \([0-9.]*\) .*/\1/p' <<<"$output")
     within 'below' 1.617 "$below" 'd < 1e-3 && d > -1e-3'
     run -0 "$DOMINO" -e "$wood; effect row 2; effect push 0.5; design 8 m"
-    push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)'.*/\1/p" <<<"$output")
+    push=$(sed -n "s/.*'set row 2; effect push \([0-9.]*\)'.*/\1/p" <<<"$output")
     same "push $push" 10 "$(json "$wood; effect row 2; effect push $push; design 8 m" | values steps)"
     # Without a row, no file is written.
     run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
@@ -101,8 +101,8 @@ END
     grep -q 'in the model, which treats feet as hinges\.$' <<<"$output"
     grep -q '^All dominoes also fall in the rigid-body engine, which is used because feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
-    grep -q "^infeasible: .* no row that was tried falls in the rigid-body engine (used because feet is on); a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
-    wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
+    grep -q "^infeasible: .* no row that was tried falls in the rigid-body engine (used because feet is on); a stronger push may help: first enter 'set push 1[0-9]'\.$" <<<"$output"
+    wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'set floor off'"
 }
 
 @test "design: a row with friction and rounded edges; numbers that do not exist are null" {
@@ -138,7 +138,7 @@ END
     grep -qE '^ +[0-9]+ .* 0 +2000 +100 +99\.816$' <<<"$output"
     run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
-    wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
+    wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'set placement 1 mm'"
     wrong 'design 1 m grid 1 m' 'a grid of 1 m is too coarse: domino 1 is 4.8 cm tall and cannot reach across a gap of this length'
     same 'a number has the unit at the end of the list' \
         "$("$DOMINO" -e 'set q hollow; set output csv; design 8 m boards 1 cm, 2 cm, 3 cm')" \

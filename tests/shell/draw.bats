@@ -291,7 +291,7 @@ END
 }
 
 @test "rows that cannot be drawn give a one-line error that says what works" {
-    one_line "'draw at' shows a row at a given time; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
+    one_line "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows the row at this time" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last one" "$record; draw at domino 11"
     one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
@@ -307,7 +307,7 @@ END
     one_line 'the speed must be in the range 0.001 .. 1000; 1 is real time, and 0.5 is half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
-    one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
+    one_line "'speed' and 'rate' are for rows; first enter 'set row N'" 'animate a.gif speed 2'
     one_line "'quickly' is neither a value nor a word that fits here; usage: animate, animate slow" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"
 }

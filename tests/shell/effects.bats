@@ -64,12 +64,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
     same 'no paper fuel' null "$(json 'effect slope 1 deg; rmax' | values r_max_paper)"
     same level "$(json 'rmax; barrier' | values margin)" "$(json 'effect slope 0; rmax; barrier' | values margin)"
-    wrong 'effect slope 10 deg; rmax' "no domino can stand upright on a slope of 10 deg; for this thickness the limit is 8.297 deg; enter, for example, 'effect slope 4.1 deg'"
-    wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; enter, for example, 'effect slope -4.1 deg'"
+    wrong 'effect slope 10 deg; rmax' "no domino can stand upright on a slope of 10 deg; for this thickness the limit is 8.297 deg; enter, for example, 'set slope 4.1 deg'"
+    wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; enter, for example, 'set slope -4.1 deg'"
     # The centre must be above the flat part of the foot: atan(0.2 - 2*0.05).
     wrong 'set d 0.2; effect edges 0.05; effect slope 10 deg; rmax' 'for this thickness and rounded edges the limit is 5.711 deg'
     wrong 'effect slope 1; effect row 4; effect feet 0.4; fall' 'no domino can stand upright on a slope of 57.3 deg'
-    wrong 'effect slope 1 deg; set fuel paper' "first enter 'effect slope off'"
+    wrong 'effect slope 1 deg; set fuel paper' "first enter 'set slope off'"
     wrong 'set fuel paper; effect slope 1 deg' "'fuel paper' cannot be combined with slope; first enter 'set fuel exact'"
     wrong 'effect slope 1 mm' 'ALPHA is an angle, not a length'
     same 'a row' 'stops' "$(json 'set r 1.6; set q hollow; effect slope -3 deg; effect row 6; effect push 3; verdict' | values verdict)"
@@ -83,7 +83,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect edges 0.08; rmax' 'at most half of the thickness'
     wrong 'effect edges 0.08; effect row 4; fall' 'at most half of the thickness'
     wrong 'effect edges 0.6' '0 .. 0.49'
-    wrong 'effect edges 0.01; set fuel paper' "'effect edges off'"
+    wrong 'effect edges 0.01; set fuel paper' "'set edges off'"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
@@ -132,21 +132,21 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 @test "effects that need each other, or cannot be combined, say so" {
-    wrong 'effect push 3' "'effect push' needs a row; first enter 'effect row N'"
+    wrong 'effect push 3' "'set push' needs a row; first enter 'set row N'"
     # 'effect placement' may come before the row, but the command 'placement' needs a row.
-    wrong 'effect placement 1 mm; placement' "there is no row; first enter 'effect row N'"
+    wrong 'effect placement 1 mm; placement' "there is no row; first enter 'set row N'"
     same 'the order' "$(json 'effect row 9; effect placement 3 mm; placement 100')" \
         "$(json 'effect placement 3 mm; effect row 9; placement 100')"
     run -0 "$DOMINO" -e 'effect placement 3 mm; effect row 4; effect row off; effect row 3; placement 10'
-    wrong 'effect row 4; effect push 3; effect row off' "'effect push' needs the row; first enter 'effect push off'"
+    wrong 'effect row 4; effect push 3; effect row off' "'set push' needs the row; first enter 'set push off'"
     wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
-    wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'effect friction off'"
+    wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'set friction off'"
     wrong 'effect friction 0.2; rmax with fuel paper' "'fuel paper' cannot be combined with friction"
     same 'both in one with' "$(csv 'set fuel paper; rmax')" "$(csv 'effect friction 0.2; rmax with fuel paper friction off')"
-    same 'swept' "paper,,,,,,'fuel paper' cannot be combined with friction; first enter 'effect friction off'" \
+    same 'swept' "paper,,,,,,'fuel paper' cannot be combined with friction; first enter 'set friction off'" \
         "$(csv 'effect friction 0.2; sweep fuel exact, paper : rmax' | tail -n 1)"
-    wrong 'fall' "there is no row; first enter 'effect row N' or 'effect row FILE'"
-    wrong 'effect row 4; placement' "first enter 'effect placement 1 mm'"
+    wrong 'fall' "there is no row; first enter 'set row N' or 'set row FILE'"
+    wrong 'effect row 4; placement' "first enter 'set placement 1 mm'"
     wrong 'effect row 4; effect placement 1 mm; budget 2' 'P = 2 is out of range; P is a probability'
 }
 
@@ -154,7 +154,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same off off "$(json 'show friction' | values value)"
     for with in 'friction 0.2|rmax' 'floor 0.5|slip' 'row 6|scene' "row $root/examples/record.csv|scene" 'placement 1 mm 0.01|scene'; do
         values=${with%|*} name=${with%% *} before=''
-        [ "$name" != placement ] || before='effect row 4;'
+        [ "$name" != placement ] || before='set row 4;'
         for command in "show $name" "${with#*|}"; do
             same "$with" "$(json "$before effect $values; $command")" "$(json "$before set $values; $command")"
             differ "$name" "$(json "$before set $values; $command")" "$(json "$before $command")"
@@ -167,20 +167,20 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a value' 0.2 "$(json 'set friction 0.2; show friction' | values value)"
     same 'a file' record.csv "$(json "set row $root/examples/record.csv; show row" | values value)"
     same 'the others stay' "$(json show)" "$(json 'set friction 0.2; reset s; show')"
-    [[ $("$DOMINO" -e 'set push on' 2>&1) == *"'effect push' needs a row"* ]]
+    [[ $("$DOMINO" -e 'set push on' 2>&1) == *"'set push' needs a row"* ]]
     [[ $("$DOMINO" -e 'set friction on') == 'friction is on now with MU = 0.2:'* ]]
     wrong 'set friction -1' 'MU = -1 is out of range'
-    wrong 'set friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
-    wrong 'set friction off 0.2' 'one argument too many; usage: effect friction MU'
+    wrong 'set friction 0.1 0.2' 'one argument too many; usage: set friction MU'
+    wrong 'set friction off 0.2' 'one argument too many; usage: set friction MU'
     wrong 'set fuel paper; set friction 0.2' 'cannot be combined with friction'
-    wrong 'set row 4; set push 3; reset row' "'effect push' needs the row; first enter 'effect push off'"
+    wrong 'set row 4; set push 3; reset row' "'set push' needs the row; first enter 'set push off'"
     wrong 'set s 0.4 0.5' "'0.5' is one argument too many; usage: set NAME VALUE"
 }
 
 @test "values of effects: units, ranges, missing and surplus arguments" {
-    wrong 'effect friction' "MU, the friction coefficient, is missing; enter, for example, 'effect friction 0.2'"
+    wrong 'effect friction' "MU, the friction coefficient, is missing; enter, for example, 'set friction 0.2'"
     wrong 'effect friction -1' 'MU = -1 is out of range'
-    wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
+    wrong 'effect friction 0.1 0.2' 'one argument too many; usage: set friction MU'
     wrong 'effect friction 3 mm' 'MU is a plain number, not a length'
     wrong 'effect row 2.5' 'not a whole number'
     wrong 'effect row 0' 'out of range'
@@ -280,10 +280,10 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
         same "$command: json" '(nothing)' "$(json "$command")"
     done <<'END'
-effect row on|row is on now with N = 20: the number of dominoes. 'effect row N|FILE' sets another value.
-effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'effect friction MU' sets another value.
-effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'effect friction MU' sets another value.
-effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'effect push OMEGA' sets another value.
+effect row on|row is on now with N = 20: the number of dominoes. 'set row N|FILE' sets another value.
+effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'set friction MU' sets another value.
+effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'set friction MU' sets another value.
+effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'set push OMEGA' sets another value.
 END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }

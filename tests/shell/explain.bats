@@ -103,7 +103,7 @@ END
     close 'largest maximum' "$(json 'set q hollow; set s 0.54; set r 1.8518; barrier' | values barrier)" "$(at 'H(theta_m)' program)"
     grep -q 'takes the first maximum of H, and the program the largest' <<<"$answer"
     run -1 "$DOMINO" -e 'effect friction 0.1; recipe'
-    grep -q "does not include friction; first enter 'effect friction off'" <<<"$output"
+    grep -q "does not include friction; first enter 'set friction off'" <<<"$output"
     run -1 "$DOMINO" -e 'set r 1; recipe'
     grep -q 'the recipe needs r > 1' <<<"$output"
 }

@@ -151,18 +151,18 @@ spacing set s
 feet slip
 undo reset
 script source
-slope effect slope
+slope set slope
 probability placement
 graph curve
 movie animate
 Domtoren count
 solid set q
 massive set q
-sandpaper effect friction
+sandpaper set friction
 speed duration
 degrees set angle
 END
-    same 'first what is about it' 'effect slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
+    same 'first what is about it' 'set slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
     wrong 'apropos money' "^-e:1: apropos: nothing was found about 'money'; try another word, such as"
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }

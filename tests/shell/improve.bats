@@ -19,7 +19,7 @@ scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect plac
 
 @test "improve: refusals say what to do" {
     "$DOMINO" -e 'effect row 5; effect friction 3; effect placement 1 mm; improve sizes' | grep -q "No better row was found.*'mend' looks for a change"
-    wrong 'effect row 3; improve' "needs random errors; first enter 'effect placement 1 mm'"
+    wrong 'effect row 3; improve' "needs random errors; first enter 'set placement 1 mm'"
     wrong 'improve' "there is no row"
     wrong "$scene; improve mass 5 kg" "without 'sizes', only gaps change"
     wrong "$scene; improve sizes mass 5 kg" "the masses of this row are not known"

@@ -37,7 +37,7 @@ load common
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 5\n48, 7, 20\n' | file leans.csv
     mend=$("$DOMINO" -e 'effect row leans.csv; mend')
     sed -n 1p <<<"$mend" | grep -q '^The row needs a push: its first domino touches the second before it tips over\.$'
-    push=$(sed -En "2s/^With 'effect push ([0-9.]+)', all dominoes fall\.$/\1/p" <<<"$mend")
+    push=$(sed -En "2s/^With 'set push ([0-9.]+)', all dominoes fall\.$/\1/p" <<<"$mend")
     grep -q '^The smallest change, if the push stays as it is: widen the gap before domino 2' <<<"$mend"
     same 'that push' 'all fall' "$(json "effect row leans.csv; effect push $push; verdict" | values verdict)"
     less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')

@@ -40,7 +40,7 @@ END
 7|reset timng|^reset: unknown parameter 'timng'; did you mean 'timing'\?$
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
 6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
-1|mu 0.2|^unknown command 'mu'; did you mean 'effect friction MU'\?$
+1|mu 0.2|^unknown command 'mu'; did you mean 'set friction MU'\?$
 1|separation 0.3|^unknown command 'separation'; did you mean the parameter 's'\? 's = VALUE' sets it$
 1|height|^unknown command 'height'; did you mean the parameter 'h'\?
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
@@ -106,7 +106,7 @@ END
     done <<'END'
 foo|unknown command 'foo'; 'help' lists the commands
 ba|'ba' is ambiguous: barrier, back
-friction 0.2|'friction' is an effect; enter 'effect friction MU'
+friction 0.2|'friction' is an effect; enter 'set friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost, fit
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 plot c|plot: unknown picture 'c'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost, fit

@@ -113,19 +113,19 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     whole=$(json "$scene; $all; placement 40")
     "$DOMINO" -e "$scene; $all; save scene.dom"
     same saved "$whole" "$(json 'source scene.dom; set output json; placement 40')"
-    grep -qx 'effect placement 0.002 0 uniform' scene.dom
+    grep -qx 'set placement 0.002 0 uniform' scene.dom
     same undone "$(json "$scene; effect placement 2 mm; placement 40")" \
         "$(json "$scene; effect placement 2 mm; effect error_mass 0.2; undo; placement 40" | tail -n 1)"
     same swept "$(json "$scene; effect placement 2 mm; effect error_friction 0.1; placement 40" | values fall)" \
         "$(json "$scene; effect placement 2 mm; sweep error_friction 0.05, 0.1 : placement 40" | values fall | tail -n 1)"
     wrong 'effect error_mass 0.1; placement' 'there is no row'
-    wrong 'effect row 4; effect error_radius 0.1' "needs the effect edges; first enter 'effect edges RADIUS'"
+    wrong 'effect row 4; effect error_radius 0.1' "needs the effect edges; first enter 'set edges RADIUS'"
     wrong 'effect row 4; effect error_floor 0.1' 'feet'
     wrong 'effect row 4; effect error_push 0.1' 'push'
     wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; placement 5' 'cannot be combined with rounded edges'
     wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; cost effects' 'cannot be combined with rounded edges'
     wrong 'effect row 4; effect feet 0.4; effect error_lean 0.1 deg; placement 5' \
-        "this row because feet is on; first enter 'effect error_lean off'"
+        "this row because feet is on; first enter 'set error_lean off'"
     wrong 'effect row 4; effect error_mass 0.1 foo' 'LIMITS is normal or uniform'
     wrong 'effect row 4; budget 0.9 20 all' 'there are no errors to scale'
 }

@@ -240,7 +240,7 @@ END
         wrong "plot $what > a.svg" "there is no row"
     done
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
-    wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'effect row 5' sets up five"
+    wrong 'effect row 1; plot speed > a.svg' "this plot needs at least two dominoes; 'set row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino of this row starts past its tipping point, so it needs no energy to fall'
     wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'runs this row because bounce is on, and the engine does not compute the energy that a domino needs'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the front has no speed, because the fall ends before domino 2 is hit'

@@ -185,7 +185,7 @@ END
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
     # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
-    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or set all dominoes upright: 'change all lean = 0 mm'"
+    wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'set edges off', or set all dominoes upright: 'change all lean = 0 mm'"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes [(]the engine runs this row because method is engine[)]; turn the engine off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
     grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is off by 1 mm backwards now.' <<<"$said"
@@ -194,7 +194,7 @@ END
     grep -qxF 'All dominoes would fall if the top of domino 2 were off by anything from 1.7 mm backwards to 1.03 cm forwards; it is off by 3 mm backwards now.' <<<"$said"
 }
 
-@test "'row > FILE' and then 'effect row FILE' give the same row, digit for digit" {
+@test "'row > FILE' and then 'set row FILE' give the same row, digit for digit" {
     for scene in 'effect row 7' 'set q hollow; effect row 4; set mass 1; place 3 25 mm >/dev/null' 'set errors on; effect row 3'; do
         "$DOMINO" -e "$scene; row > out.csv; effect row out.csv; row > again.csv"
         same_file out.csv again.csv

@@ -22,15 +22,15 @@ load common
         done
     done
     wrong 'source other/elsewhere.dom' "cannot read '$PWD/here/row.csv': No such file"
-    same 'to a device' "effect row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'effect row')"
+    same 'to a device' "set row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'set row')"
 }
 
 @test "save keeps the scene, and source brings it back" {
     scene="effect friction 0.3; effect row $root/examples/record.csv; effect push 3; place 8 0.75; effect placement 2 mm 0.01; effect floor 0.5"
     differ 'a scene' "$(json 'effect row 5; fall; verdict')" "$(json "$scene; fall; verdict")"
     same saved "$(json "$scene; fall; verdict")" "$(json "$scene; save scene.dom; reset; source scene.dom; fall; verdict")"
-    grep -qx 'effect friction 0.3' "scene.dom"
-    grep -qx 'effect placement 0.002 0.01' "scene.dom"
+    grep -qx 'set friction 0.3' "scene.dom"
+    grep -qx 'set placement 0.002 0.01' "scene.dom"
 }
 
 @test "save and source: every parameter comes back as it was" {
@@ -109,7 +109,7 @@ END
         '\x.csv' $'\u202e.csv' '#.csv' '"q".csv' '""' "it's" '~' ' ' '$(id);`id`'; do
         printf '%s\n' "$two_dominoes" >"$name"
         quoted=./${name//\"/\"\"}
-        printf '%s\n' "effect row \"$quoted\"" 'save s.dom' | "$DOMINO"
+        printf '%s\n' "set row \"$quoted\"" 'save s.dom' | "$DOMINO"
         printf '%s\n' 'source s.dom' 'save t.dom' 'set output json' 'verdict' | "$DOMINO" >answer
         cmp s.dom t.dom
         same "$name" 2 "$(values domino <answer)"

@@ -131,12 +131,12 @@ END
 
 @test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do
-        same "$name" "$name does not change the row, whose dominoes come from record.csv; 'effect row N' makes a row from s, r, d and h." \
+        same "$name" "$name does not change the row, whose dominoes come from record.csv; 'set row N' makes a row from s, r, d and h." \
             "$("$DOMINO" -e "effect row $root/examples/record.csv; set $name 1")"
         run -0 --separate-stderr "$DOMINO" -e "set output json; effect row $root/examples/record.csv; set $name 1"
         grep -q "does not change the row" <<<"$stderr"
     done
-    same 'a changed gap' "s does not change the gaps that 'change', 'place' or 'improve' has set (1 of 4); 'effect row N' makes a row from s and r." \
+    same 'a changed gap' "s does not change the gaps that 'change', 'place' or 'improve' has set (1 of 4); 'set row N' makes a row from s and r." \
         "$("$DOMINO" -e 'effect row 5; place 3 1 cm; set s 0.3' | tail -n 1)"
     same 'other values, and other rows, say nothing' '(nothing)' \
         "$("$DOMINO" -e "effect row $root/examples/record.csv; set q 3; effect row 4; set s 0.3" | grep 'does not')"

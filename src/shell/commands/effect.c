@@ -299,11 +299,11 @@ const struct command effect_commands[] = {
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with these values, or off with 'off'",
-     .help = "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
-             "mm', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', "
-             "'effect floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'effect "
+     .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
+             "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "
+             "'set floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'set "
              "friction off' turns friction off; an effect that is off costs no computing time.",
-     .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
+     .example = "set q hollow; set friction 0.2; rmax; set friction off",
      .see = "effects",
      .changes = true,
      .run = run_set},
@@ -315,7 +315,7 @@ const struct command effect_commands[] = {
              "effects such as 'feet' and 'bounce', which runs rows only. An effect that is off costs no "
              "computing time. 'details' shows the parts of the computation, and the sources. 'cost effects' "
              "measures how much time each effect takes.",
-     .example = "effect friction 0.2; effects; effect friction off",
+     .example = "set friction 0.2; effects; set friction off",
      .see = "effects cost",
      .rows = true,
      .brief = "effect state adds",
@@ -323,7 +323,7 @@ const struct command effect_commands[] = {
     {.name = "scene",
      .synonyms = "setup settings list",
      .summary = "the row or train with its effects, and how its answers are computed",
-     .example = "scene; effect friction 0.2; scene; effect friction off",
+     .example = "scene; set friction 0.2; scene; set friction off",
      .see = "set effects",
      .is_hidden = true,
      .rows = true,

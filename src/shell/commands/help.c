@@ -343,12 +343,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
                 continue;
             }
             if (topic.parameter)
-                snprintf(topic.usage, sizeof topic.usage, "%s%s",
-                         !topic.parameter->effect ? "set "
-                         /* A long name leaves no room for "effect " beside the summary. */
-                         : strlen(topic.parameter->name) > 12 ? ""
-                                                              : "effect ",
-                         topic.parameter->name);
+                snprintf(topic.usage, sizeof topic.usage, "set %s", topic.parameter->name);
             topic_entry(a->out, "", topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,

@@ -6,7 +6,7 @@
 
 #include "commands/rows/falling.h"
 
-/* The result of running a row. If 'effect push' is on, the fall starts with this push. If it is off, the
+/* The result of running a row. If 'set push' is on, the fall starts with this push. If it is off, the
  * first domino just tips over. */
 struct start {
     size_t count; /* number of dominoes in the row that was run */

@@ -33,7 +33,7 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     bool listed = effect_file(query->scene, p->which);
-    change_say(query, a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another value.", p->name,
+    change_say(query, a, "%s is %s with %s%s%s: the %s. 'set %s' sets another value.", p->name,
                before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
                effect_setting(query->scene, p->which),
                listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
@@ -120,14 +120,14 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     const bool is_size = strlen(p->name) == 1 && strchr("srdh", *p->name);
     if (next->scene.listed.domino && is_size && !query->run_context->sourced)
         change_say(query, a,
-                   "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from "
+                   "%s does not change the row, whose dominoes come from %s; 'set row N' makes a row from "
                    "s, r, d and h.",
                    p->name, effect_setting(query->scene, DOM_EFFECT_row));
     const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
     if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
         change_say(query, a,
                    "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
-                   "'effect row N' makes a row from s and r.",
+                   "'set row N' makes a row from s and r.",
                    kept, next->scene.listed.changes - 1);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);

@@ -33,7 +33,7 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
                         .text = parameter_help(p),
                         .synonyms = parameter_synonyms(p)};
     if (p->effect) {
-        snprintf(t->usage, sizeof t->usage, "effect %s", effect_usage(p->which));
+        snprintf(t->usage, sizeof t->usage, "set %s", effect_usage(p->which));
         t->example = effect_example(p->which, t->shown);
     } else
         snprintf(t->usage, sizeof t->usage, "set %s VALUE", p->name);

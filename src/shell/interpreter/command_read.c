@@ -242,9 +242,9 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, "'%s' is a function; write its arguments in parentheses, as in '%s(2)'",
                       name, name);
     else if (named && named->effect)
-        problem_error(r->problem, "'%s' is an effect; enter 'effect %s'", name, effect_usage(named->which));
+        problem_error(r->problem, "'%s' is an effect; enter 'set %s'", name, effect_usage(named->which));
     else if (p && p->effect)
-        problem_error(r->problem, "unknown command '%s'; did you mean 'effect %s'?", shown,
+        problem_error(r->problem, "unknown command '%s'; did you mean 'set %s'?", shown,
                       effect_usage(p->which));
     else if (p)
         problem_error(r->problem,

@@ -56,7 +56,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     bool is_word = !first->value && parameter_word(p, first->number);
     if (!value || (i > 1 && (first->word || is_word)))
-        return p->effect ? too_many(r, word, "effect ", effect_usage(p->which))
+        return p->effect ? too_many(r, word, "set ", effect_usage(p->which))
                          : too_many(r, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);

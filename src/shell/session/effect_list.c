@@ -79,17 +79,15 @@ const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
 
 /* Example commands for some effects. For all other effects, effect_example composes the commands. */
 static const char *const examples[EFFECT_COUNT] = {
-    [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
-    [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
-    [DOM_EFFECT_walls] = "effect walls 1 mm; duration; effect walls off",
-    [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
-    [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
-    [DOM_EFFECT_placement] =
-        "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
-    [EFFECT_feet] = "set q hollow; effect row 8; effect feet 0.4; fall; effect feet off; effect row off",
-    [EFFECT_bounce] =
-        "set q hollow; effect row 8; effect bounce 0.5; verdict; effect bounce off; effect row off",
-    [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
+    [DOM_EFFECT_friction] = "set q hollow; set friction 0.2; rmax 0.4; set friction off",
+    [DOM_EFFECT_edges] = "set q hollow; set edges 0.01; rmax 0.2; set edges off",
+    [DOM_EFFECT_walls] = "set walls 1 mm; duration; set walls off",
+    [DOM_EFFECT_row] = "set row 13; fall; set row off",
+    [DOM_EFFECT_push] = "set row 5; set push 3; fall; set push off; set row off",
+    [DOM_EFFECT_placement] = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
+    [EFFECT_feet] = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
+    [EFFECT_bounce] = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off",
+    [DOM_EFFECT_floor] = "set row 5; set floor 0.4; fall; set floor off; set row off",
 };
 
 const char *effect_example(int effect, char example[EFFECT_EXAMPLE])
@@ -98,11 +96,11 @@ const char *effect_example(int effect, char example[EFFECT_EXAMPLE])
     const bool is_error = effect >= EFFECT_ENGINE_END;
     if (examples[effect])
         return examples[effect];
-    snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "effect row on; " : "");
+    snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "set row on; " : "");
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
-            text_add(example, EFFECT_EXAMPLE, "effect %s on; ", effect_at(k)->name);
-    text_add(example, EFFECT_EXAMPLE, "effect %s on; %s", e->name,
+            text_add(example, EFFECT_EXAMPLE, "set %s on; ", effect_at(k)->name);
+    text_add(example, EFFECT_EXAMPLE, "set %s on; %s", e->name,
              !is_error ? "scene"
              /* the engine takes a thousand times as long as the model, so only 5 rows are drawn */
              : e->needs >> EFFECT_feet & 1 ? "placement 5"

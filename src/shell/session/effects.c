@@ -54,7 +54,7 @@ static bool row_read(const struct scene *scene, const char *name, const struct r
     for (size_t k = 0; k < row->count; k++)
         rounded = rounded || row->domino[k].radius > 0;
     if (rounded && !scene->effect[DOM_EFFECT_edges].on)
-        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'effect edges on'",
+        run_context_note(run_context, "%s:%ld: the radii have no effect until you enter 'set edges on'",
                          csv->path, csv->head.at.line);
     if (good && *csv->unused)
         run_context_note(run_context, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path,
@@ -74,9 +74,9 @@ bool scene_row_load(struct scene *scene, const char *name, const struct run_cont
 {
     struct listed_row file = {.domino = NULL};
     if (run_context->safe)
-        return problem_error(
-            problem, "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
-            names_shown(name));
+        return problem_error(problem,
+                             "'set row %s' reads a file, which a safe session cannot do; use 'set row N'",
+                             names_shown(name));
     if (!row_read(scene, name, run_context, &file, problem))
         return false;
     listed_free(&scene->listed);
@@ -89,7 +89,7 @@ bool effect_check_needs(const struct scene *scene, int effect, struct problem *p
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (needs(effect, k) && !scene->effect[k].on)
-            return problem_error(problem, "'effect %s' needs %s%s; first enter 'effect %s %s'",
+            return problem_error(problem, "'set %s' needs %s%s; first enter 'set %s %s'",
                                  effect_at(effect)->name, k == DOM_EFFECT_row ? "a " : "the effect ",
                                  effect_at(k)->name, effect_at(k)->name, effect_at(k)->argument[0].name);
     return effect >= DOM_DYNAMICS_COUNT || effect_at(effect)->cancels ||
@@ -105,7 +105,7 @@ bool effect_complete(const struct scene *scene, int effect, const domq_real *val
     bool off = given > 0 && value[0] == EFFECT_OFF, usual = off || (given > 0 && value[0] == EFFECT_ON);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
         if (e->argument[i].name && i >= given && !e->argument[i].optional && !usual)
-            return problem_error(problem, "%s, the %s, is missing; enter, for example, 'effect %s %s%s%s'",
+            return problem_error(problem, "%s, the %s, is missing; enter, for example, 'set %s %s%s%s'",
                                  e->argument[i].name, e->argument[i].meaning, e->name,
                                  quad_text(e->argument[i].usual, 4), *e->argument[i].unit ? " " : "",
                                  e->argument[i].unit);
@@ -116,7 +116,7 @@ bool effect_complete(const struct scene *scene, int effect, const domq_real *val
     all[0] = EFFECT_OFF;
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (scene->effect[k].on && needs(k, effect))
-            return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
+            return problem_error(problem, "'set %s' needs the %s; first enter 'set %s off'",
                                  effect_at(k)->name, e->name, effect_at(k)->name);
     return true;
 }
@@ -141,7 +141,7 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
             return problem_error(
                 problem,
                 "cannot save: the name of the row's file, '%s', contains a control character; "
-                "rename the file, or enter 'effect row off'",
+                "rename the file, or enter 'set row off'",
                 names_shown(path));
     return true;
 }
@@ -164,7 +164,7 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
     const struct effect_state *state = &scene->effect[effect];
     const char *path = effect_file(scene, effect);
     char number[WIDE_TEXT];
-    fprintf(out, state->on ? "effect %s" : "effect %s off", e->name);
+    fprintf(out, state->on ? "set %s" : "set %s off", e->name);
     if (path)
         save_name(path, folder, out);
     const struct typed_length *length = effect == DOM_EFFECT_walls   ? &scene->length[SHARE_walls]

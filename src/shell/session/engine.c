@@ -294,7 +294,7 @@ static bool effects_check(const struct scene *scene, struct problem *problem)
         if (scene->effect[k].on && !(known >> k & 1))
             return problem_error(problem,
                                  "the rigid-body engine runs this row because %s, but does not include %s; "
-                                 "first enter 'effect %s off'",
+                                 "first enter 'set %s off'",
                                  scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
     return true;
 }
@@ -309,7 +309,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
     if (count > ENGINE_MOST)
         return problem_error(problem,
                              "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
-                             "row because %s; the maximum is %d; enter, for example, 'effect row 20'",
+                             "row because %s; the maximum is %d; enter, for example, 'set row 20'",
                              count, why, ENGINE_MOST);
     const enum engine_status loaded = engine_load();
     if (loaded == ENGINE_NO_MEMORY)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs rows in the rigid-body engine. After 'set method engine', the engine runs every row. After 'set method
- * model', it runs only rows with an effect that the model lacks, such as 'effect feet'. The library's
+ * model', it runs only rows with an effect that the model lacks, such as 'set feet'. The library's
  * searches and studies call the engine through struct domq_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H

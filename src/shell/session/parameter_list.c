@@ -21,7 +21,7 @@ static const char s_help[] =
     "height of the domino. If you give a length, as in 'set s 2 cm', it is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
-                             "which a train keeps falling, and 'effect row N' makes a finite row.";
+                             "which a train keeps falling, and 'set row N' makes a finite row.";
 static const char d_help[] =
     "The thickness is the size of a domino along the row, and d is the thickness divided by the height. If "
     "you give a length, as in 'set d 7 mm', it is divided by h.";
@@ -60,20 +60,20 @@ static const char hints_help[] =
     "an earlier line, and M-f accepts its next word. On a terminal without colours there are no hints.";
 static const char density_help[] =
     "If 'mass' is 0, the mass of the first domino is the density times the volume of a block that is half as "
-    "wide as it is tall. With 'effect walls', only the volume of the walls counts.";
+    "wide as it is tall. With 'set walls', only the volume of the walls counts.";
 static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
     "changes. 'fall' takes about a hundred times as long, and a study such as 'placement' a thousand times. "
-    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'effect feet' or "
-    "'effect bounce', because the model lacks these two effects. Endless trains always use the model.";
+    "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or "
+    "'set bounce', because the model lacks these two effects. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
     const struct domq_effect *effect = domq_first_effect(&state->scene.train);
     return fuel != DOM_FUEL_PAPER || !effect ||
-           problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
+           problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set %s off'",
                              effect->name, effect->name);
 }
 

@@ -233,7 +233,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     struct state next = *state;
     domq_real all[DOM_EFFECT_ARGUMENTS];
     if (p->effect && given > 0 && value[0] == EFFECT_ON && state->scene.effect[p->which].on)
-        return true; /* 'effect NAME on' does not change an effect that is already on */
+        return true; /* 'set NAME on' does not change an effect that is already on */
     if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
         return false;
     struct assigned assigned = {

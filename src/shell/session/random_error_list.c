@@ -36,7 +36,7 @@ const struct domq_effect error_effect_place = {
     .adds = "random errors in the positions of dominoes",
     .help =
         "Each domino after the first is out of position by a separate random error. An error moves only one "
-        "domino, as if all positions had been measured with one tape. In 'effect placement', by contrast, an "
+        "domino, as if all positions had been measured with one tape. In 'set placement', by contrast, an "
         "error in a gap moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
     SIZED("m", "error in each position", 1e9, 0.001),
 };
@@ -86,7 +86,7 @@ const struct domq_effect error_effect_friction = {
     .synonyms = "unknown",
     .adds = "an unknown friction between dominoes, the same for all",
     .help = "The friction between dominoes is never known precisely. One error is drawn for each row. It is "
-            "added to the coefficient of 'effect friction', for all dominoes of the row. If the sum is "
+            "added to the coefficient of 'set friction', for all dominoes of the row. If the sum is "
             "negative, the coefficient is 0.",
     SIZED("", "error in the friction coefficient", 100, 0.05),
 };
@@ -95,7 +95,7 @@ const struct domq_effect error_effect_slope = {
     .name = "error_slope",
     .synonyms = "level uneven",
     .adds = "a floor that is off level by a random angle",
-    .help = "One angle is drawn for each row and added to the angle of 'effect slope'. A floor is never so "
+    .help = "One angle is drawn for each row and added to the angle of 'set slope'. A floor is never so "
             "steep that a domino falls over by itself.",
     SIZED("rad", "error in the slope of the floor", 1.5, 0.005),
 };
@@ -105,7 +105,7 @@ const struct domq_effect error_effect_floor = {
     .synonyms = "unknown slippery",
     .adds = "an unknown friction of the floor, the same for all dominoes",
     .help = "One error is drawn for each row and added to the friction coefficient of the floor, which "
-            "'effect feet' sets. If the sum is negative, the coefficient is 0.",
+            "'set feet' sets. If the sum is negative, the coefficient is 0.",
     SIZED("", "error in the friction coefficient of the floor", 100, 0.05),
     .needs = NEEDS(EFFECT_feet),
 };
@@ -114,7 +114,7 @@ const struct domq_effect error_effect_push = {
     .name = "error_push",
     .synonyms = "finger",
     .adds = "a push whose strength varies at random",
-    .help = "One error is drawn for each row and added to the speed of 'effect push'. If the sum is "
+    .help = "One error is drawn for each row and added to the speed of 'set push'. If the sum is "
             "negative, the speed is 0.",
     SIZED("rad/s", "error in the angular velocity of the first domino", 1e6, 0.5),
     .needs = NEEDS(DOM_EFFECT_push),

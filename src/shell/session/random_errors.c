@@ -52,12 +52,12 @@ bool errors_check(const struct scene *scene, struct problem *problem)
         return true;
     if (scene_has_engine(scene))
         return problem_error(problem,
-                             "'effect error_lean' cannot be combined with the rigid-body engine, which runs "
-                             "this row because %s; first enter 'effect error_lean off'",
+                             "'set error_lean' cannot be combined with the rigid-body engine, which runs "
+                             "this row because %s; first enter 'set error_lean off'",
                              scene_engine_why(scene));
     return scene->train.rho == 0 ||
-           problem_error(problem, "'effect error_lean' cannot be combined with rounded edges; first enter "
-                                  "'effect edges off', or 'effect error_lean off'");
+           problem_error(problem, "'set error_lean' cannot be combined with rounded edges; first enter "
+                                  "'set edges off', or 'set error_lean off'");
 }
 
 void errors_off(struct scene *scene)

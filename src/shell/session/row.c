@@ -64,7 +64,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     const struct effect_state *effect = scene->effect;
     row->domino = NULL;
     if (!effect[DOM_EFFECT_row].on)
-        return problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
+        return problem_error(problem, "there is no row; first enter 'set row N' or 'set row FILE'");
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
     row->domino = malloc(count * sizeof *row->domino);
     if (!row->domino)
@@ -212,7 +212,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
 {
     const size_t first = measure == MEASURE_GAP ? 2 : 1;
     if (count < first)
-        return problem_error(problem, "a row of one domino has no gap; enter 'effect row N' with a larger N");
+        return problem_error(problem, "a row of one domino has no gap; enter 'set row N' with a larger N");
     for (int i = 0; i < ranges; i++) {
         const size_t wrong = range[i].first < first ? range[i].first : range[i].last;
         if ((wrong < first || wrong > count) && measure == MEASURE_GAP)

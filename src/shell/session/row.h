@@ -34,7 +34,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
 bool scene_has_masses(const struct scene *scene);
 
 /* Returns a measurement of a domino in m or kg. For a lean, this is how far the top is off plumb. If a domino
- * has no radius of its own, its radius is the radius of 'effect edges'. */
+ * has no radius of its own, its radius is the radius of 'set edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 

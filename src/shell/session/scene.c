@@ -120,7 +120,7 @@ bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t
         snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
     return problem_no_answer(problem,
                              "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
-                             "%.4g deg; enter, for example, 'effect slope %s'",
+                             "%.4g deg; enter, for example, 'set slope %s'",
                              which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
                              scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
                              example);
@@ -138,7 +138,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius can be at most half of "
-                                 "the thickness, %.6g h; enter, for example, 'effect edges %.2g'",
+                                 "the thickness, %.6g h; enter, for example, 'set edges %.2g'",
                                  quad_text(t->rho, 10), (double)(t->d / 2), (double)(t->d / 4));
     if (status == DOM_NO_STAND) {
         domq_real lean[2];
@@ -153,7 +153,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  t->rho == 0 ? "1/s = " : "", (double)domq_train_reach(t));
     if (status == DOM_NO_METHOD && domq_first_effect(t) && t->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(
-            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
+            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'set %s off'",
             domq_first_effect(t)->name, domq_first_effect(t)->name);
     if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
         return problem_no_answer(problem,

@@ -158,8 +158,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     bool row = query->scene->effect[DOM_EFFECT_row].on && !options->train && !options->has[DRAW_CYCLES];
     if ((options->has[DRAW_SPEED] || options->has[DRAW_RATE]) && !row && !options->tower)
         return problem_error(
-            problem,
-            "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
+            problem, "'speed' and 'rate' are for rows; first enter 'set row N', for example 'set row 10'");
     if (!film.is_data && a->path && a->appended)
         return problem_error(problem, "'%s' can hold only one film; '>' replaces it", names_shown(a->path));
     if (!film.is_data && a->path && !movie_ready(a->path, problem))

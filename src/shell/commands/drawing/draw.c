@@ -230,7 +230,7 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
         problem->place = query->given->column[0];
         return problem_error(
             problem,
-            "'draw at' shows a row at a given time; first enter 'effect row N', for example 'effect row 10'");
+            "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'");
     }
     if (!picture_ready(a, problem))
         return false;

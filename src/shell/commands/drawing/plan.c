@@ -163,10 +163,9 @@ static void caption_write(struct plan *p, const char *mark)
                       "%% confidence.",
                       errors, s->fall, s->rows, floor(1000 * s->low) / 10, ceil(1000 * s->high) / 10);
     else
-        at =
-            snprintf(text, room,
-                     " To see how likely the row is to fall, turn on random errors, for example with 'effect "
-                     "placement 2 mm'.");
+        at = snprintf(text, room,
+                      " To see how likely the row is to fall, turn on random errors, for example with 'set "
+                      "placement 2 mm'.");
     if (p->windows.count > 1 && at < (int)room)
         snprintf(
             text + at, room - (size_t)at,

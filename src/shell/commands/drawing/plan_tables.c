@@ -172,7 +172,7 @@ bool plan_board_table(struct plan *p)
     struct guide_table *table = table_add(
         p, "For the workshop: boards to cut, by thickness",
         p->is_thin
-            ? "In mm. The dominoes are hollow, with walls as thin as paper; 'effect walls 12 mm' makes them "
+            ? "In mm. The dominoes are hollow, with walls as thin as paper; 'set walls 12 mm' makes them "
               "boxes of boards 12 mm thick."
         : p->row.run.scene.row.boxes_above > 0 ? "In mm. A solid block is one piece. Each box has a front "
                                                  "and a back, two sides between them, and a bottom and a top."

@@ -134,8 +134,7 @@ bool run_recipe(const struct query *query, struct answer *a, struct problem *pro
     struct domq_angles angles;
     struct results paper, ours;
     if (domq_first_effect(&train))
-        return problem_no_answer(problem,
-                                 "the paper's recipe does not include %s; first enter 'effect %s off'",
+        return problem_no_answer(problem, "the paper's recipe does not include %s; first enter 'set %s off'",
                                  domq_first_effect(&train)->name, domq_first_effect(&train)->name);
     steps.method = DOM_METHOD_PAPER;
     steps.precision = DOM_DOUBLE;

@@ -174,8 +174,8 @@ static void values_say(struct answer *a, const struct fit *f)
         const struct parameter *p = u->parameter;
         const char *unit = strcmp(p->value->unit, "h") == 0 ? "" : p->value->unit;
         const domq_real value = (domq_real)u->value;
-        text_add(commands, sizeof commands, "%s%s %s %.4g%s%s", i ? "; " : "", p->effect ? "effect" : "set",
-                 p->name, u->value, *unit ? " " : "", unit);
+        text_add(commands, sizeof commands, "%sset %s %.4g%s%s", i ? "; " : "", p->name, u->value,
+                 *unit ? " " : "", unit);
         if (u->is_at_limit)
             answer_say(a, "The best fit is %s %s, which is the limit of its range.", p->name,
                        measured(value, unit, 4).text);

@@ -63,12 +63,12 @@ static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t las
         return problem_no_answer(
             &f->problem,
             "domino %zu was measured in run %g, but the row has only %zu dominoes; enter a longer "
-            "row, for example 'effect row %zu'",
+            "row, for example 'set row %zu'",
             run->dominoes, run->number, last, run->dominoes);
     return problem_no_answer(
         &f->problem,
         "domino %zu was measured in run %g, but in the scene the fall ends at domino %zu: 'fall' "
-        "shows why; if the row was pushed, enter 'effect push', or fit push as well",
+        "shows why; if the row was pushed, enter 'set push', or fit push as well",
         run->dominoes, run->number, last);
 }
 

@@ -112,7 +112,7 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
         return !(last->gap != gap && !isnan(gap)) ||
                csv_wrong(&csv->file, csv_cell(csv, GAP).at,
                          "run %g has two gaps; give each run a single gap, or leave out the column and enter "
-                         "the row with 'effect row'",
+                         "the row with 'set row'",
                          number);
     }
     for (size_t k = 0; d->run && k < d->runs; k++)

@@ -69,7 +69,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                        : t->rho > 0            ? "with rounded edges "
                        : t->mu > 0             ? "with friction "
                                                : "";
-    const char *off = t->rho > 0 ? ", or 'effect edges off'" : t->mu > 0 ? ", or 'effect friction off'" : "";
+    const char *off = t->rho > 0 ? ", or 'set edges off'" : t->mu > 0 ? ", or 'set friction off'" : "";
     return problem_no_answer(problem,
                              "no row was found: %sthe search failed at s = %.2g; try another thickness%s",
                              with, (double)d->needs, off);
@@ -97,7 +97,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(text, size,
                  "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
-                 "a push of %.40s rad/s (%.40s at its top); first enter 'effect row 2; effect push %.40s'",
+                 "a push of %.40s rad/s (%.40s at its top); first enter 'set row 2; set push %.40s'",
                  safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(
@@ -108,7 +108,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     } else if (d->limit == DOM_DESIGN_ENGINE) {
         domq_real push = push_stronger(wish);
         if (isfinite(push))
-            snprintf(more, sizeof more, "a stronger push may help: first enter 'effect push %.40s'",
+            snprintf(more, sizeof more, "a stronger push may help: first enter 'set push %.40s'",
                      measured(round_digits(push, 2, false), "", 2).text);
         else
             snprintf(more, sizeof more, "another thickness may help");

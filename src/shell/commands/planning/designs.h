@@ -24,7 +24,7 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 /* Returns the total mass in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
 
-/* Lists the dominoes. If `file` is true, the list has only the columns that 'effect row FILE' reads. If
+/* Lists the dominoes. If `file` is true, the list has only the columns that 'set row FILE' reads. If
  * `file` is false, the list also has the positions, and the surface or the volume of each domino. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 

@@ -84,8 +84,8 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
                                            .parallel = workers_tasks,
                                            .pool = &i->pool};
     if (!scene_errors(query->scene, i->placement.error))
-        return problem_error(problem, "this command needs random errors; first enter 'effect placement 1 "
-                                      "mm', or another error, such as 'effect error_thickness 1 %%'");
+        return problem_error(problem, "this command needs random errors; first enter 'set placement 1 "
+                                      "mm', or another error, such as 'set error_thickness 1 %%'");
     if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
         return problem_error(
             problem,

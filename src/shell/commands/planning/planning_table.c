@@ -22,17 +22,17 @@ const struct command design_commands[] = {
          "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
          "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
          "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
-         "thicknesses to choose from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'grid 1 "
+         "thicknesses to choose from; with 'set walls 12 mm 30 cm', a box can have any thickness. 'grid 1 "
          "mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first domino, the height "
          "H and the thicknesses of boards. The row still has the required safety. 'design 8 m falls 99 %' "
          "finds how few dominoes are enough for the row to fall with this probability. It takes the random "
-         "errors of the scene into account, such as 'effect placement 3 mm'. The lower end of the 95 % "
+         "errors of the scene into account, such as 'set placement 3 mm'. The lower end of the 95 % "
          "interval must reach this probability. A table shows the results for fewer and for more dominoes; "
-         "then the row is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('effect "
-         "feet', 'effect bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
+         "then the row is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('set "
+         "feet', 'set bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
          "refers to the model, which treats feet as hinges. The row becomes the session's row; 'design ... > "
-         "hall.csv' writes a file for 'effect row hall.csv'.",
-     .example = "set q hollow; effect friction 0.3; design 8 m",
+         "hall.csv' writes a file for 'set row hall.csv'.",
+     .example = "set q hollow; set friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
      .holds = "a row meets the wishes",
@@ -47,10 +47,10 @@ const struct command design_commands[] = {
          "For the hall, the guide lists the places of the dominoes on a tape measure. For the workshop, it "
          "lists their sizes and the boards to cut. Beside each place, each height and each thickness, it "
          "shows the limits between which all dominoes fall, as 'tolerance' finds them. With errors such as "
-         "'effect placement 2 mm', the guide shows how likely the row is to fall. 'plan title \"The hall\" > "
+         "'set placement 2 mm', the guide shows how likely the row is to fall. 'plan title \"The hall\" > "
          "hall.pdf' draws the guide on A4 pages. It shows the row to scale, beside a person 1.75 m tall. "
          "As .svg or .png, the guide is one long page. csv and json have the numbers, in m.",
-     .example = "effect row 5; plan",
+     .example = "set row 5; plan",
      .see = "row tolerance placement draw",
      .sweep_refusal = "it is a text",
      .writes = WRITES_PICTURES,
@@ -68,18 +68,18 @@ const struct command design_commands[] = {
      .summary = "change the row to make it more likely to fall",
      .help =
          "'improve' changes the gaps of the row to make it more likely to fall in spite of the random "
-         "errors of the scene. First enter 'effect placement 3 mm', or other errors. WISHES can come in any "
+         "errors of the scene. First enter 'set placement 3 mm', or other errors. WISHES can come in any "
          "order. 'sizes' also changes the sizes of all dominoes between the first and the last; their "
          "proportions stay fixed. 'hall 20 m' is the greatest length of the row, including its fallen last "
          "domino; the default is the present length. 'boards 9, 12, 15 mm' are the thicknesses to choose "
-         "from; with 'effect walls 12 mm 30 cm', a box can have any thickness. 'mass 50 kg' is the greatest "
+         "from; with 'set walls 12 mm 30 cm', a box can have any thickness. 'mass 50 kg' is the greatest "
          "mass that a changed domino may have. 'grid 1 mm' makes all gaps, and the heights and thicknesses "
          "that change, multiples of 1 mm. A domino that becomes twice as large gets 2^(q-1) times the mass. "
          "The search uses random rows; the probabilities before and after the changes come from other "
          "random rows. A row within these limits is never replaced by a worse one. ^C ends the search with "
          "the best row so far. 'undo' reverts the changes. If the rigid-body engine runs rows, the search "
          "still uses the model, and the probabilities come from the engine.",
-     .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
+     .example = "set row 8; set friction 0.2; set r 1.3; set s 0.5; set placement 3 mm; improve",
      .see = "placement budget design change row",
      .principal = "probability",
      .changes = true,
@@ -135,7 +135,7 @@ const struct command design_commands[] = {
          "the result of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
          "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
          "'sensitivity h*r^10'.",
-     .example = "effect friction 0.2; sensitivity rmax",
+     .example = "set friction 0.2; sensitivity rmax",
      .see = "solve sweep",
      .sweep_refusal = "it already varies the parameters",
      .rows = true,
@@ -153,7 +153,7 @@ const struct command design_commands[] = {
              "another domino. In a file with 'gap (mm)' and 'speed (m/s)', each line has the speed of one "
              "row of equal dominoes. FPS is the number of frames per second; a column 'rate' can give this "
              "number instead. A column 'run' numbers several runs, each with its own clock. A column 'gap "
-             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. 'effect row' "
+             "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. 'set row' "
              "sets the dominoes; without this effect, their growth is r. Each residual is divided by "
              "its error, and 'fit' finds the values with the smallest sum of squares. It also finds their "
              "standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) "
@@ -175,7 +175,7 @@ const struct command design_commands[] = {
          "not fall, or if no row meets the wishes. A script then ends at once with exit status 1; a "
          "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
          "or a condition, as in 'assert rmax(0.4) < 1.7'.",
-     .example = "effect row 5; assert verdict",
+     .example = "set row 5; assert verdict",
      .see = "verdict design barrier count",
      .sweep_refusal = "it is about one scene",
      .runs = true,

@@ -110,7 +110,7 @@ static bool plot_fall(const struct query *query, struct answer *a, struct chart 
     bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
     if (idle)
         problem_no_answer(problem, "the only domino of this row starts past its tipping point, so it needs "
-                                   "no energy to fall; 'effect row 5' sets up five dominoes");
+                                   "no energy to fall; 'set row 5' sets up five dominoes");
     else if (chart)
         fall_chart(&run, chart);
     row_run_free(&run);
@@ -168,7 +168,7 @@ static bool plot_speed(const struct query *query, struct answer *a, struct chart
         row_status(query, problem, DOM_NO_MARGIN);
     else if (!done)
         problem_no_answer(problem, run.scene.row.count == 1
-                                       ? "this plot needs at least two dominoes; 'effect row 5' sets up five"
+                                       ? "this plot needs at least two dominoes; 'set row 5' sets up five"
                                        : "the front has no speed, because the fall ends before domino 2 is "
                                          "hit; 'mend' looks for a change that saves the row");
     else if (chart)

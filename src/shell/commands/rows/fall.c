@@ -17,13 +17,12 @@ const struct column fall_columns[] = {
     {"margin", "mgh/2", "kinetic - barrier", 9},
     {"energy", "share", "kinetic / barrier; the domino tips over if this is at least 100 %", 6},
     {"floor", "",
-     "friction that the floor needs so that no foot slips while this domino falls (only with 'effect floor')",
+     "friction that the floor needs so that no foot slips while this domino falls (only with 'set floor')",
      5},
     {"floor_hit", "",
-     "friction that the floor needs so that no foot slips when this domino is hit (only with 'effect floor')",
+     "friction that the floor needs so that no foot slips when this domino is hit (only with 'set floor')",
      9},
-    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); only with 'effect feet'",
-     7},
+    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); only with 'set feet'", 7},
     {NULL, NULL, NULL, 0},
 };
 

@@ -148,7 +148,7 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     if (status == DOM_NO_LEAN)
         return problem_no_answer(problem,
                                  "a domino of this row leans, but rounded edges need upright dominoes; enter "
-                                 "'effect edges off', or set all dominoes upright: 'change all lean = 0 mm'");
+                                 "'set edges off', or set all dominoes upright: 'change all lean = 0 mm'");
     if (status == DOM_NO_MARGIN)
         return problem_no_answer(problem, "one domino almost stops, so later times cannot be computed");
     /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the dominoes, their gaps and their masses. */

@@ -85,7 +85,7 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
         return;
     slip_matters_say(a, in_motion);
     answer_say(a,
-               "Enter 'effect floor off; effect feet %.4g' to run the row on this floor in a rigid-body "
+               "Enter 'set floor off; set feet %.4g' to run the row on this floor in a rigid-body "
                "engine, where feet can slip.",
                (double)feet->floor);
 }
@@ -103,9 +103,9 @@ const struct column slip_columns[] = {
      0},
     {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
     {"slips", "",
-     "yes if a foot slips on the floor of 'effect floor' while dominoes fall; empty without this effect", 0},
+     "yes if a foot slips on the floor of 'set floor' while dominoes fall; empty without this effect", 0},
     {"slips_hit", "",
-     "yes if a foot slips on the floor of 'effect floor' in a collision; empty without this effect", 0},
+     "yes if a foot slips on the floor of 'set floor' in a collision; empty without this effect", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -123,7 +123,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
                    floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
     if (!floor->on)
-        answer_say(a, "'effect floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
+        answer_say(a, "'set floor 0.5' sets the friction of the floor to 0.5; 'fall' then shows whether "
                       "any foot slips.");
     else
         answer_say(

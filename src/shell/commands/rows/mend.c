@@ -32,9 +32,9 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
                       ? "The row needs a push: its first domino touches the second before it tips over."
                       : "The row needs a stronger push: its first domino does not tip over.");
     if (isnan(push))
-        answer_say(a, "A push alone cannot save this row; enter 'effect push 5', and then 'mend' again.");
+        answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
     else
-        answer_say(a, "With 'effect push %.4g', all dominoes fall.", (double)push);
+        answer_say(a, "With 'set push %.4g', all dominoes fall.", (double)push);
     return DOM_OK;
 }
 

@@ -18,8 +18,7 @@ static const struct column row_columns[] = {
     {"gap", "m", "clear distance to the domino before it", 0},
     {"mass", "kg", "mass of the domino, if masses are known", 0},
     {"relative", "", "mass relative to domino 1, if only ratios of masses are known", 0},
-    {"radius", "m", "radius of the edges, if any domino has its own radius; used only with 'effect edges'",
-     0},
+    {"radius", "m", "radius of the edges, if any domino has its own radius; used only with 'set edges'", 0},
     {"lean", "m", "how far the top is off plumb, if any domino leans (negative: backwards)", 0},
     {"width", "m", "width of the domino (left out if every domino is half as wide as it is tall)", 0},
     {NULL, NULL, NULL, 0},
@@ -44,7 +43,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     if (!has_widths)
         answer_leave_out(a, "width");
     a->csv.units = true;
-    a->style.errors = false; /* 'effect row FILE' cannot read columns with errors */
+    a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
     a->csv.extra = a->path ? query->scene->listed.others : NULL;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
@@ -85,7 +84,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
         return false;
     free(scene.domino);
     if (query->scene->listed.domino)
-        return problem_error(problem, "a row from a file has no growth r; first enter 'effect row N'");
+        return problem_error(problem, "a row from a file has no growth r; first enter 'set row N'");
     const domq_real reach = domq_train_reach(&query->scene->train);
     char reason[96];
     enum dom_status status =
@@ -353,9 +352,9 @@ const struct command row_commands[] = {
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
      .help = "Shows for each domino when it is hit, when it hits the next one, and how fast it starts. Also "
-             "compares the energy of each domino with the energy that it needs to tip over. 'effect row' "
+             "compares the energy of each domino with the energy that it needs to tip over. 'set row' "
              "enters a row.",
-     .example = "effect row 5; fall",
+     .example = "set row 5; fall",
      .see = "verdict mend row effects",
      .rows = true,
      .holds = "all dominoes fall",
@@ -367,7 +366,7 @@ const struct command row_commands[] = {
      .shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and which domino is weakest",
-     .example = "effect row 5; verdict",
+     .example = "set row 5; verdict",
      .see = "fall mend",
      .principal = "seconds",
      .holds = "all dominoes fall",
@@ -401,7 +400,7 @@ const struct command row_commands[] = {
              "edges, and in the engine, the program does not compute how far a domino may lean. The "
              "answer names the dominoes with the tightest limits. If the row does not fall, the windows show "
              "which single changes save it. The search takes the same steps as 'mend'.",
-     .example = "effect row 5; tolerance",
+     .example = "set row 5; tolerance",
      .see = "mend change budget",
      .rows = true,
      .brief = "",
@@ -422,7 +421,7 @@ const struct command row_commands[] = {
              "lean = -2 mm' sets a negative value. A domino that becomes taller, thicker or wider becomes "
              "heavier, because it keeps its density. The gaps beside it and its other sizes stay the same. "
              "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
-     .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
+     .example = "set row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,
      .run = run_change},
@@ -433,16 +432,16 @@ const struct command row_commands[] = {
      .summary = "change the gap before domino K of the row",
      .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm'. All dominoes after the gap move, and the "
              "other gaps stay the same. 'place 3 +1 cm' widens the gap by 1 cm.",
-     .example = "effect row 5; place 3 25 mm; fall",
+     .example = "set row 5; place 3 25 mm; fall",
      .see = "change row mend",
      .changes = true,
      .run = run_change},
     {.name = "row",
      .synonyms = "list export csv spacing",
      .summary = "the dominoes of the row",
-     .help = "'row > hall.csv' writes a file that 'effect row hall.csv' can read. The first line of the file "
+     .help = "'row > hall.csv' writes a file that 'set row hall.csv' can read. The first line of the file "
              "has the units.",
-     .example = "effect row 3; row",
+     .example = "set row 3; row",
      .see = "effects fall",
      .rows = true,
      ANSWER(row)},
@@ -450,11 +449,11 @@ const struct command row_commands[] = {
      .has_errors = true,
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
-     .help = "The row is the one that 'effect row N' makes from s, d, q and h, and 'effect push' starts it. "
+     .help = "The row is the one that 'set row N' makes from s, d, q and h, and 'set push' starts it. "
              "If the first domino is tipped over without a push, or with a weak one, the row can stop at the "
              "second domino. Otherwise, the longer the row, the closer the answer comes to 'rmax', the "
              "largest growth of the endless train.",
-     .example = "set q hollow; effect row 8; rowmax",
+     .example = "set q hollow; set row 8; rowmax",
      .see = "rmax effects",
      .echo = "s",
      .principal = "r_max",

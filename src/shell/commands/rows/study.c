@@ -75,8 +75,8 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
         return false;
     bool done =
         !t.has_errors
-            ? problem_error(problem, "this command needs random errors; first enter 'effect placement 1 mm', "
-                                     "or another error, such as 'effect error_thickness 1 %%'")
+            ? problem_error(problem, "this command needs random errors; first enter 'set placement 1 mm', "
+                                     "or another error, such as 'set error_thickness 1 %%'")
         : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
                                               : placement_answer(query, a, problem, &t);
     free(t.scene.domino);
@@ -225,8 +225,8 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     struct scene with = *query->scene; /* this copy shares the dominoes of query->scene */
     if (kind == DOM_ERROR_COUNT)
         return t->has_errors ||
-               problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
-                                      "placement 1 mm' and 'effect error_thickness 1 %%'");
+               problem_error(problem, "there are no errors to scale; first enter some, such as 'set "
+                                      "placement 1 mm' and 'set error_thickness 1 %%'");
     const int effect = error_effect((int)kind);
     if (!effect_check_needs(query->scene, effect, problem))
         return false;
@@ -298,15 +298,15 @@ const struct command study_commands[] = {
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where rows stop",
      .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. "
-             "First turn on at least one kind of error: 'effect placement 1 mm' for errors in the gaps or, "
-             "for example, 'effect error_thickness 1 %' or 'effect error_friction 0.05'. If there are "
+             "First turn on at least one kind of error: 'set placement 1 mm' for errors in the gaps or, "
+             "for example, 'set error_thickness 1 %' or 'set error_friction 0.05'. If there are "
              "several errors, each row is also run without each error in turn, with the same random numbers "
              "for the other errors. The answer then says which error makes the most rows fail, and at which "
              "domino. With the same 'seed', row number i is always the same, whatever the number of "
              "'threads'. ^C ends the study, and the answer then covers only the rows that have been run. "
              "'domino --shard 2/7' runs only the second of seven parts of the study, and prints counts for "
              "blocks of 100 rows. The command 'pool' adds up the counts of all parts.",
-     .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
+     .example = "set row 13; set placement 3 mm; set error_thickness 5 %; placement 500",
      .see = "pool budget effects",
      .principal = "probability",
      .brief = "",
@@ -341,7 +341,7 @@ const struct command study_commands[] = {
              "1000 thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds "
              "the factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma "
              "is then the largest size at which enough rows are known to fall.",
-     .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
+     .example = "set row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",
      .brief = "",
@@ -353,7 +353,7 @@ const struct command study_commands[] = {
      .summary = "the least friction of the floor at which no foot slips",
      .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
              "dominoes fall, and one for the moment of a hit.",
-     .example = "effect floor 0.5; slip",
+     .example = "set floor 0.5; slip",
      .see = "effects fall",
      .principal = "motion",
      .brief = "motion hit slips slips_hit",
