@@ -55,7 +55,7 @@ count 112 m |r rmax pair
 set h 48 |m mm cm km in ft yd
 set h 48m|48m 48mm
 set mass 10 |kg g t lb oz
-set s 0.3 |mm cm in
+set s 0.3 |m mm cm km in ft yd
 curve 0.1 0.9 |mm cm in
 theta1 |thetac where
 sweep s |(nothing)
