@@ -173,7 +173,7 @@ exec cat >"$BATS_TEST_TMPDIR/paged"
 END
     chmod +x "$BATS_TEST_TMPDIR/bin/less"
     unset PAGER LESS
-    PATH=$BATS_TEST_TMPDIR/bin:$PATH BATS_TEST_TMPDIR=$BATS_TEST_TMPDIR open_session 80 12
+    PATH=$BATS_TEST_TMPDIR/bin:$PATH BATS_TEST_TMPDIR=$BATS_TEST_TMPDIR open_session 200 12
     ask 'set threads 1; effect row 20; effect placement 1 mm'
     clear_screen
     type_in 'sweep seed 1 14 14 : placement 20000'
@@ -182,7 +182,7 @@ END
     hides 'with '
     see_last "$prompt"
     see 'with -FRX --header=1 -P'  # the head of a table is kept in sight
-    head -n 4 "$BATS_TEST_TMPDIR/paged" | grep -q '^seed '
+    head -n 4 "$BATS_TEST_TMPDIR/paged" | grep -q "^ *seed "
     same 'rows' 14 "$(grep -Ec '^ +[0-9]+ ' "$BATS_TEST_TMPDIR/paged")"
     ask 'help all'
     see 'with -FRX  -P' # a text has no head
