@@ -151,8 +151,9 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     }
     rmax_say(a, &train, &used);
     answer_row(a,
-               ROW(cell_real(train.s), cell_computed(used.r_max), cell_word(dom_end_text(used.ends)),
-                   cell_computed(exact.r_max), cell_computed(paper.r_max), cell_without_error(growths.r_max)),
+               ROW(cell_real(train.s), cell_uncertain(used.r_max, used.uncertainty),
+                   cell_word(dom_end_text(used.ends)), cell_uncertain(exact.r_max, exact.uncertainty),
+                   cell_uncertain(paper.r_max, paper.uncertainty), cell_without_error(growths.r_max)),
                missing);
     rmax_fuels_detail(a, &train, &used, &exact, &paper);
     return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
@@ -184,7 +185,9 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
                    limit.ends == DOM_END_REACH ? "It falls past a larger one without touching it"
                                                : "For a larger one it has too little energy");
     return answer_row(
-        a, ROW(cell_real(train.s), cell_computed(limit.r_max), cell_word(dom_end_text(limit.ends))),
+        a,
+        ROW(cell_real(train.s), cell_uncertain(limit.r_max, limit.uncertainty),
+            cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE
             ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
             : NULL);
@@ -208,10 +211,10 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
             "The best gap is %.4g times the height: %s can then each be %s times as large as the one before.",
             (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
             limit_words(best.r_max, 4).text);
-    return answer_row(a, ROW(cell_computed(best.s), cell_computed(best.r_max)),
-                      status == DOM_OK
-                          ? NULL
-                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
+    return answer_row(
+        a, ROW(cell_uncertain(best.s, best.s_uncertainty), cell_uncertain(best.r_max, best.r_uncertainty)),
+        status == DOM_OK ? NULL
+                         : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
 static const struct column curve_columns[] = {
@@ -246,8 +249,9 @@ static bool curve_point(void *context, size_t k, FILE *out)
         c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
-    answer_cells(&a, cell_real(c->train.s), cell_computed(exact.r_max), cell_computed(paper.r_max),
-                 cell_computed(pair.r_max), cell_real(domq_train_reach(&c->train)));
+    answer_cells(&a, cell_real(c->train.s), cell_uncertain(exact.r_max, exact.uncertainty),
+                 cell_uncertain(paper.r_max, paper.uncertainty), cell_uncertain(pair.r_max, pair.uncertainty),
+                 cell_real(domq_train_reach(&c->train)));
     c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
