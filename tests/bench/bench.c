@@ -7,6 +7,7 @@
  */
 #include "bench.h"
 #include <signal.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -222,6 +223,44 @@ static double ratio(const struct result *result, enum contender contender)
     return result[contender].compared ? result[contender].seconds / result[OURS].seconds : NONE;
 }
 
+/* Returns a pseudo-random number between lo and hi, evenly distributed in its logarithm. */
+static double between(uint64_t *state, double lo, double hi)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return lo * pow(hi / lo, (double)(*state >> 11) * 0x1p-53);
+}
+
+/* Returns the mean time in seconds of the best separation of 400 random thicknesses and exponents. */
+static double best_seconds(void)
+{
+    uint64_t state = 400;
+    const double begun = seconds_now();
+    for (int k = 0; k < 400; k++) {
+        struct setup train = setup_default();
+        struct domq_best best;
+        train.d = between(&state, 1e-4, 0.6);
+        train.q = 0.3 + log(between(&state, 1, exp(5.7)));
+        ask_limit_best(&train, &best);
+    }
+    return (seconds_now() - begun) / 400;
+}
+
+/* Returns the mean time in seconds of r_max of 30,000 random trains. */
+static double wide_seconds(void)
+{
+    uint64_t state = 30000;
+    const double begun = seconds_now();
+    for (int k = 0; k < 30000; k++) {
+        struct setup train = setup_default();
+        struct domq_limit limit;
+        train.s = between(&state, 1e-4, 1);
+        train.d = between(&state, 2e-6, 2);
+        train.q = 0.3 + log(between(&state, 1, exp(6)));
+        ask_limit_rmax(&train, &limit);
+    }
+    return (seconds_now() - begun) / 30000;
+}
+
 int main(int argc, char **argv)
 {
     static struct question many[MANY], few[FEW], points[SAMPLED], cycles[16], rows[8];
@@ -289,6 +328,8 @@ int main(int argc, char **argv)
         "passes as in a search that knows the root, but a domino takes six times as long as its bare "
         "recurrence";
     const struct goal own[] = {
+        {"best of 400 random (d, q)", "ms", 51, 4, 1e3 * best_seconds(), false, NULL},
+        {"30,000 trains, s 1e-4 to 1", "us", 68, 68, 1e6 * wide_seconds(), false, NULL},
         {"r_max at 1e-12, mean of 178 questions", "links", 561, 420, all[OURS].seconds / link, false,
          of_rmax},
         {"  times as fast as nested GSL solvers", "x", NONE, 15, ratio(all, GSL), true, of_rmax},
