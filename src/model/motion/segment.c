@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
+/* Returns the geometry of domino i behind the head. */
+static const struct geometry *geometry_of(const struct geometry *head, size_t i)
+{
+    for (; i > 0 && head->follower; i--)
+        head = head->follower;
+    return head;
+}
+
 /* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
  * so the loop goes on. */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
@@ -27,9 +35,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
             return DOM_OK;
         struct tilt leave = link->geometry->leave;
         *moving = link->i + 1;
-        const struct geometry *leader = link->geometry + 1;
         for (size_t i = link->i; i > 0; i--)
-            leave = geometry->law->leader(leader++, leave);
+            leave = geometry->law->leader(geometry_of(geometry, i - 1), leave);
         st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
     }
 }
