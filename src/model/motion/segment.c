@@ -1,12 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
+#include <stdlib.h>
 
-/* Returns the geometry of domino i behind the head. */
-static const struct geometry *geometry_of(const struct geometry *head, size_t i)
+/* Finds the tilt of the head at which domino i behind it has the tilt *tilt. */
+static enum dom_status tilt_of_head(const struct geometry *head, size_t i, struct tilt *tilt)
 {
-    for (; i > 0 && head->follower; i--)
-        head = head->follower;
-    return head;
+    const struct geometry **leader = malloc((i + 1) * sizeof *leader);
+    if (!leader)
+        return DOM_NO_MEMORY;
+    for (size_t j = 0; j < i; j++, head = head->follower ? head->follower : head)
+        leader[j] = head;
+    while (i-- > 0)
+        *tilt = leader[i]->law->leader(leader[i], *tilt);
+    free(leader);
+    return DOM_OK;
 }
 
 /* Each pass lowers hi to the tilt at which a domino detaches. Another domino may have detached even earlier,
@@ -35,8 +42,9 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *moving)
             return DOM_OK;
         struct tilt leave = link->geometry->leave;
         *moving = link->i + 1;
-        for (size_t i = link->i; i > 0; i--)
-            leave = geometry->law->leader(geometry_of(geometry, i - 1), leave);
+        status = tilt_of_head(geometry, link->i, &leave);
+        if (status != DOM_OK)
+            return status;
         st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
     }
 }

@@ -368,8 +368,8 @@ static void steady_find(struct steady *s, const struct run *run, size_t k, const
 /* ---- The run ---- */
 
 /* Fills in the geometry of the dominoes up to domino k. After a steady motion, leaves out the dominoes that
- * no pass along the chain of domino k visits: the last one that was filled in equals them, and ends the
- * chain. */
+ * no sum along the chain of domino k visits: the last one that was filled in equals them, and takes the place
+ * of all of them. */
 static enum dom_status row_ready(struct run *run, size_t k, const struct steady *s)
 {
     enum dom_status status = DOM_OK;
@@ -377,6 +377,7 @@ static enum dom_status row_ready(struct run *run, size_t k, const struct steady 
         const size_t from = k - run->request->work->longest - STEADY_MORE;
         if (from > run->made) {
             run->geometry[from] = run->geometry[run->made - 1];
+            run->geometry[from].follower = &run->geometry[from];
             run->made = from + 1;
         }
     }

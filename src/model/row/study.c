@@ -16,7 +16,7 @@
 #include "row/study.h"
 
 /* omegasq counts as equal if it differs by less than this fraction of `clear`. */
-#define STUDY_EQUAL ((real)1 / 32)
+#define STUDY_EQUAL ((real)1 / 16)
 
 /* With friction, `clear` is at most this, because it does not tell how close the row is to locking. */
 #define STUDY_LOCKING ((real)1e-3)
