@@ -211,6 +211,12 @@ static enum dom_status best_top(struct best *b, real width, bool *found)
         real r = rmax_at(b, s), step = b->s > s ? 2 * REAL_EPSILON * s : -2 * REAL_EPSILON * s;
         for (; r < b->r_max * (1 - BEST_JUMP) && fabs(step) < fabs(b->s - s); step *= 2)
             r = rmax_at(b, s + step);
+        /* A smooth maximum is flat: rounding errors decide which of the separations near it has the largest
+         * r_max. The root of the slope has more digits. */
+        if (c->status == DOM_OK && (r = rmax_at(b, s)) >= b->r_max * (1 - 64 * REAL_EPSILON)) {
+            b->s = s;
+            b->r_max = r;
+        }
         const real h = slope_step(c->geometry.span, b->s, b->r_max) * b->finer;
         bool kink;
         if (c->status == DOM_OK && fabs(b->last.dip) > BEST_DIP && s + h > s)
