@@ -101,6 +101,7 @@ static void ask_growth(const struct domq_train *train, const struct domq_compute
         status = domq_limit_best(train, compute, &f->best);
         NOTE(BEST_S, f->best, s);
         NOTE(BEST_R, f->best, r_max);
+        answers->best_s_uncertainty = f->best.s_uncertainty;
         return;
     }
     status = quantity == REF_PAIR ? domq_limit_pair(train, compute, &f->limit)

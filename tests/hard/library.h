@@ -9,6 +9,7 @@ struct answers {
     enum dom_status status[REF_COUNT]; /* status of the function that computes the value */
     domq_real value[REF_COUNT];        /* NaN if there is no value */
     domq_real error[REF_COUNT];        /* its error, as the calculator finds it: see library_ask */
+    domq_real best_s_uncertainty;      /* how far REF_BEST_S may be off, as the library says */
     bool detaches;
     enum dom_end ends; /* what limits the last growth that was found */
     enum dom_status why;
