@@ -91,30 +91,25 @@ static void rmax_fuels_detail(struct answer *a, const struct domq_train *train, 
 }
 
 /* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
- * smaller, prints it. If the growth of the session lies between the two limits, the details have the push
- * that the row needs. */
-static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
-                           const struct domq_train *train, const struct domq_limit *used,
-                           const struct start_growths *growths)
+ * smaller, prints it. The growth of the session may lie between the two limits. Then the row needs a push,
+ * which takes 100 times as long to find as both limits. */
+static void rmax_start_say(const struct query *query, struct answer *a, const struct domq_train *train,
+                           const struct domq_limit *used, const struct start_growths *growths)
 {
-    struct start start;
     const domq_real r_start = growths->r_max;
     if (used->ends == DOM_END_NONE || growths->is_too_slow || r_start >= used->r_max)
-        return true;
+        return;
     if (!isnan(r_start))
         answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
                    limit_words(r_start, 6).text, start_words(query).text);
     else
         answer_say(a, "This train is already moving: from rest, no row falls %s, whatever its growth.",
                    start_words(query).text);
-    if (train->r > used->r_max || train->r <= r_start)
-        return true;
-    if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
-        return false;
-    if (isfinite(start.push))
-        answer_detail(a, "At a growth of %.6g, the row needs a push of %.4g rad/s.", (double)train->r,
-                      (double)start.push);
-    return true;
+    if (train->r <= used->r_max && !(train->r <= r_start))
+        answer_detail(a,
+                      "At a growth of %.6g, such a row does not fall; 'count' looks for a push that is "
+                      "enough.",
+                      (double)train->r);
 }
 
 /* Returns the reason why r_start has no value, or NULL if rmax_start_say will print the reason. */
@@ -156,7 +151,9 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
                    cell_uncertain(paper.r_max, paper.uncertainty), cell_without_error(growths.r_max)),
                missing);
     rmax_fuels_detail(a, &train, &used, &exact, &paper);
-    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
+    if (answer_for_people(a))
+        rmax_start_say(query, a, &train, &used, &growths);
+    return true;
 }
 
 static const struct column pair_columns[] = {
