@@ -127,7 +127,8 @@ TEST(limits_of_hard_cases_lie_in_what_is_proved)
 TEST(verdicts_agree)
 {
     uint64_t seed = 88;
-    int goes = 0, stops = 0, open = 0, wrong = 0, trains = (int)ceil(150 * sweep_size());
+    /* of fewer trains, too few stop to tell their share */
+    int goes = 0, stops = 0, open = 0, wrong = 0, trains = (int)ceil(fmax(150 * sweep_size(), 50));
     for (int i = 0; i < trains; i++) {
         struct setup setup = any_train(&seed);
         setup.r = pow((double)setup.s, -0.8 * random_unit(&seed));

@@ -157,6 +157,22 @@ TEST(narrow_bands_of_pairs)
         }
 }
 
+/* Checks that a pair does not begin at the growth at which domino 1 just tips over. It has no kinetic energy
+ * there, and the barrier is positive, even if no digits are left to refine them: at the finest tolerance. */
+TEST(a_domino_at_rest_topples_nothing)
+{
+    static const double d[] = {7.0 / 48, 0.25, 0.5, 1.5};
+    for (int p = 0; p < 3; p++)
+        for (size_t i = 0; i < sizeof d / sizeof *d; i++)
+            for (int k = 0; k < 4; k++) {
+                struct setup train = train_of(0.1, d[i], 3, 0, (enum dom_precision)p);
+                struct domq_limit limit;
+                train.tol = (domq_real)pow(10, k) * domq_arithmetic((enum dom_precision)p)->tol_floor;
+                assert_status(ask_limit_pair(&train, &limit), DOM_OK);
+                assert_int_equal(limit.ends, DOM_END_NONE);
+            }
+}
+
 /* Checks that smooth maxima are found to tol. Samples of r_max alone would give only sqrt(tol). */
 TEST(the_best_separation_to_its_digits)
 {

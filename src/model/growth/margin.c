@@ -17,7 +17,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         m->barrier_is_bound = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is not positive, whatever the barrier is */
+    if (c->how != MARGIN_SURE && m->kinetic < 0) { /* the margin is negative, whatever the barrier is */
         m->barrier = 0;
         return DOM_OK;
     }
