@@ -484,8 +484,8 @@ struct dom_limit {
  * curved, and finds the minimum of each dip. Only a dip that lies between two samples and leaves no trace in
  * them can be missed.
  *
- * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN: r_max
- * is `open`, the growth of this minimum, or the later root that is stored in `r_max`.
+ * If the sign of a minimum is hidden by rounding errors, even in quad precision, the status is DOM_OPEN:
+ * r_max is `open`, the growth of this minimum, or the later root that is stored in `r_max`.
  *
  * dom_limit_rmax, dom_limit_pair and dom_limit_best return DOM_TOO_LONG if the computation would take more
  * than a second or two in double precision.

@@ -22,7 +22,8 @@ bool __wrap_dom_interrupted(const volatile sig_atomic_t *flag)
     return ++checks >= raise_at;
 }
 
-/* The checks that may follow the one that raises the flag: those of the solvers of GSL, which evaluate a function up to 42 times before they return. */
+/* The checks that may follow the one that raises the flag: those of the solvers of GSL, which evaluate a
+ * function up to 42 times before they return. */
 enum { FURTHER = 64 };
 enum { ROW = 3 * CHECK_EVERY, RANDOM_ROWS = 24 };
 

@@ -14,6 +14,7 @@
  * run then makes their marks, and takes the place of the planned row for them.
  */
 #include "row/study.h"
+#include <stdlib.h>
 
 /* omegasq counts as equal if it differs by less than this fraction of `clear`. */
 #define STUDY_EQUAL ((real)1 / 16)

@@ -51,8 +51,7 @@ static void help_screen(FILE *out)
             write_wrapped(out, names + 1, left, LINE);
             putc('\n', out);
         }
-    help_say(out,
-             "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
+    help_say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
 }
 
 /* Prints a line for each command of the groups with this word or, if it is "all", of all groups. */

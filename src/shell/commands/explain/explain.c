@@ -55,8 +55,7 @@ static bool is_label(const char *word, size_t length)
     return length > letters && length <= 3 && strspn(word + letters, "0123456789") >= length - letters;
 }
 
-/* Parses the name of a command, or an equation of the paper, as in 'explain c6', 'explain 24' and 'explain
- * (A18)'. */
+/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24'. */
 static bool what_parse(struct reader *r, struct question *q)
 {
     static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
