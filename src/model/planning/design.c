@@ -3,25 +3,16 @@
  * Designs a row whose first and last heights are given. The search finds a separation, a growth and a number
  * of dominoes. When a domino after the first is hit in the designed row, the moving dominoes have at least
  * `safety` times the energy that they need. The search uses the same computations as the public functions, so
- * their results agree.
- *
- * The separation s is a gap divided by the height of the domino after the gap. The search only tries
- * multiples of 1 / GRID: s = k / GRID. If k increases by 1, the gaps of the standard domino become 0.05 mm
- * wider.
+ * their results agree. planner.h describes the candidates.
  */
-#include "dispatch/dispatch.h"
-#include "planning/boxes.h"
+#include "planning/planner.h"
 #include "planning/shape.h"
-#ifdef DOMQ
-#define REAL_QUAD
-#endif
-#include "numerics/real.h"
 #include <stdlib.h>
 #include <string.h>
 
 /* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
  * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
-enum { GRID = 1000, COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
+enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
 
 /*
  * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
@@ -30,238 +21,17 @@ enum { GRID = 1000, COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
  */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
-#define ROUGHER  1000
-#define ROUGHEST ((dom_real)1e-6)
-
-/* The state of a search for a design. If an error occurs, `status` is set to a value other than DOM_OK. From
- * then on, nothing more is computed, and every test fails. */
-struct planner {
-    struct dom_train train;
-    /* settings of the search, which computes in double even if the result has another precision */
-    struct dom_compute compute;
-    const struct dom_wish *wish;
-    /* the sizes that the dominoes may have, or NULL if any sizes are allowed */
-    const struct dom_limits *limits;
-    struct dom_domino *domino; /* array of `room` dominoes */
-    size_t room;
-    enum dom_status status;
-    dom_real failed_s; /* last separation at which a train or row could not be computed; 0 if there is none */
-    /* true to run all dominoes; false to end a run at the first domino that is not safe enough */
-    bool whole;
-    /* number of the weakest domino in the last run, counted from 1: the domino with the smallest ratio of
-     * kinetic energy to barrier; the first domino does not count, because its energy depends on the push */
-    size_t weakest;
-    dom_real least;                   /* ratio of kinetic energy to barrier of `weakest` */
-    dom_real seconds, engine_seconds; /* duration of the last run in the model and in the engine */
-    bool engine_refused; /* true if a row was safe enough in the model but did not fall in the engine */
-};
-
-/* A candidate row. Its separation is k / GRID. It has steps + 1 dominoes, so there are `steps` steps from the
- * first domino to the last. */
-struct choice {
-    int k;
-    size_t steps;
-};
-
-static dom_real separation(int k)
-{
-    return (dom_real)k / GRID;
-}
-
-/* Returns the growth that leads from the first height to the last in `steps` steps. */
-static dom_real growth(const struct planner *p, size_t steps)
-{
-    return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
-}
-
-/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
-
-/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
- * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
- * larger tolerance in *compute and returns true. After any other failure, or if the tolerance is already
- * large, returns false. */
-static bool tried_again(enum dom_status status, struct dom_compute *compute)
-{
-    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
-        return false;
-    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
-    return true;
-}
-
-/* Records a failed computation. If the computation did not converge, or if its result is not finite, only the
- * present separation is skipped. Any other failure ends the search. */
-static void failure_keep(struct planner *p, enum dom_status status)
-{
-    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
-        p->failed_s = p->train.s;
-    else
-        p->status = status;
-}
-
-/* Returns the ratio of kinetic energy to barrier in an endless train with the separation s and the growth r.
- * If there is no such ratio, for example because the next domino is out of reach, returns 0. */
-static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
-{
-    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
-    if (p->status != DOM_OK || s * r > 1)
-        return 0;
-    p->train.s = s;
-    p->train.r = r;
-    struct dom_compute compute = p->compute;
-    enum dom_status status;
-    do {
-        struct question q = question_make(&p->train, &compute);
-        status = ASK(q, barrier_find, &barrier);
-    } while (tried_again(status, &compute));
-    if (status == DOM_OK || status == DOM_STOPS)
-        return barrier.kinetic / barrier.barrier;
-    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
-        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
-        failure_keep(p, status);
-    return 0;
-}
-
-/*
- * Records the smallest ratio of kinetic energy to barrier so far. The first domino does not count, since its
- * energy depends on the push. Returns false to end the run: if p->whole is false, the run ends as soon as a
- * ratio is smaller than the required safety.
- */
-static bool ratio_seen(const struct dom_fall *fall, void *context)
-{
-    struct planner *p = context;
-    dom_real ratio = fall->kinetic / fall->barrier;
-    if (fall->domino > 1 && !(ratio >= p->least)) {
-        p->least = ratio;
-        p->weakest = fall->domino;
-    }
-    return p->whole || p->least >= p->wish->safety;
-}
-
-/* Returns a row with the dominoes that row_write wrote last. */
-static struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
-                             const struct dom_engine *engine)
-{
-    struct dom_row row = {
-        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
-#define VALUE(effect, member, status) row.member = p->train.member;
-    DOM_DYNAMICS(VALUE)
-#undef VALUE
-    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
-    if (p->wish->boxes_above > 0) {
-        row.walls = p->wish->walls;
-        row.boxes_above = p->wish->boxes_above;
-    }
-    return row;
-}
-
-/* Writes the dominoes of a candidate row to p->domino. If memory is exhausted, or if the walls do not fit
- * into a domino, sets p->status and returns false. */
-static bool row_write(struct planner *p, struct choice c)
-{
-    size_t count = c.steps + 1;
-    if (count > p->room) {
-        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
-        if (!more) {
-            p->status = DOM_NO_MEMORY;
-            return false;
-        }
-        p->domino = more;
-        p->room = count;
-    }
-    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
-    p->train.s = separation(c.k);
-    p->train.r = growth(p, c.steps);
-    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
-    p->domino[c.steps].height = p->wish->height;
-    const struct dom_row row = row_of(p, c, p->wish->push, NULL);
-    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
-        struct dom_domino *d = &p->domino[k], *first = p->domino;
-        d->mass = wood_volume(&row, d) / wood_volume(&row, first);
-        if (!(d->mass > 0)) {
-            p->status = DOM_NO_ROOM;
-            return false;
-        }
-    }
-    if (p->limits) {
-        const struct shape shape = {&row, p->limits};
-        shape_round(&shape, p->domino);
-    }
-    return true;
-}
-
-/* Writes a candidate row and runs it. Returns the smallest ratio of kinetic energy to barrier among the
- * dominoes after the first. If the row does not fall, returns 0. If `times` is false, the run ends at the
- * first domino whose ratio is below the required safety, and this ratio is returned. Since the dominoes after
- * it are not run, the row may stop even if the ratio is above 1. */
-static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
-{
-    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    if (p->status != DOM_OK || !row_write(p, c))
-        return 0;
-    const struct dom_row row = row_of(p, c, push, NULL);
-    struct dom_compute compute = p->compute;
-    enum dom_status status;
-    do {
-        p->least = (dom_real)INFINITY;
-        p->weakest = 0;
-        p->whole = times;
-        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
-    } while (tried_again(status, &compute));
-    p->seconds = verdict.seconds;
-    if (status != DOM_OK)
-        failure_keep(p, status);
-    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
-}
-
-/* ---- Lengths ---- */
-
-/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
- * has the separation s. Its dimensions are not rounded to a grid. */
-static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
-{
-    dom_real r = growth(p, steps), height = p->wish->first, sum = 0;
-    for (size_t k = 0; k <= steps; k++, height *= r)
-        sum += (p->train.d + (k ? s : 0)) * height;
-    return sum;
-}
-
-/* Returns the length of a candidate row after its last domino has fallen forwards. The dimensions of the row
- * are not rounded to a grid. */
-static dom_real length_of(const struct planner *p, struct choice c)
-{
-    return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
-}
-
-/* Returns the largest k, up to GRID, for which a row with the separation k / GRID fits into the hall. If
- * there is none, returns 0. The dimensions of the row are not rounded to a grid. */
-static int widest(const struct planner *p, size_t steps, dom_real hall)
-{
-    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
-    dom_real s = (hall - p->wish->height - closed) / (open - closed);
-    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
-}
-
-/* Returns the length of the standing row that row_write wrote last. */
-static dom_real row_feet(const struct planner *p, struct choice c)
-{
-    dom_real sum = 0;
-    for (size_t k = 0; p->limits && k <= c.steps; k++)
-        sum += p->domino[k].gap + p->domino[k].thickness;
-    return p->limits ? sum : feet_of(p, c.steps, separation(c.k));
-}
-
 /* Computes the chosen row with the requested precision and writes the result to *design. */
 static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
                         struct dom_design *design)
 {
     p->compute = *compute;
-    dom_real train = train_ratio(p, separation(c.k), growth(p, c.steps));
-    dom_real row = row_ratio(p, c, p->wish->push, true);
-    design->s = separation(c.k);
-    design->r = growth(p, c.steps);
+    dom_real train = planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps));
+    dom_real row = planner_row_ratio(p, c, p->wish->push, true);
+    design->s = choice_separation(c.k);
+    design->r = planner_growth(p, c.steps);
     design->steps = c.steps;
-    design->feet = row_feet(p, c);
+    design->feet = planner_feet(p, c);
     design->length = design->feet + p->wish->height;
     design->train = train > 0 ? train : DOM_NAN;
     design->row = row > 0 ? row : DOM_NAN;
@@ -296,7 +66,7 @@ static struct planner planner_make(const struct dom_train *train, const struct d
                                                                : DOM_OK;
     if (p.status != DOM_OK)
         return p;
-    p.train.s = separation(GRID / 2);
+    p.train.s = choice_separation(GRID / 2);
     p.train.r = 1;
     if (wish->boxes_above > 0)
         p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
@@ -310,13 +80,13 @@ static struct planner planner_make(const struct dom_train *train, const struct d
 
 static bool train_enough(struct planner *p, struct choice c)
 {
-    return train_ratio(p, separation(c.k), growth(p, c.steps)) >= p->wish->safety;
+    return planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety;
 }
 
 static bool enough(struct planner *p, struct choice c)
 {
-    return train_enough(p, c) && row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           (!p->limits || row_feet(p, c) + p->wish->height <= p->wish->hall);
+    return train_enough(p, c) && planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           (!p->limits || planner_feet(p, c) + p->wish->height <= p->wish->hall);
 }
 
 /* Returns true if the row is safe enough in the model and also falls in the engine. If the engine cannot
@@ -326,7 +96,7 @@ static bool enough_in_engine(struct planner *p, struct choice c)
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (!enough(p, c))
         return false;
-    const struct dom_row row = row_of(p, c, p->wish->push, p->wish->engine);
+    const struct dom_row row = planner_row(p, c, p->wish->push, p->wish->engine);
     enum dom_status status = row_verdict(&row, &p->compute, true, NULL, NULL, &verdict);
     bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     p->engine_seconds = verdict.seconds;
@@ -342,13 +112,13 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
-    if (!(train_ratio(p, s, 1) >= p->wish->safety))
+    if (!(planner_train_ratio(p, s, 1) >= p->wish->safety))
         return 0;
-    if (train_ratio(p, s, hi) >= p->wish->safety)
+    if (planner_train_ratio(p, s, hi) >= p->wish->safety)
         return hi;
     while (hi - lo > (dom_real)1e-7 * hi && p->status == DOM_OK) {
         dom_real middle = (lo + hi) / 2;
-        *(train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
+        *(planner_train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
     }
     return lo;
 }
@@ -361,7 +131,7 @@ static dom_real separation_find(struct planner *p, int *best)
     dom_real most = 0;
     *best = 0;
     for (int k = COARSE; k <= GRID; k += COARSE) {
-        dom_real r = safe_growth(p, separation(k));
+        dom_real r = safe_growth(p, choice_separation(k));
         if (r > most) {
             most = r;
             *best = k;
@@ -369,7 +139,7 @@ static dom_real separation_find(struct planner *p, int *best)
     }
     for (int step = COARSE / 2, from = *best; step > 0 && most > 0; step = step / 2, from = *best)
         for (int k = from - step; k <= from + step; k += 2 * step) {
-            dom_real r = k > 0 && k <= GRID ? safe_growth(p, separation(k)) : 0;
+            dom_real r = k > 0 && k <= GRID ? safe_growth(p, choice_separation(k)) : 0;
             if (r > most) {
                 most = r;
                 *best = k;
@@ -433,21 +203,21 @@ static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, s
     size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
     for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
          n = steps_next(p, fewest, n)) {
-        const int most = shortest ? GRID : widest(p, n, p->wish->hall);
-        if (most <= 0 || length_of(p, (struct choice){0, n}) >= length)
+        const int most = shortest ? GRID : planner_widest(p, n, p->wish->hall);
+        if (most <= 0 || planner_length(p, (struct choice){0, n}) >= length)
             break; /* a row with more dominoes would be too long, too */
         struct choice c = {nearest(p, n, k, most, STEP, enough), n};
         if (c.k > 0 && shortest)
             c.k = closest(p, n, c.k);
         if (c.k > 0 && p->wish->engine)
-            c.k =
-                nearest(p, n, c.k, shortest ? widest(p, n, length) : most, STEP_OF_ENGINE, enough_in_engine);
-        const bool shorter = c.k > 0 && length_of(p, c) < length;
+            c.k = nearest(p, n, c.k, shortest ? planner_widest(p, n, length) : most, STEP_OF_ENGINE,
+                          enough_in_engine);
+        const bool shorter = c.k > 0 && planner_length(p, c) < length;
         longer = shorter || !isfinite(length) ? 0 : longer + 1;
         if (!shorter)
             continue;
         *best = c;
-        length = length_of(p, c);
+        length = planner_length(p, c);
         engine_seconds = p->engine_seconds;
         if (!shortest)
             break;
@@ -461,15 +231,15 @@ static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, s
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
-    for (int i = 0; i < 16 && row_ratio(p, c, hi, false) < p->wish->safety; i++) {
+    for (int i = 0; i < 16 && planner_row_ratio(p, c, hi, false) < p->wish->safety; i++) {
         lo = hi;
         hi *= 2;
     }
-    if (!(row_ratio(p, c, hi, false) >= p->wish->safety))
+    if (!(planner_row_ratio(p, c, hi, false) >= p->wish->safety))
         return DOM_NAN;
     while (hi - lo > (dom_real)1e-4 * hi && p->status == DOM_OK) {
         dom_real middle = (lo + hi) / 2;
-        *(row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
+        *(planner_row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
     }
     return hi;
 }
@@ -480,7 +250,7 @@ static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;
     for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
-        most = fmax(most, train_ratio(p, separation(k), 1));
+        most = fmax(most, planner_train_ratio(p, choice_separation(k), 1));
     return most;
 }
 
@@ -495,14 +265,14 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
         return;
     }
     size_t fewest = 1;
-    while (growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
+    while (planner_growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
     bool fits = p->wish->least != DOM_LEAST_LENGTH && row_search(p, fewest, k, false, &c);
     bool searched = p->wish->least != DOM_LEAST_LENGTH && isinf(p->wish->hall);
     if (!fits && !searched && row_search(p, fewest, k, true, &c)) {
-        fits = length_of(p, c) <= p->wish->hall;
+        fits = planner_length(p, c) <= p->wish->hall;
         design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
-        design->needs = fits ? DOM_NAN : length_of(p, c);
+        design->needs = fits ? DOM_NAN : planner_length(p, c);
     } else if (!fits && p->engine_refused) {
         design->limit = DOM_DESIGN_ENGINE;
     } else if (!fits && p->status == DOM_OK) {
@@ -544,8 +314,8 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 /* A choice_test that returns true if the row falls and fits into the hall. */
 static bool falls_in_hall(struct planner *p, struct choice c)
 {
-    return row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
-           row_feet(p, c) + p->wish->height <= p->wish->hall;
+    return planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           planner_feet(p, c) + p->wish->height <= p->wish->hall;
 }
 
 enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
@@ -567,7 +337,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;
-    const int most = p.status == DOM_OK ? widest(&p, steps, wish->hall) : 0;
+    const int most = p.status == DOM_OK ? planner_widest(&p, steps, wish->hall) : 0;
     if (k > 0 && most > 0)
         c.k = nearest(&p, steps, k, most, STEP, falls_in_hall);
     found.limit = c.k > 0 ? DOM_DESIGN_FITS : most <= 0 ? DOM_DESIGN_HALL : DOM_DESIGN_SAFETY;
@@ -588,7 +358,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
     const struct choice c = {(int)(double)floor(design->s * GRID + (dom_real)0.5), design->steps};
     if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
         p.status = DOM_BAD_COUNT;
-    if (p.status == DOM_OK && row_write(&p, c))
+    if (p.status == DOM_OK && planner_row_write(&p, c))
         memcpy(domino, p.domino, (c.steps + 1) * sizeof *domino);
     free(p.domino);
     return p.status;

@@ -15,6 +15,7 @@
  */
 #include "row/study.h"
 #include <stdlib.h>
+#include <string.h>
 
 /* omegasq counts as equal if it differs by less than this fraction of `clear`. */
 #define STUDY_EQUAL ((real)1 / 16)

@@ -31,8 +31,4 @@ struct cost {
 /* Measures the quantity with index `which` in cost_names, for the train of the scene. */
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
 
-/* Returns how many seconds a call to `answer` takes, in the fastest of up to seven batches of calls. A slow
- * call is timed only once. Returns NaN if a call returns false. */
-double seconds_of(bool (*answer)(void *context), void *context);
-
 #endif

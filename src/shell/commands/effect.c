@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'effect', 'effects' and 'scene'. */
-#include "commands/cost.h"
 #include "commands/rows/falling.h"
+#include "commands/seconds.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/text.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/compute.h"
 #include "answer/reference.h"
-#include "interpreter/question.h"
 #include "language/quad.h"
 #include "session/engine.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/question.h"
+#include "interpreter/compute.h"
 #include "interpreter/symbols.h"
 #include "language/quad.h"
 #include <string.h>
@@ -66,17 +66,6 @@ static bool routine_quantity(struct evaluation *e, const struct tree *t, const s
     if (!good)
         routine_wrong(e->error, t->at, routine->function);
     return good;
-}
-
-bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
-                struct query *changed, struct problem *problem)
-{
-    *state = *query->state;
-    *changed = *query;
-    changed->state = state;
-    changed->scene = &state->scene;
-    changed->next = NULL;
-    return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
 }
 
 /* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */

@@ -62,11 +62,6 @@ bool question_bind(const struct question *question, const struct query *query, s
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
-/* Runs a command. If errors are on, runs it a second time in quad precision, to find the errors of its
- * numbers (answer/reference.h). */
-bool command_compute(const struct command *command, const struct query *query, struct answer *answer,
-                     struct problem *problem);
-
 /* Binds a question and runs its command. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);

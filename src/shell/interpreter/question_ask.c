@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/compute.h"
 #include "interpreter/question.h"
 #include <string.h>
 

@@ -75,10 +75,4 @@ void routine_wrong(struct expression_error *error, const char *at, const struct 
 bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
                     struct expression_error *error, struct problem *problem);
 
-/* Makes *changed a copy of `query` in which the parameters in `assigned` have their new values. The caller
- * provides *state, which holds the state of the copy and must live as long as the copy. On failure, sets
- * *problem and returns false. */
-bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
-                struct query *changed, struct problem *problem);
-
 #endif

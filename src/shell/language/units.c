@@ -206,3 +206,26 @@ struct quantity expression_unit(const char *unit)
     const char *end = *unit ? unit_scan(unit, &q) : NULL;
     return end && *end == '\0' ? q : (struct quantity){.value = 1};
 }
+
+const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT])
+{
+    static const char *const lengths[] = {"m", "cm", "mm"};
+    const int first = *typed ? -1 : 0, last = *typed ? -1 : 2;
+    size_t shortest = LENGTH_TEXT;
+    for (int k = first; k <= last; k++) {
+        const char *unit = k < 0 ? typed : lengths[k];
+        char number[WIDE_TEXT];
+        struct quantity q;
+        int digits = 5;
+        do {
+            quad_write(m / expression_unit(unit).value, digits, number);
+            q = (struct quantity){.value = quad_read(number, NULL)};
+            unit_scan(unit, &q);
+        } while (q.value != m && ++digits <= WIDE_DIGITS);
+        if (k == first || strlen(number) + 3 < shortest) { /* m unless its digits do not end */
+            shortest = strlen(number);
+            snprintf(text, LENGTH_TEXT, "%s %s", number, unit);
+        }
+    }
+    return text;
+}

@@ -3,7 +3,7 @@
 #ifndef SHELL_UNITS_H
 #define SHELL_UNITS_H
 
-#include "domino_quad.h"
+#include "language/quad.h"
 #include <ctype.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -81,5 +81,10 @@ bool name_copy(const char *text, size_t length, char *name, size_t size);
  * NULL if there is no unit or its exponent is too large. In "4.8 cm/h", the unit is only cm, because h is not
  * a unit; but "km/h" is one. */
 const char *unit_scan(const char *text, struct quantity *quantity);
+
+/* Writes a length with as few digits as it needs to be read back exactly, in the unit `typed`. If `typed` is
+ * "", chooses m, cm or mm. */
+enum { LENGTH_TEXT = WIDE_TEXT + 12 };
+const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT]);
 
 #endif

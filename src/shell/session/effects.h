@@ -8,11 +8,6 @@
 #include "session/query.h"
 #include "session/row.h"
 
-/* Writes a length with as few digits as it needs to be read back exactly, in the unit `typed`. If `typed` is
- * "", chooses m, cm or mm. */
-enum { LENGTH_TEXT = WIDE_TEXT + 12 };
-const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT]);
-
 /* Returns the values of an effect for messages, as in "1 m, 0.1", "record.csv" or "off". The text lives until
  * the end of the caller's block. */
 enum { EFFECT_SETTING = 256 }; /* the longest file name has 255 bytes */

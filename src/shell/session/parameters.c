@@ -125,29 +125,6 @@ int parameter_share(const struct parameter *p)
     return -1;
 }
 
-const char *length_write(domq_real m, const char *typed, char text[LENGTH_TEXT])
-{
-    static const char *const units[] = {"m", "cm", "mm"};
-    const int first = *typed ? -1 : 0, last = *typed ? -1 : 2;
-    size_t shortest = LENGTH_TEXT;
-    for (int k = first; k <= last; k++) {
-        const char *unit = k < 0 ? typed : units[k];
-        char number[WIDE_TEXT];
-        struct quantity q;
-        int digits = 5;
-        do {
-            quad_write(m / expression_unit(unit).value, digits, number);
-            q = (struct quantity){.value = quad_read(number, NULL)};
-            unit_scan(unit, &q);
-        } while (q.value != m && ++digits <= WIDE_DIGITS);
-        if (k == first || strlen(number) + 3 < shortest) { /* m unless its digits do not end */
-            shortest = strlen(number);
-            snprintf(text, LENGTH_TEXT, "%s %s", number, unit);
-        }
-    }
-    return text;
-}
-
 /* Divides the lengths that were given by the height. */
 static void lengths_apply(struct scene *scene)
 {
@@ -225,6 +202,17 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
             return false;
     }
     return true;
+}
+
+bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
+                struct query *changed, struct problem *problem)
+{
+    *state = *query->state;
+    *changed = *query;
+    changed->state = state;
+    changed->scene = &state->scene;
+    changed->next = NULL;
+    return state_assign(state, assigned, count, problem) && lengths_check(state, problem);
 }
 
 bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,

@@ -102,6 +102,12 @@ static inline struct typed_length share_length(const struct parameter *parameter
 /* Returns true if the lengths that were given fit to the height. */
 bool lengths_check(const struct state *state, struct problem *problem);
 
+/* Makes *changed a copy of `query` in which the parameters in `assigned` have their new values. The caller
+ * provides *state, which holds the state of the copy and must live as long as the copy. On failure, sets
+ * *problem and returns false. */
+bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
+                struct query *changed, struct problem *problem);
+
 /* Sets a parameter. `value` is an array with `given` elements. Only effects take more than one value. If the
  * first value was given as a length, `length` is this length; otherwise, it may be NULL. The state must own
  * its memory. On failure, sets *problem, changes nothing and returns false. */

@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/run.h"
+#include "answer/format.h"
+#include "interpreter/compute.h"
+#include "interpreter/question.h"
+#include "io/io.h"
+#include "io/terminal.h"
+#include "picture/show.h"
+#include "session/engine.h"
+#include "session/undo.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* ---- Answers ---- */
+
+#define TRAIN_NOTE                                                                                           \
+    "This answer is about the endless train with these parameters, not about the row. 'fall' runs the row."
+
+/* Tells the user that the answer is about the endless train, not about the row. The note usually goes below
+ * the answer. If the answer is a picture in a file, the note goes to standard error instead. */
+static void train_note(const struct session *session, struct answer *answer)
+{
+    const char *note =
+        scene_has_engine(&session->state.scene)
+            ? "(This answer is about the endless train in the model, with hinged feet and without bounce. "
+              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
+            : "(" TRAIN_NOTE ")";
+    if (!answer_for_people(answer))
+        return;
+    if (answer->path && extension_of(answer->path)->kind == EXTENSION_SHEET)
+        fprintf(io_stderr(), "%s\n", note);
+    else
+        answer_say(answer, "%s", note);
+}
+
+/* Returns true if the answer of the command is always a picture. */
+static bool is_picture(const struct command *c)
+{
+    return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS || c->writes == WRITES_FILMS;
+}
+
+/* Runs the command's function for this answer: `act`, `picture` or `run` (see struct command). If the
+ * terminal is too small for a picture, reports a problem instead. */
+static bool run_function(struct session *session, const struct command *c, const struct query *query,
+                         struct answer *answer, struct problem *problem)
+{
+    bool is_on_screen = is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
+    if (is_on_screen && !picture_has_room(answer, c->name, problem))
+        return false;
+    if (c->act)
+        return c->act(session, query->given, answer, problem);
+    if (answer->path && c->picture && extension_of(answer->path)->terminal)
+        return c->picture(query, answer, problem);
+    return command_compute(c, query, answer, problem);
+}
+
+/* Keeps the rest of an answer for 'details', and prints it at once if the command ends with this word. */
+static void rest_keep(struct session *session, const struct command *c, const struct query *query,
+                      struct answer *answer, bool done)
+{
+    char *text = answer->rest ? rest_end(answer->rest) : NULL;
+    if (!done || !c->columns) {
+        free(text);
+        return;
+    }
+    if (text && query->given->details)
+        fprintf(answer->out, "\n%s", text);
+    free(session->details);
+    session->details = text;
+}
+
+/* Keeps the answer for 'ans'. */
+static void answer_remember(struct session *session, const struct command *c, const struct answer *answer,
+                            const struct cell kept[ANSWER_CELLS])
+{
+    if (answer->is_value || c->principal)
+        session->ans.printed = answer->is_value;
+    if (answer->is_value)
+        session->ans.value = answer->value;
+    else if (c->principal) {
+        session->ans.command = c;
+        memcpy(session->ans.cells, kept, ANSWER_CELLS * sizeof *kept);
+    }
+}
+
+/* Says why some numbers have no error. */
+static void unknown_note(const struct command *c, struct answer *answer)
+{
+    answer_say(answer,
+               c->has_errors ? "Where no error is given, 30 digits lead to another answer, or a part of the "
+                               "answer is computed in double precision only."
+                             : "No errors are given: '%s' computes in double precision only.",
+               c->name);
+}
+
+/* Runs a command and writes its answer to the output at the top of the stack. */
+static bool run_command(struct session *session, const struct command *c, const struct query *query,
+                        struct problem *problem)
+{
+    struct cell kept[ANSWER_CELLS];
+    struct rest rest = {.out = NULL};
+    /* `kept` is needed only if the command has a value for 'ans'. Clearing it for every command would slow
+     * down scripts. */
+    if (c->principal)
+        memset(kept, 0, sizeof kept);
+    struct output *output = session->output, *end = *output_find(&output, OUTPUT_SINKS);
+    bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
+    struct answer answer = {
+        .out = output->out,
+        .path = output->path,
+        .appended = output->append,
+        .style = state_style(query->state),
+        .command = c->name,
+        .note = is_not_row ? TRAIN_NOTE : NULL,
+        .csv.last_header = end->header,
+        .columns = c->columns,
+        .rows = c->rows,
+        .brief = c->brief,
+        .rest = c->brief ? &rest : NULL,
+        .blank_above = end->answered && session->source.name,
+        .kept = c->principal ? kept : NULL,
+    };
+    if (output->format)
+        answer.style.format = output->format;
+    problem->place = 0;
+    session->made[0] = '\0';
+    double begun = session->state.settings.timing ? terminal_clock() : 0;
+    progress_begin();
+    bool done = run_function(session, c, query, &answer, problem);
+    progress_end();
+    session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
+    if (done && answer.note)
+        train_note(session, &answer);
+    if (done && answer.errors.has_unknown)
+        unknown_note(c, &answer);
+    const struct format *format = answer.style.format;
+    const char *unsaid = done && format->end ? format->end(&answer) : NULL;
+    if (unsaid)
+        session_note(session, "%s", unsaid);
+    rest_keep(session, c, query, &answer, done);
+    session->wrote = answer.has_rows;
+    snprintf(session->made, sizeof session->made, "%s", answer.made);
+    end->answered = end->answered || (done && c->columns) || answer.wrote_text;
+    end->error = answer.error ? answer.error : end->error;
+    if (done)
+        answer_remember(session, c, &answer, kept);
+    if (done && session->state.settings.timing && c->columns) {
+        /* Programs may read csv, json and files, so the time must not appear there. */
+        bool is_for_people = answer.style.format->for_people && !answer.path;
+        fprintf(is_for_people ? answer.out : io_stderr(), "time: %.6g ms\n",
+                1e3 * (terminal_clock() - begun));
+    }
+    return done;
+}
+
+/* Runs a command. Help pages, and at the prompt also tables, go through the pager if they are longer than the
+ * screen. A safe session runs no program. */
+static bool run_paged(struct session *session, const struct command *c, const struct query *query,
+                      struct problem *problem)
+{
+    const bool has_pages = c->writes == WRITES_PAGES;
+    if (session->run_context.safe ||
+        (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs)))
+        return run_command(session, c, query, problem);
+    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
+    struct output *end = *output_find(&session->output, OUTPUT_SINKS);
+    int error = end->error;
+    bool is_paged = pager_push(&session->output, !has_pages);
+    bool done = run_command(session, c, query, problem);
+    if (is_paged && output_pop(&session->output, true)) {
+        /* When the user closes the pager before the end of the answer, the rest cannot be written. This is
+         * not an error, so the earlier value of end->error is restored. */
+        end->error = error;
+        if (dom_raised(interrupt))
+            problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
+    }
+    return done;
+}
+
+/* ---- Files ---- */
+
+/* Lists the extensions of the files that a command can write, for messages. */
+static const char *endings_of(const struct command *c)
+{
+    return c->writes == WRITES_DOCUMENTS ? ".tex or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
+           : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"
+           : c->picture            ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
+           : c->columns || c->runs ? ".csv, .json or .txt"
+                                   : ".txt";
+}
+
+static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
+{
+    const struct extension *extension = extension_of(path);
+    const bool charts = c->writes == WRITES_CHARTS || c->picture, draws = charts || is_picture(c);
+    bool fits = true;
+    if (extension->kind == EXTENSION_OTHER)
+        return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
+                             endings_of(c));
+    if (c->writes == WRITES_FILMS || extension->kind == EXTENSION_FILM)
+        fits = c->writes == WRITES_FILMS &&
+               (extension->kind == EXTENSION_FILM || extension->kind == EXTENSION_DATA);
+    else if (extension->kind == EXTENSION_DATA)
+        fits = c->columns || c->runs || c->writes == WRITES_PAGES;
+    else if (extension->kind == EXTENSION_SHEET)
+        fits = c->writes == WRITES_DOCUMENTS
+                   ? extension->is_document
+                   : extension->terminal && draws && (charts || strcmp(extension->text, ".tex") != 0);
+    return fits || problem_error(problem, "'%s' is the name of a %s, which '%s' cannot write; use %s%s",
+                                 names_shown(path),
+                                 extension->kind == EXTENSION_DATA   ? "data file"
+                                 : extension->kind == EXTENSION_FILM ? "film"
+                                 : extension->terminal               ? "picture"
+                                 : extension->is_document            ? "document"
+                                                                     : "text",
+                                 c->name, endings_of(c),
+                                 extension->kind == EXTENSION_FILM ? "; 'animate' writes films"
+                                 : draws || !extension->terminal   ? ""
+                                                                   : "; 'draw' and 'plot' write pictures");
+}
+
+/* At a terminal, says what a picture file has. Scripts get no more than the file. */
+static void wrote_say(const struct session *session, const char *path)
+{
+    const char *made = session->made;
+    struct stat file;
+    const char *const units[] = {"bytes", "kB", "MB", "GB"};
+    int unit = 0;
+    if (session->source.stream || session->source.depth > 0 || !terminal_shows(stderr) ||
+        stat(path, &file) != 0)
+        return;
+    double size = (double)file.st_size;
+    for (; size >= 1000 && unit < 3; unit++)
+        size /= 1000;
+    progress_end();
+    fprintf(session->output->messages, "wrote %s: %s%s%.*f %s\n", names_shown(path), made, *made ? ", " : "",
+            unit > 0 && size < 10, size, units[unit]);
+}
+
+/* The extension of the file determines the format of the answer. */
+static bool run_into(struct session *session, const struct command *c, const struct query *query,
+                     const char *path, bool appends, struct problem *problem)
+{
+    const struct extension *extension = extension_of(path);
+    const bool is_shown = extension->kind == EXTENSION_SHEET || extension->kind == EXTENSION_FILM;
+    const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
+    bool done = !wrong;
+    if (done) {
+        /* with format_table, a picture is drawn even after 'set output csv' */
+        session->output->format = is_shown ? &format_table : extension->format;
+        session->output->is_header = session_format(session)->is_header;
+        done = run_command(session, c, query, problem);
+        wrong = output_pop(&session->output, done);
+        if (!done)
+            return false;
+        if (!wrong && is_shown)
+            wrote_say(session, path);
+    }
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
+}
+
+/* The user may have forgotten the '>' before a file name. If an invalid command ends with a file name, as in
+ * 'draw row.png', adds a hint to type '>' before the name. */
+static void redirect_hint(const struct command *c, const char *begin, struct problem *problem)
+{
+    const char *end = text_end(begin, ";>");
+    while (end > begin && isblank((unsigned char)end[-1]))
+        end--;
+    const char *word = end;
+    while (word > begin && !isblank((unsigned char)word[-1]))
+        word--;
+    char path[64];
+    snprintf(path, sizeof path, "%.*s", (int)(end - word), word);
+    const enum extension_kind kind = extension_of(path)->kind;
+    const size_t length = strlen(problem->text);
+    if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) && !c->files)
+        snprintf(problem->text + length, sizeof problem->text - length,
+                 "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
+}
+
+static bool file_run(struct session *session, const struct command *c, const struct query *query,
+                     const char *path, bool appends, struct problem *problem)
+{
+    if (session->run_context.safe)
+        return problem_error(problem, "a safe session cannot read or write files");
+    return extension_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+}
+
+/* `named` is the file that the command itself has named without a '>', or NULL. */
+static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
+                           const struct query *query, const char *named)
+{
+    struct problem *problem = r->problem;
+    if (named && *r->at == '>')
+        return problem_error(problem,
+                             "the film is written to '%s', so there is no other output to redirect; "
+                             "leave out one of the names",
+                             names_shown(named));
+    if (named)
+        return file_run(session, c, query, named, false, problem);
+    bool appends = r->at[1] == '>';
+    r->at = skip_blanks(r->at + (appends ? 2 : 1));
+    reader_place(r, r->at);
+    const char *path = read_file(r);
+    r->at = skip_blanks(r->at);
+    if (!path)
+        return false;
+    if (!*path)
+        return problem_error(problem, "the file after '>' is missing; enter, for example, 'show > FILE'");
+    if (!command_ends(r->at))
+        return problem_error(problem,
+                             "only one word can follow '>'; put a file name with blanks in double quotes");
+    return file_run(session, c, query, path, appends, problem);
+}
+
+/* ---- Commands ---- */
+
+/* Returns true if this command writes no answer to standard output. The json format then writes an object,
+ * because a program may be waiting for an answer. With --shard, the outputs of all parts are concatenated
+ * later, so only part 1 writes this object. */
+static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
+{
+    const struct shard *shard = &session->run_context.shard;
+    bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
+    /* 'source' has no answer of its own: the answers are those of the commands in its file. */
+    bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
+    return is_first && (is_redirected || is_source || !session->wrote);
+}
+
+void run_command_at(struct session *session, struct reader *line)
+{
+    struct reader r = *line;
+    struct problem problem;
+    struct question q;
+    struct query query = session_query(session);
+    problem_begin(&problem, NULL);
+    query.next = &session->state;
+    r.query = &query;
+    r.problem = &problem;
+    if (command_parse(&r, &q)) {
+        const struct command *c = q.command;
+        const struct format *format = session_format(session);
+        /* All changes that a sourced file makes are a single step for 'undo'. */
+        bool is_step = c->changes && session->source.depth == 0;
+        /* csv and json have the data of a film, and write no file without a '>'. */
+        const char *file = format->for_people ? q.file : NULL;
+        bool is_redirected = *r.at == '>' || file;
+        struct state *before = is_step ? undo_begin(&session->state) : NULL;
+        session->command = c->name;
+        struct call call;
+        bool done = question_bind(&q, &query, &call, &problem);
+        if (done)
+            done = is_redirected ? run_redirected(session, &r, c, &call.query, file)
+                                 : run_paged(session, c, &call.query, &problem);
+        arena_free(&call.given.memory);
+        /* After a command that changes the output format, no empty JSON object is written. */
+        bool is_same = session_format(session) == format;
+        if (done && is_same && format->done && is_silent(session, c, is_redirected))
+            format->done(session->output->out, c->name);
+        if (is_step)
+            undo_keep(&session->undo, &session->state, before, line->at,
+                      (size_t)(text_end(line->at, ";") - line->at));
+    } else if (q.command)
+        redirect_hint(q.command, line->at, &problem);
+    if (problem.kind != PROBLEM_NONE)
+        session_problem(session, &problem);
+    session->command = NULL;
+    line->at = r.at;
+    output_answered(session->output);
+}
