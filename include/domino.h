@@ -56,7 +56,7 @@ extern "C" {
 #endif
 
 /* The version of this header. */
-#define DOM_VERSION "1.0"
+#define DOM_VERSION "2.0"
 
 /* Returns the version of the library. A shared library may be newer than this header. */
 const char *dom_version(void);

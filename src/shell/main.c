@@ -175,7 +175,7 @@ static void run_row(struct session *session, const char *name)
     char command[2 * PATH_MAX + 16], *to = stpcpy(command, "set row \"");
     session->source.name = "domino";
     session->source.line = 1;
-    for (const char *c = name; *c && to < command + 2 * PATH_MAX; c++) {
+    for (const char *c = name; *c && to < command + sizeof command - 16; c++) {
         *to++ = *c;
         if (*c == '"') /* within quotes, two stand for one */
             *to++ = '"';

@@ -6,9 +6,11 @@
 static dom_real power_of(dom_real r, real n)
 {
     dom_real power = 1;
-    for (real half; n > 0; n = half, r *= r) {
-        half = floor(n / 2);
+    while (n > 0) {
+        const real half = floor(n / 2);
         power *= n > 2 * half ? r : 1;
+        r *= r;
+        n = half;
     }
     return power;
 }

@@ -94,7 +94,7 @@ static void terminal_look(struct answer *a)
 void answer_plan(struct answer *a, const struct cell *sample)
 {
     /* with a sink, the sweep plans one layout for the rows of all its points */
-    if (a->layout.is_planned || !a->out || a->sink)
+    if (a->layout.is_planned || !a->out || a->sink.take)
         return;
     a->layout.is_planned = true;
     terminal_look(a);
@@ -114,14 +114,14 @@ void answer_plan(struct answer *a, const struct cell *sample)
 /* Prepares the output for the first line of the answer. */
 static void answer_open(struct answer *a)
 {
-    if (a->is_open)
+    if (a->progress.is_open)
         return;
-    a->is_open = true;
+    a->progress.is_open = true;
     if (!a->layout.is_planned)
         terminal_look(a);
     if (a->layout.on_terminal)
         progress_end();
-    if (a->blank_above && a->style.format->for_people)
+    if (a->progress.blank_above && a->style.format->for_people)
         putc('\n', a->out);
 }
 
@@ -130,10 +130,10 @@ struct answer answer_part(const struct answer *a, FILE *out, size_t row)
     struct answer part = *a;
     part.out = out;
     part.kept = NULL;
-    part.rest = NULL;
+    part.details.rest = NULL;
     part.errors.row = row;
-    part.has_rows = part.has_rows || row > 0;
-    part.is_open = part.is_open || row > 0;
+    part.progress.has_rows = part.progress.has_rows || row > 0;
+    part.progress.is_open = part.progress.is_open || row > 0;
     return part;
 }
 
@@ -199,10 +199,10 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
     answer_plan(a, cells);
     answer_open(a);
     errno = 0;
-    if (!a->has_rows && format->begin)
+    if (!a->progress.has_rows && format->begin)
         format->begin(a, shown, reason);
     format->row(a, shown, reason);
-    a->has_rows = true;
+    a->progress.has_rows = true;
     if (ferror(a->out) && !a->error)
         a->error = errno;
     for (int i = 0; i <= count; i++)
@@ -218,18 +218,18 @@ static void rest_copy(const struct answer *a, struct rest *rest)
     rest->answer->columns = a->columns == a->copy ? rest->answer->copy : a->columns;
     rest->answer->out = rest->out;
     rest->answer->kept = NULL;
-    rest->answer->brief = NULL;
-    rest->answer->rest = NULL;
+    rest->answer->details.brief = NULL;
+    rest->answer->details.rest = NULL;
     rest->answer->errors.reference = NULL; /* the cells have been compared already */
-    rest->answer->is_open = true;
+    rest->answer->progress.is_open = true;
     rest->answer->layout.letters = rest->answer->layout.bold = false; /* 'details > FILE' is plain text */
-    rest->answer->has_rows = false;
+    rest->answer->progress.has_rows = false;
 }
 
 /* Returns the answer that writes into the rest. Returns NULL if no rest is kept, or if memory runs out. */
 static struct answer *rest_answer(struct answer *a)
 {
-    struct rest *rest = a->rest;
+    struct rest *rest = a->details.rest;
     if (!rest || !answer_for_people(a) || rest->answer)
         return rest && answer_for_people(a) ? rest->answer : NULL;
     rest->out = open_memstream(&rest->text, &rest->size);
@@ -243,7 +243,7 @@ static struct answer *rest_answer(struct answer *a)
 
 FILE *answer_rest(struct answer *a)
 {
-    return rest_answer(a) ? a->rest->out : NULL;
+    return rest_answer(a) ? a->details.rest->out : NULL;
 }
 
 char *rest_end(struct rest *rest)
@@ -273,14 +273,14 @@ static bool key_listed(const char *keys, const char *key)
 }
 
 /* Before the first row: prepares the rest for rows with all columns, and leaves those out of the answer that
- * answer->brief does not list. */
+ * answer->details.brief does not list. */
 static void rest_begin_rows(struct answer *a)
 {
-    a->has_rest_rows = true;
+    a->details.has_rows = true;
     if (rest_answer(a))
-        rest_copy(a, a->rest);
+        rest_copy(a, a->details.rest);
     for (int i = 0; a->columns[i].key;) {
-        if (key_listed(a->brief, a->columns[i].key)) {
+        if (key_listed(a->details.brief, a->columns[i].key)) {
             i++;
             continue;
         }
@@ -319,17 +319,17 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
         cells = compared;
     }
     a->errors.row++;
-    const bool is_brief = a->brief && *a->brief != '*' && answer_for_people(a);
-    if (is_brief && !a->has_rest_rows)
+    const bool is_brief = a->details.brief && *a->details.brief != '*' && answer_for_people(a);
+    if (is_brief && !a->details.has_rows)
         rest_begin_rows(a);
     if (is_brief && rest_answer(a))
-        answer_row(a->rest->answer, cells, NULL);
+        answer_row(a->details.rest->answer, cells, NULL);
     for (int i = 0, n = 0; a->left_out && a->columns[n].key; i++)
         if (!(a->left_out >> i & 1))
             left[n++] = cells[i];
     cells = a->left_out ? left : cells;
-    if (a->sink) {
-        a->sink(a, cells, reason);
+    if (a->sink.take) {
+        a->sink.take(a, cells, reason);
     } else if (a->out) {
         if (a->columns->key)
             row_write(a, cells, reason);

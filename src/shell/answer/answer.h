@@ -77,15 +77,19 @@ struct answer {
     struct column copy[ANSWER_COLUMNS];
     unsigned left_out; /* bit i is set if cell i of each row is not shown (see answer_leave_out) */
     bool rows;         /* the answer is a table of rows, rather than a single row */
-    /* In formats for people: the keys of the columns that the answer shows, or "*" for all. The others are in
-     * its rest, which 'details' prints. NULL if the answer has no rest. */
-    const char *brief;
-    struct rest *rest; /* where the rest of the answer is kept, or NULL if it is not kept */
-    bool has_rest_rows;
+    struct {
+        /* In formats for people: the keys of the columns that the answer shows, or "*" for all. The others
+         * are in its rest, which 'details' prints. NULL if the answer has no rest. */
+        const char *brief;
+        struct rest *rest; /* where the rest of the answer is kept, or NULL if it is not kept */
+        bool has_rows;     /* the rest has rows */
+    } details;
     struct csv_layout csv;
-    bool blank_above; /* a blank line separates this answer from the previous one */
-    bool is_open;     /* output has begun: the blank line has been written, if there is one */
-    bool has_rows;    /* the first row and the lines above it have been written */
+    struct {
+        bool blank_above; /* a blank line separates this answer from the previous one */
+        bool is_open;     /* output has begun: the blank line has been written, if there is one */
+        bool has_rows;    /* the first row and the lines above it have been written */
+    } progress;
     struct layout layout;
 
     /* Results that the session keeps: */
@@ -100,12 +104,13 @@ struct answer {
      * the end of the answer. Only the first such reason is kept. "" if there is none. */
     char late_reason[ANSWER_REASON];
 
-    /* If the answer belongs to one point of a sweep, this function receives its rows, and nothing is written
-     * directly. Otherwise NULL. */
-    void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
-    void *sink_context;
-
-    size_t point; /* in a sweep: the number of the point, counted from 0 */
+    /* If the answer belongs to one point of a sweep, `take` receives its rows, and nothing is written
+     * directly. Otherwise `take` is NULL. */
+    struct {
+        void (*take)(struct answer *answer, const struct cell *cells, const char *reason);
+        void *context;
+        size_t point; /* the number of the point, counted from 0 */
+    } sink;
     struct {
         size_t row; /* the index of the next row */
         /* The same answer, computed with 30 digits. NULL if errors are not shown, or not known. */
@@ -205,7 +210,7 @@ bool answer_has_error(const struct answer *answer, int i);
 /* Returns true if the answer is written for people, not for a program. */
 static inline bool answer_for_people(const struct answer *answer)
 {
-    return answer->out && answer->style.format->for_people && !answer->sink;
+    return answer->out && answer->style.format->for_people && !answer->sink.take;
 }
 
 /* Writes a sentence, if the answer is for people. */
@@ -214,8 +219,8 @@ void answer_say(struct answer *answer, const char *format, ...) __attribute__((f
 /* ---- The rest of an answer, which 'details' prints ---- */
 
 /* An answer for people is short. What else it has to say goes into its rest: sentences of answer_detail, and
- * rows with all columns if answer.brief leaves some out. The rest is formatted at once, so it stays as it was
- * when the scene changes. */
+ * rows with all columns if answer.details.brief leaves some out. The rest is formatted at once, so it stays
+ * as it was when the scene changes. */
 struct rest {
     FILE *out; /* writes into `text`; NULL if the answer has no rest so far */
     char *text;

@@ -140,7 +140,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
         int width = utf8_columns(c->key);
         key_width = width > key_width ? width : key_width;
     }
-    if (a->has_rows)
+    if (a->progress.has_rows)
         putc('\n', a->out);
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];

@@ -292,7 +292,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 
 const struct command effect_commands[] = {
     {.name = "effect",
-     .is_hidden = true,
+     .typed.is_hidden = true,
      .synonyms = "switch turn",
      .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
@@ -305,7 +305,7 @@ const struct command effect_commands[] = {
              "friction off' turns friction off; an effect that is off costs no computing time.",
      .example = "set q hollow; set friction 0.2; rmax; set friction off",
      .see = "effects",
-     .changes = true,
+     .access.changes = true,
      .run = run_set},
     {.name = "effects",
      .synonyms = "list switch scene",
@@ -325,7 +325,7 @@ const struct command effect_commands[] = {
      .summary = "the row or train with its effects, and how its answers are computed",
      .example = "scene; set friction 0.2; scene; set friction off",
      .see = "set effects",
-     .is_hidden = true,
+     .typed.is_hidden = true,
      .rows = true,
      .brief = "*",
      ANSWER(scene)},

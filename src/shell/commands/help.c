@@ -45,7 +45,7 @@ static void help_screen(FILE *out)
             word = g->word;
             for (const struct command_group *of = g; of->title && strcmp(of->word, word) == 0; of++)
                 for (const struct command *c = of->commands; c->name; c++)
-                    if (!c->is_hidden && !c->phrase)
+                    if (!c->typed.is_hidden && !c->typed.phrase)
                         text_add(names, sizeof names, " %s", c->name);
             int left = fprintf(out, "%-*s", WORD - 1, word);
             write_wrapped(out, names + 1, left, LINE);
@@ -64,7 +64,7 @@ static void help_groups(FILE *out, const char *word)
         fprintf(out, "%s%s\n", is_first ? "" : "\n", g->title);
         is_first = false;
         for (const struct command *c = g->commands; c->name; c++)
-            if (!c->is_hidden)
+            if (!c->typed.is_hidden)
                 topic_entry(out, "  ", command_usage(c), c->summary);
     }
     if (!all)
@@ -453,7 +453,7 @@ const struct command help_commands[] = {
              "own, so your parameters stay as they are. To write a lesson yourself, begin a file with "
              "'lesson', as in examples/tutorial.dom.",
      .see = "help",
-     .runs = true,
+     .access.runs = true,
      .act = run_lesson},
     {.name = "complete",
      .synonyms = "tab completion",

@@ -138,7 +138,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     struct start_growths growths = {DOMQ_NAN, false};
     const char *missing = no_growth(used);
     char reason[START_TEXT];
-    if (a->out && !a->sink) {
+    if (a->out && !a->sink.take) {
         if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
             return false;
         if (!missing && isnan(growths.r_max))
@@ -305,8 +305,8 @@ const struct command limit_commands[] = {
              "instead.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
-     .echo = "s",
-     .slow_column = "r_start",
+     .sweep.echo = "s",
+     .sweep.slow_column = "r_start",
      .principal = "r_max",
      .brief = "",
      ANSWER(rmax)},
@@ -319,7 +319,7 @@ const struct command limit_commands[] = {
      .equation = "(9; b5) (15; b11) (17; b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
-     .echo = "s",
+     .sweep.echo = "s",
      .principal = "r_max",
      .brief = "",
      ANSWER(pair)},
@@ -363,7 +363,7 @@ const struct command limit_commands[] = {
              "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
-     .echo = "r",
+     .sweep.echo = "r",
      .principal = "dominoes",
      .holds = "such a row falls and reaches the height H",
      .brief = "",

@@ -238,7 +238,7 @@ const struct command prove_commands[] = {
      .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",
-     .echo = "s",
+     .sweep.echo = "s",
      .holds = "there is a proof that the train keeps falling",
      ANSWER(prove)},
     {.name = NULL},

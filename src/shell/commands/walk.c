@@ -288,7 +288,7 @@ static void event_say(const struct place *p)
     const struct walk *w = p->walk;
     const struct domq_event *e = &w->events[w->event];
     const struct walk_units next = walk_units(p->query, w->cycle + 1);
-    char text[200] = "", height[CELL_TEXT];
+    char text[200] = "";
     if (w->theta != e->theta)
         snprintf(text, sizeof text, "after this event, the train %s.",
                  p->state->acceleration < 0 ? "slows down" : "gathers speed");
@@ -305,7 +305,7 @@ static void event_say(const struct place *p)
     else
         snprintf(text, sizeof text,
                  "the head hits the next domino, which is %s tall; 'step' begins its cycle.",
-                 strcpy(height, measured(next.height, "m", 6).text));
+                 measured(next.height, "m", 6).text);
     answer_say(p->answer, "Cycle %d, event %d of %d: %s", w->cycle, w->event + 1, w->count, text);
 }
 

@@ -54,7 +54,7 @@ const char *offered_commands(const void *context, int k)
 {
     (void)context;
     for (int i = 0; i < every_count; i++)
-        if (!every[i]->phrase && !every[i]->is_hidden && k-- == 0)
+        if (!every[i]->typed.phrase && !every[i]->typed.is_hidden && k-- == 0)
             return every[i]->name;
     return NULL;
 }
@@ -127,7 +127,7 @@ const char *command_keys(const void *command, int k)
 {
     const struct command *c = command;
     const char *key = answer_keys(c, k);
-    return key && c->slow_column && strcmp(key, c->slow_column) == 0 ? NULL : key;
+    return key && c->sweep.slow_column && strcmp(key, c->sweep.slow_column) == 0 ? NULL : key;
 }
 
 const struct command *command_find(const char *name)
@@ -150,7 +150,7 @@ int command_principal(const struct command *c)
 
 const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
-    snprintf(usage, USAGE_SIZE, "%s", c->phrase ? c->phrase : c->name);
+    snprintf(usage, USAGE_SIZE, "%s", c->typed.phrase ? c->typed.phrase : c->name);
     bool inside = false; /* a '[' has been written, but not yet its ']' */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;

@@ -86,11 +86,15 @@ struct arguments {
 /* A command. Strings and pointers that a command does not need are NULL. */
 struct command {
     const char *name;
-    /* Two words that stand for this command, such as "step back". The first of them is the name of the
-     * command that precedes this one in its table, or that precedes others with such words. Help shows these
-     * words, and `name` is a synonym that help does not mention. */
-    const char *phrase;
-    bool is_hidden; /* help and completion do not mention the command, which remains for scripts */
+    struct {
+        /* Two words that stand for this command, such as "step back". The first of them is the name of the
+         * command that precedes this one in its table, or that precedes others with such words. Help shows
+         * these words, and `name` is a synonym that help does not mention. */
+        const char *phrase;
+        /* the shortest abbreviation that stands for this command even though other commands begin with it */
+        const char *shortest;
+        bool is_hidden; /* help and completion do not mention the command, which remains for scripts */
+    } typed;
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;  /* one line */
     const char *synonyms; /* other words that users may look for, separated by blanks */
@@ -107,17 +111,20 @@ struct command {
     /* The keys of the columns that an answer for people shows, or "*" for all; 'details' prints the rest.
      * NULL if the answer is whole without 'details'. */
     const char *brief;
-    /* The name of the parameter whose value a column of the answer only repeats, such as "s". A sweep over
-     * this parameter already shows its values, so the sweep leaves the column out. If an argument replaces
-     * the value, as in 'rmax 0.4', the sweep keeps the column. NULL if no column repeats a parameter. */
-    const char *echo;
-    /* The key of the last column, if this column takes a long time to compute. Sweeps leave this column out,
-     * and expressions can use it only as a column of 'ans'. NULL if no column is slow. */
-    const char *slow_column;
-    /* Why 'sweep' refuses this command, worded for the message "'plot' cannot be varied: it draws". NULL if
-     * 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep' accepts no
-     * such command. */
-    const char *sweep_refusal;
+    struct {
+        /* The name of the parameter whose value a column of the answer only repeats, such as "s". A sweep
+         * over this parameter already shows its values, so the sweep leaves the column out. If an argument
+         * replaces the value, as in 'rmax 0.4', the sweep keeps the column. NULL if no column repeats a
+         * parameter. */
+        const char *echo;
+        /* The key of the last column, if this column takes a long time to compute. Sweeps leave this column
+         * out, and expressions can use it only as a column of 'ans'. NULL if no column is slow. */
+        const char *slow_column;
+        /* Why 'sweep' refuses this command, worded for the message "'plot' cannot be varied: it draws". NULL
+         * if 'sweep' accepts the command. A command without columns needs no reason here, because 'sweep'
+         * accepts no such command. */
+        const char *refusal;
+    } sweep;
     /* For a command whose energies are in J if masses are known: returns true if they are known in this
      * scene. If they are not, the unit is "mgh/2". NULL if the units of the columns do not depend on the
      * scene. */
@@ -136,12 +143,13 @@ struct command {
     } writes;
     /* For a yes-or-no question: the statement that is true if the answer is yes (see answer_set_verdict). */
     const char *holds;
-    bool runs;  /* the command runs other commands, whose answers go to the same output */
-    bool files; /* the command reads or writes files, so a safe session refuses to run it */
-    /* the command may change parameters, effects, the row or variables, and 'undo' can revert the change */
-    bool changes;
-    /* the shortest abbreviation that stands for this command even though other commands begin with it */
-    const char *shortest;
+    /* What the command uses besides its query: */
+    struct {
+        bool runs;  /* it runs other commands, whose answers go to the same output */
+        bool files; /* it reads or writes files, so a safe session refuses to run it */
+        /* it may change parameters, effects, the row or variables, and 'undo' can revert the change */
+        bool changes;
+    } access;
     /* Computes the answer to a query and stores any new state in query->next. On failure, sets *problem and
      * returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
@@ -211,7 +219,7 @@ const char *command_usage_write(const struct command *command, char usage[USAGE_
 static inline bool command_allowed(const struct run_context *run_context, const struct command *command,
                                    struct problem *problem)
 {
-    return !(command->files && run_context->safe) ||
+    return !(command->access.files && run_context->safe) ||
            problem_error(problem, "a safe session cannot read or write files");
 }
 

@@ -207,12 +207,13 @@ static const struct command *shorthand_read(struct reader *r)
 /* ---- Names of commands ---- */
 
 /* `name` is an abbreviation that fits several commands. If the abbreviation is reserved for one of these
- * commands (see command.shortest), returns the index of this command. If it is not, returns NAMES_SEVERAL. */
+ * commands (see command.typed.shortest), returns the index of this command. If it is not, returns
+ * NAMES_SEVERAL. */
 static int reserved_command(const char *name)
 {
     const char *all;
     for (int k = 0; (all = command_names(NULL, k)) != NULL; k++) {
-        const char *shortest = command_find(all)->shortest;
+        const char *shortest = command_find(all)->typed.shortest;
         if (shortest && strlen(name) >= strlen(shortest) && strncmp(all, name, strlen(name)) == 0)
             return k;
     }
@@ -256,13 +257,14 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
-/* A word after the name of a command may choose another command, as in 'step back' (see command.phrase). */
+/* A word after the name of a command may choose another command, as in 'step back' (see
+ * command.typed.phrase). */
 static const struct command *phrase_read(struct reader *r, const struct command *command)
 {
     struct reader next = *r;
     next.at = skip_blanks(r->at);
-    for (const struct command *c = command + 1; !command->phrase && c->phrase; c++)
-        if (reader_takes(&next, c->phrase + strlen(command->name) + 1)) {
+    for (const struct command *c = command + 1; !command->typed.phrase && c->typed.phrase; c++)
+        if (reader_takes(&next, c->typed.phrase + strlen(command->name) + 1)) {
             r->at = next.at;
             return c;
         }

@@ -58,10 +58,10 @@ static void reference_compute(const struct command *c, const struct query *query
     tilts_limit(c, &exact, &state.scene.train, &given);
     exact.given = &given;
     exact.reference = reference;
-    a.sink = row_drop;
+    a.sink.take = row_drop;
     a.errors.recorder = reference;
-    a.brief = NULL;
-    a.rest = NULL;
+    a.details.brief = NULL;
+    a.details.rest = NULL;
     a.kept = NULL;
     a.style.errors = 0;
     if (!c->run(&exact, &a, &ignored))
@@ -73,7 +73,8 @@ bool command_compute(const struct command *c, const struct query *query, struct 
 {
     /* The engine computes in double precision only. */
     const bool has_errors = c->has_errors && (c->train || !scene_has_engine(query->scene)),
-               is_wanted = has_errors && query->state->settings.style.errors && (answer->out || answer->sink);
+               is_wanted =
+                   has_errors && query->state->settings.style.errors && (answer->out || answer->sink.take);
     if (query->reference && !(has_errors && query->scene->compute.precision == DOM_QUAD))
         query->reference->is_void = true;
     if (!is_wanted)

@@ -3,7 +3,6 @@
 #include "interpreter/run.h"
 #include "io/output.h"
 #include <errno.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -87,7 +86,7 @@ static void run_lines(struct session *session, const char *text)
     char *line = NULL;
     size_t size = 0;
     long joined = 0, errors = session->errors;
-    FILE *in = fmemopen((char *)(uintptr_t)text, strlen(text), "r");
+    FILE *in = fmemopen((char *)text, strlen(text), "r");
     while (in && !session_stops(session, errors) && text_read(&line, &size, in, &joined) != -1) {
         errors = session->errors;
         run_line(session, line, strlen(line));

@@ -195,10 +195,10 @@ static bool with_parse(struct reader *r, struct question *q)
     if (!word_is_next(r, "with"))
         return true;
     reader_place(r, r->at);
-    if (!q->command->columns || q->command->act || q->command->changes)
+    if (!q->command->columns || q->command->act || q->command->access.changes)
         return problem_error(
             r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
-            q->command->name, q->command->changes ? "changes something" : "gives no numbers");
+            q->command->name, q->command->access.changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
     r->last = false;
     return (q->with = assignments_parse(r)) != NULL;
@@ -305,7 +305,7 @@ const char *question_names(const void *context, int k)
     const char *name;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
         const struct command *c = command_find(name);
-        if ((c->principal || c->holds) && !c->sweep_refusal && k-- == 0)
+        if ((c->principal || c->holds) && !c->sweep.refusal && k-- == 0)
             return name;
     }
     return NULL;
@@ -338,8 +338,8 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
         q->key = key;
         r->at = begin + length;
         reader_named(r, begin, r->at);
-        if (c->sweep_refusal)
-            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->sweep_refusal);
+        if (c->sweep.refusal)
+            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->sweep.refusal);
         if ((is_number || !c->holds) && !question_needs_number(q, r->problem))
             return false;
     }

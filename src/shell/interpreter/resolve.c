@@ -109,7 +109,7 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
     char message[NAMES_MESSAGE], what[64];
     snprintf(what, sizeof what, "key of %s", c->name);
     const bool is_ans = strcmp(t->name, "ans") == 0;
-    if (!is_ans && t->key && c->slow_column && strcmp(t->key, c->slow_column) == 0)
+    if (!is_ans && t->key && c->sweep.slow_column && strcmp(t->key, c->sweep.slow_column) == 0)
         return fail(r, t,
                     "%s.%s is not available in expressions, because it takes a long time to compute; enter "
                     "'%s', and then 'ans.%s'",

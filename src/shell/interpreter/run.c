@@ -46,7 +46,8 @@ static bool is_picture(const struct command *c)
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
-    bool is_on_screen = is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
+    bool is_on_screen =
+        is_picture(c) && !c->access.files && answer->style.format->for_people && !answer->path;
     if (is_on_screen && !picture_has_room(answer, c->name, problem))
         return false;
     if (c->act)
@@ -60,7 +61,7 @@ static bool run_function(struct session *session, const struct command *c, const
 static void rest_keep(struct session *session, const struct command *c, const struct query *query,
                       struct answer *answer, bool done)
 {
-    char *text = answer->rest ? rest_end(answer->rest) : NULL;
+    char *text = answer->details.rest ? rest_end(answer->details.rest) : NULL;
     if (!done || !c->columns) {
         free(text);
         return;
@@ -117,9 +118,9 @@ static bool run_command(struct session *session, const struct command *c, const 
         .csv.last_header = end->header,
         .columns = c->columns,
         .rows = c->rows,
-        .brief = c->brief,
-        .rest = c->brief ? &rest : NULL,
-        .blank_above = end->answered && session->source.name,
+        .details.brief = c->brief,
+        .details.rest = c->brief ? &rest : NULL,
+        .progress.blank_above = end->answered && session->source.name,
         .kept = c->principal ? kept : NULL,
     };
     if (output->format)
@@ -140,7 +141,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (unsaid)
         session_note(session, "%s", unsaid);
     rest_keep(session, c, query, &answer, done);
-    session->wrote = answer.has_rows;
+    session->wrote = answer.progress.has_rows;
     snprintf(session->made, sizeof session->made, "%s", answer.made);
     end->answered = end->answered || (done && c->columns) || answer.wrote_text;
     end->error = answer.error ? answer.error : end->error;
@@ -162,7 +163,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 {
     const bool has_pages = c->writes == WRITES_PAGES;
     if (session->run_context.safe ||
-        (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs)))
+        (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->access.runs)))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     struct output *end = *output_find(&session->output, OUTPUT_SINKS);
@@ -188,9 +189,9 @@ static const char *endings_of(const struct command *c)
            : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"
-           : c->picture            ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
-           : c->columns || c->runs ? ".csv, .json or .txt"
-                                   : ".txt";
+           : c->picture ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
+           : c->columns || c->access.runs ? ".csv, .json or .txt"
+                                          : ".txt";
 }
 
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
@@ -205,7 +206,7 @@ static bool extension_fits(const struct command *c, const char *path, struct pro
         fits = c->writes == WRITES_FILMS &&
                (extension->kind == EXTENSION_FILM || extension->kind == EXTENSION_DATA);
     else if (extension->kind == EXTENSION_DATA)
-        fits = c->columns || c->runs || c->writes == WRITES_PAGES;
+        fits = c->columns || c->access.runs || c->writes == WRITES_PAGES;
     else if (extension->kind == EXTENSION_SHEET)
         fits = c->writes == WRITES_DOCUMENTS
                    ? extension->is_document
@@ -277,7 +278,8 @@ static void redirect_hint(const struct command *c, const char *begin, struct pro
     snprintf(path, sizeof path, "%.*s", (int)(end - word), word);
     const enum extension_kind kind = extension_of(path)->kind;
     const size_t length = strlen(problem->text);
-    if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) && !c->files)
+    if (*skip_blanks(end) != '>' && kind >= EXTENSION_TEXT && (c->columns || is_picture(c)) &&
+        !c->access.files)
         snprintf(problem->text + length, sizeof problem->text - length,
                  "; to write the answer to a file, put '>' before its name: '> %s'", names_shown(path));
 }
@@ -327,7 +329,7 @@ static bool is_silent(const struct session *session, const struct command *c, bo
     const struct shard *shard = &session->run_context.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
     /* 'source' has no answer of its own: the answers are those of the commands in its file. */
-    bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
+    bool is_source = c->access.runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
@@ -345,7 +347,7 @@ void run_command_at(struct session *session, struct reader *line)
         const struct command *c = q.command;
         const struct format *format = session_format(session);
         /* All changes that a sourced file makes are a single step for 'undo'. */
-        bool is_step = c->changes && session->source.depth == 0;
+        bool is_step = c->access.changes && session->source.depth == 0;
         /* csv and json have the data of a film, and write no file without a '>'. */
         const char *file = format->for_people ? q.file : NULL;
         bool is_redirected = *r.at == '>' || file;

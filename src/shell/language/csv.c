@@ -139,10 +139,13 @@ static void separator_find(struct csv_file *file)
 {
     const char *name = file->next + (*file->next == '"');
     bool named = strncasecmp(name, "sep=", 4) == 0 && name[4] && strchr(",;\t", name[4]);
-    file->separator = named                        ? name[4]
-                      : line_has(file->next, ';')  ? ';'
-                      : line_has(file->next, '\t') ? '\t'
-                                                   : ',';
+    file->separator = ',';
+    if (named)
+        file->separator = name[4];
+    else if (line_has(file->next, ';'))
+        file->separator = ';';
+    else if (line_has(file->next, '\t'))
+        file->separator = '\t';
     while (named && !at_end(file))
         advance(file);
 }

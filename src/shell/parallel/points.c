@@ -13,7 +13,7 @@ bool points_answer(const struct query *query, struct problem *problem, struct an
     w.interrupt = query->scene->compute.interrupt;
     struct workers_end end = workers_run(&w);
     *by_point = end.how == WORKERS_ENDED;
-    a->has_rows = a->is_open = true;
+    a->progress.has_rows = a->progress.is_open = true;
     if (end.how == WORKERS_WRITE_FAILED)
         a->error = a->error ? a->error : end.error;
     if (end.how == WORKERS_INTERRUPTED || end.how == WORKERS_NO_MEMORY)

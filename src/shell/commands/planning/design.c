@@ -287,7 +287,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)
 {
-    const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink && query->next;
+    const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink.take && query->next;
     if ((keeps && !design_keep(query, problem, d, plan)) ||
         (keeps && w->probability > 0 && !design_improve(query, w, a, plan, d, study, problem)))
         return false;

@@ -218,7 +218,7 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
     enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
                                                      progress_count, NULL, i.domino, i.study)
                                   : DOM_OK;
-    const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink;
+    const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink.take;
     if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
         good = limits_unmet(w, problem);
     if (good && (status == DOM_OK || interrupted)) {
@@ -231,7 +231,7 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
                                    .changed = i.changed,
                                    .length = i.after,
                                    .interrupted = interrupted};
-        good = !query->next || a->sink || i.changed == 0 ||
+        good = !query->next || a->sink.take || i.changed == 0 ||
                dominoes_keep(&query->next->scene, i.domino, i.scene.row.count, i.limits.sizes, problem);
     }
     free(i.domino);

@@ -7,12 +7,12 @@
 
 /* The tables of plots, in the order in which completion lists them. */
 static const struct plot *const tables[] = {row_plots,   placement_plots, limit_plots, sweep_plots,
-                                            cycle_plots, cost_plots,      fit_plots};
+                                            cycle_plots, cost_plots,      fit_plots,   NULL};
 
 /* Returns plot number k, counted from 0, or NULL if there are no more. */
 static const struct plot *plot_at(int k)
 {
-    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
+    for (size_t i = 0; tables[i]; i++)
         for (const struct plot *plot = tables[i]; plot->name; plot++)
             if (k-- == 0)
                 return plot;
@@ -145,7 +145,7 @@ const struct command plot_commands[] = {
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",
-     .sweep_refusal = "it draws",
+     .sweep.refusal = "it draws",
      .writes = WRITES_CHARTS,
      .rows = true,
      .columns = no_columns,

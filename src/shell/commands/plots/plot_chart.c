@@ -43,8 +43,8 @@ void plot_rows_by_point(struct plot_rows *rows, size_t points)
 static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;
-    struct plot_rows *rows = a->sink_context;
-    const size_t at = rows->is_by_point ? a->point : rows->count;
+    struct plot_rows *rows = a->sink.context;
+    const size_t at = rows->is_by_point ? a->sink.point : rows->count;
     char text[CELL_TEXT];
     if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
         return;
@@ -76,8 +76,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
                       struct chart *chart, struct problem *problem, struct plot_rows *rows)
 {
     struct answer answer = *a;
-    answer.sink = row_keep;
-    answer.sink_context = rows;
+    answer.sink.take = row_keep;
+    answer.sink.context = rows;
     return plot->run(query, &answer, chart, problem) &&
            (!rows->failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
 }

@@ -209,7 +209,7 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
                              "a command such as 'verdict', or 'print EXPRESSION'",
                              shape.command->name);
     if (chart)
-        plot_rows_by_point(a->sink_context, shape.grid->points);
+        plot_rows_by_point(a->sink.context, shape.grid->points);
     return run_sweep(query, a, problem);
 }
 

@@ -60,7 +60,7 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
         study_run_with_causes(&t->scene.row, &t->scene.compute, &t->placement, &study);
     const size_t rows = study.result.rows;
     /* Within a sweep, an interrupted study has no answer. */
-    const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink;
+    const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink.take;
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, &study, interrupted ? partial : NULL);
@@ -322,10 +322,10 @@ const struct command study_commands[] = {
              "blocks come from different studies.",
      .see = "placement",
      .columns = placement_columns,
-     .sweep_refusal = "it reads a file",
+     .sweep.refusal = "it reads a file",
      .principal = "probability",
      .brief = "",
-     .files = true,
+     .access.files = true,
      .run = run_pool},
     {.name = "budget",
      .synonyms = "probability chance random precision spacing tolerance",

@@ -65,13 +65,13 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Returns true if an argument of the question gives a value for the parameter command->echo, as 0.4 does for
- * s in 'rmax 0.4'. */
+/* Returns true if an argument of the question gives a value for the parameter command->sweep.echo, as 0.4
+ * does for s in 'rmax 0.4'. */
 static bool is_replaced(const struct question *q)
 {
-    for (int i = 0; q->command->echo && i < q->count; i++)
+    for (int i = 0; q->command->sweep.echo && i < q->count; i++)
         if (q->command->argument[i].parameter &&
-            strcmp(q->command->argument[i].parameter, q->command->echo) == 0)
+            strcmp(q->command->argument[i].parameter, q->command->sweep.echo) == 0)
             return true;
     return false;
 }
@@ -108,7 +108,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         at = *w->query;
     const struct question *q = &w->question->question;
     struct sweep_columns *c = &w->columns;
-    const char *repeated = q->command->echo && !is_replaced(q) ? q->command->echo : "";
+    const char *repeated = q->command->sweep.echo && !is_replaced(q) ? q->command->sweep.echo : "";
     bool fits = true;
     int n = 0, renamed = 0;
     for (int i = 0; i < w->grid->axes; i++) {
@@ -129,8 +129,8 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         bool is_parameter = false;
         for (int i = 0; i < w->grid->axes; i++)
             is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
-        const bool is_slow =
-            !is_list && q->command->slow_column && strcmp(q->command->slow_column, from->key) == 0;
+        const bool is_slow = !is_list && q->command->sweep.slow_column &&
+                             strcmp(q->command->sweep.slow_column, from->key) == 0;
         if (is_slow || (is_parameter && strcmp(repeated, from->key) == 0))
             continue;
         if (is_parameter) {
@@ -179,7 +179,7 @@ static int column_find(const struct column *columns, const char *key)
  * stays empty. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct sweeper *w = a->sink_context;
+    struct sweeper *w = a->sink.context;
     struct sweep_columns *c = &w->columns;
     struct cell row[ANSWER_COLUMNS];
     char other[SWEEP_REASON];
@@ -259,8 +259,8 @@ static bool point_answer(struct sweeper *w, size_t k)
     else
         a.out = NULL;
     a.columns = answered_columns(w);
-    a.sink = row_take;
-    a.sink_context = w;
+    a.sink.take = row_take;
+    a.sink.context = w;
     bool done =
         is_assigned && (w->question->next ? list_ask(w, &at, &a)
                                           : question_ask(&w->question->question, &at, &a, &w->problem));
@@ -289,10 +289,10 @@ bool point_write(void *sweeper, size_t k, FILE *out)
     struct sweeper *w = sweeper;
     w->to = &w->answer;
     w->to->out = out;
-    w->to->point = k;
+    w->to->sink.point = k;
     w->to->columns = w->columns.column; /* row_take changes the units, so each worker has its own columns */
     if (k > 0)
-        w->to->has_rows = w->to->is_open = true;
+        w->to->progress.has_rows = w->to->progress.is_open = true;
     if (!point_answer(w, k))
         return false;
     w->tally.without_answer += !w->answered;

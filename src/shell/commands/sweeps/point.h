@@ -60,8 +60,8 @@ struct sweeper {
 };
 
 /* Makes the columns of the sweep. Two kinds of columns of the answer are left out: columns that only repeat a
- * parameter of the grid, and columns that take a long time to compute (see command.echo and
- * command.slow_column). Fails if there are too many columns. */
+ * parameter of the grid, and columns that take a long time to compute (see command.sweep and
+ * command.sweep). Fails if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Stores the values of the parameters at point k in w->assigned and w->value. */

@@ -34,7 +34,7 @@ static const char *sweepable_names(const void *context, int k)
 {
     const char *name;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_find(name)->columns && !command_find(name)->sweep_refusal && k-- == 0)
+        if (command_find(name)->columns && !command_find(name)->sweep.refusal && k-- == 0)
             return name;
     return NULL;
 }
@@ -47,8 +47,8 @@ static bool answer_parse(struct reader *r, struct question *q)
     const struct command *c = q->command = command_read_inner(r, sweepable_names);
     if (!c)
         return false;
-    if (c->sweep_refusal)
-        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->sweep_refusal);
+    if (c->sweep.refusal)
+        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->sweep.refusal);
     if (!c->columns)
         return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);

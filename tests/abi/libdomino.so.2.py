@@ -4,7 +4,7 @@ from ctypes import (CFUNCTYPE, POINTER, Structure, c_bool, c_char_p, c_double, c
                     c_ulong, c_void_p)
 from enum import IntEnum
 
-SONAME = "libdomino.so.1"
+SONAME = "libdomino.so.2"
 
 
 class dom_status(IntEnum):
@@ -47,14 +47,15 @@ class dom_status(IntEnum):
     DOM_NO_LEAN = 36
     DOM_NO_MARGIN = 37
     DOM_NO_GROWTH = 38
-    DOM_TOO_LONG = 39
-    DOM_UNDERFLOW = 40
-    DOM_NO_PRECISION = 41
-    DOM_NO_METHOD = 42
-    DOM_NOT_FINITE = 43
-    DOM_NOT_CONVERGED = 44
-    DOM_NO_MEMORY = 45
-    DOM_INTERRUPTED = 46
+    DOM_OPEN = 39
+    DOM_TOO_LONG = 40
+    DOM_UNDERFLOW = 41
+    DOM_NO_PRECISION = 42
+    DOM_NO_METHOD = 43
+    DOM_NOT_FINITE = 44
+    DOM_NOT_CONVERGED = 45
+    DOM_NO_MEMORY = 46
+    DOM_INTERRUPTED = 47
 
 
 class dom_precision(IntEnum):
@@ -217,19 +218,7 @@ class dom_arithmetic(Structure):
     pass
 
 
-class dom_value(Structure):
-    pass
-
-
-class dom_angles_error(Structure):
-    pass
-
-
 class dom_angles(Structure):
-    pass
-
-
-class dom_contact_error(Structure):
     pass
 
 
@@ -237,15 +226,7 @@ class dom_contact(Structure):
     pass
 
 
-class dom_link_error(Structure):
-    pass
-
-
 class dom_link(Structure):
-    pass
-
-
-class dom_energy_error(Structure):
     pass
 
 
@@ -253,23 +234,11 @@ class dom_energy(Structure):
     pass
 
 
-class dom_fuels_error(Structure):
-    pass
-
-
 class dom_fuels(Structure):
     pass
 
 
-class dom_launch_error(Structure):
-    pass
-
-
 class dom_launch(Structure):
-    pass
-
-
-class dom_barrier_error(Structure):
     pass
 
 
@@ -278,10 +247,6 @@ class dom_barrier(Structure):
 
 
 class dom_event(Structure):
-    pass
-
-
-class dom_state_error(Structure):
     pass
 
 
@@ -301,15 +266,7 @@ class dom_floor(Structure):
     pass
 
 
-class dom_limit_error(Structure):
-    pass
-
-
 class dom_limit(Structure):
-    pass
-
-
-class dom_best_error(Structure):
     pass
 
 
@@ -326,10 +283,6 @@ class dom_effect(Structure):
 
 
 class dom_box(Structure):
-    pass
-
-
-class dom_count_error(Structure):
     pass
 
 
@@ -442,7 +395,6 @@ dom_compute._fields_ = [
     ("tol", c_double),
     ("precision", c_int),
     ("method", c_int),
-    ("errors", c_bool),
     ("work", POINTER(dom_work)),
     ("interrupt", POINTER(c_int)),
 ]
@@ -455,17 +407,6 @@ dom_arithmetic._fields_ = [
     ("tol_floor", c_double),
     ("digits", c_int),
 ]
-dom_value._fields_ = [
-    ("value", c_double),
-    ("error", c_double),
-]
-dom_angles_error._fields_ = [
-    ("theta_c", c_double),
-    ("theta_u", c_double),
-    ("theta_inf", c_double),
-    ("theta_f", c_double),
-    ("theta_leave", c_double),
-]
 dom_angles._fields_ = [
     ("theta_c", c_double),
     ("theta_u", c_double),
@@ -473,27 +414,12 @@ dom_angles._fields_ = [
     ("theta_f", c_double),
     ("theta_leave", c_double),
     ("detaches", c_bool),
-    ("error", dom_angles_error),
-]
-dom_contact_error._fields_ = [
-    ("theta_1", c_double),
-    ("slope", c_double),
-    ("arm_a", c_double),
-    ("arm_b", c_double),
 ]
 dom_contact._fields_ = [
     ("theta_1", c_double),
     ("slope", c_double),
     ("arm_a", c_double),
     ("arm_b", c_double),
-    ("error", dom_contact_error),
-]
-dom_link_error._fields_ = [
-    ("theta", c_double),
-    ("slope", c_double),
-    ("arm_a", c_double),
-    ("arm_b", c_double),
-    ("weight", c_double),
 ]
 dom_link._fields_ = [
     ("i", c_size_t),
@@ -502,35 +428,16 @@ dom_link._fields_ = [
     ("arm_a", c_double),
     ("arm_b", c_double),
     ("weight", c_double),
-    ("error", dom_link_error),
 ]
 dom_visit = CFUNCTYPE(c_bool, POINTER(dom_link), c_void_p)
-dom_energy_error._fields_ = [
-    ("dH", c_double),
-    ("J", c_double),
-    ("J0", c_double),
-]
 dom_energy._fields_ = [
     ("dH", c_double),
     ("J", c_double),
     ("J0", c_double),
-    ("error", dom_energy_error),
-]
-dom_fuels_error._fields_ = [
-    ("exact", c_double),
-    ("paper", c_double),
 ]
 dom_fuels._fields_ = [
     ("exact", c_double),
     ("paper", c_double),
-    ("error", dom_fuels_error),
-]
-dom_launch_error._fields_ = [
-    ("fuel", c_double),
-    ("J0", c_double),
-    ("velocity_ratio", c_double),
-    ("omegasq", c_double),
-    ("kinetic", c_double),
 ]
 dom_launch._fields_ = [
     ("fuel", c_double),
@@ -538,38 +445,18 @@ dom_launch._fields_ = [
     ("velocity_ratio", c_double),
     ("omegasq", c_double),
     ("kinetic", c_double),
-    ("error", dom_launch_error),
-]
-dom_barrier_error._fields_ = [
-    ("theta_m", c_double),
-    ("barrier", c_double),
-    ("kinetic", c_double),
-    ("margin", c_double),
 ]
 dom_barrier._fields_ = [
     ("theta_m", c_double),
     ("barrier", c_double),
     ("kinetic", c_double),
     ("margin", c_double),
-    ("error", dom_barrier_error),
 ]
 dom_event._fields_ = [
     ("kind", c_int),
     ("theta", c_double),
     ("time", c_double),
     ("domino", c_size_t),
-]
-dom_state_error._fields_ = [
-    ("theta", c_double),
-    ("time", c_double),
-    ("omegasq", c_double),
-    ("acceleration", c_double),
-    ("kinetic", c_double),
-    ("climbed", c_double),
-    ("fallen", c_double),
-    ("before", c_double),
-    ("lost", c_double),
-    ("friction_work", c_double),
 ]
 dom_state._fields_ = [
     ("theta", c_double),
@@ -582,7 +469,6 @@ dom_state._fields_ = [
     ("before", c_double),
     ("lost", c_double),
     ("friction_work", c_double),
-    ("error", dom_state_error),
 ]
 dom_state_visit = CFUNCTYPE(c_bool, POINTER(dom_state), POINTER(dom_event), c_void_p)
 dom_force._fields_ = [
@@ -605,23 +491,18 @@ dom_floor._fields_ = [
     ("hit", c_double),
     ("hit_domino", c_size_t),
 ]
-dom_limit_error._fields_ = [
-    ("r_max", c_double),
-]
 dom_limit._fields_ = [
     ("r_max", c_double),
     ("ends", c_int),
     ("why", c_int),
-    ("error", dom_limit_error),
-]
-dom_best_error._fields_ = [
-    ("s", c_double),
-    ("r_max", c_double),
+    ("uncertainty", c_double),
+    ("open", c_double),
 ]
 dom_best._fields_ = [
     ("s", c_double),
     ("r_max", c_double),
-    ("error", dom_best_error),
+    ("s_uncertainty", c_double),
+    ("r_uncertainty", c_double),
 ]
 dom_effect_argument._fields_ = [
     ("name", c_char_p),
@@ -651,15 +532,10 @@ dom_box._fields_ = [
     ("filled", c_double),
     ("inertia", c_double),
 ]
-dom_count_error._fields_ = [
-    ("exact", c_double),
-    ("last", c_double),
-]
 dom_count._fields_ = [
     ("dominoes", c_double),
     ("exact", c_double),
     ("last", c_double),
-    ("error", dom_count_error),
 ]
 dom_progress = CFUNCTYPE(None, c_size_t, c_size_t, c_void_p)
 dom_task = CFUNCTYPE(None, c_size_t, c_void_p)
@@ -854,9 +730,9 @@ FUNCTIONS = {
     "dom_fuel_find": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_fuels)]),
     "dom_launch_find": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_launch)]),
     "dom_barrier_find": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_barrier)]),
-    "dom_cycle_omegasq": (c_int, [POINTER(dom_train), POINTER(dom_compute), c_double, POINTER(dom_value)]),
-    "dom_cycle_stop": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_value)]),
-    "dom_cycle_duration": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_value)]),
+    "dom_cycle_omegasq": (c_int, [POINTER(dom_train), POINTER(dom_compute), c_double, POINTER(c_double)]),
+    "dom_cycle_stop": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(c_double)]),
+    "dom_cycle_duration": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(c_double)]),
     "dom_cycle_events": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_event), POINTER(c_int)]),
     "dom_cycle_state": (c_int, [POINTER(dom_train), POINTER(dom_compute), c_double, POINTER(dom_state)]),
     "dom_cycle_tilt": (c_int, [POINTER(dom_train), POINTER(dom_compute), c_double, POINTER(c_double)]),
