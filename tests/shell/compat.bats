@@ -1,10 +1,10 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compatibility for programs: 300 commands answer as version 1.0 did.
+# Compatibility for programs: 300 commands answer as version 2.0 did.
 
 load common
 
-@test "300 commands answer in json as version 1.0 did: each key, each value, each failure" {
+@test "300 commands answer in json as version 2.0 did: each key, each value, each failure" {
     same commands 300 "$(grep -vc '^#' "$root/tests/compat/session.dom")"
     # Some of these commands are wrong. Messages contain the file name as it was given.
     ! (cd "$root/tests/compat" && "$DOMINO" -n --keep-going -f session.dom) >answers.json 2>errors
