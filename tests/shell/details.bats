@@ -30,6 +30,11 @@ rest() { "$DOMINO" -e "$1 > /dev/null; details"; }
     done
 }
 
+@test "below the table of 'fall' one sentence is enough; the weakest domino is a detail" {
+    same sentences 1 "$("$DOMINO" -e 'set row 12; fall' | grep -c '\.$')"
+    same rest 'Domino 2 has the least energy to spare: it needs 42 % of the energy that it has.' "$(rest 'set row 12; fall')"
+}
+
 @test "the details are those of the answer, even if the scene has changed; only an answer replaces them" {
     same 'another scene' "$(rest 'count 112')" "$("$DOMINO" -e 'count 112 > /dev/null; set s 0.2; effect row 5; details')"
     same 'step' "$(rest 'step 2')" "$("$DOMINO" -e 'step 2 > /dev/null; set r 1.7; details')"

@@ -227,7 +227,7 @@ END
 7|print nan|^print:.*'nan' has no value
 7|print inf|^print:.*'inf' has no value
 7|print 0x10|^print:.*decimal number
-7|print "1"|^print:.*'"1"'
+7|print "1" + 1|^print:.*'"1"'
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
 7|print pair(0.1)|^print:.*has no value here; enter 'pair' to see why
@@ -265,10 +265,12 @@ END
     }
     deep 'print ' '(' 10000 1
     deep 'print ' '(' 10000 "1$(repeat ')' 10000)"
-    for text in '(' '-' '2^' 'sin(' 'rmax(' 'a' '9' '.' 'θ' '1-(' ')' '1,' '1 ' '"' 'ans.' '*' '/' '1e'; do
+    for text in '(' '-' '2^' 'sin(' 'rmax(' 'a' '9' '.' 'θ' '1-(' ')' '1,' '1 ' 'ans.' '*' '/' '1e'; do
         deep 'print ' "$text" 10000 1
         deep 'print ' "$text" 1000000 ''
     done
+    deep 'print ' '"' 999999 ''
+    deep 'print ' '"' 1000000 '' 0
     deep 'set s ' 'é' 1000000 ''
     deep 'theta1 ' '1 m' 1000000 ''
     deep 'fuel > ' 'a' 1000000 ''
@@ -452,6 +454,8 @@ set q hollow; echo {(rmax with s 0.3)}|1.81351
 END
     same json '{"command":"echo","text":"6 m"}' "$("$DOMINO" -e 'set output json; echo {2*3} m')"
     wrong 'echo {foo}' "^-e:1: echo: VALUE at 'foo': 'foo' has no value$"
+    same 'print of a text' 'a;b > 4' "$("$DOMINO" -e 'print "a;b > {2+2}"')"
+    wrong 'print "a" b' "print: VALUE at '\"a\"': a value is missing"
     wrong 'echo {rmax' "^-e:1: echo: this '\{' is never closed; write '\{\{' for a brace$"
     wrong 'echo {}' '^-e:1: echo: VALUE is missing'
 }

@@ -258,6 +258,13 @@ bool question_parse(struct reader *r, struct question *q)
     return good;
 }
 
+/* Returns true if nothing but a text in double quotes is left of the command. */
+static bool is_text_alone(const char *at)
+{
+    const char *end = *at == '"' ? text_quote(at) : NULL;
+    return end && (command_ends(skip_blanks(end)) || *skip_blanks(end) == '>');
+}
+
 bool command_parse(struct reader *r, struct question *q)
 {
     r->stops = r->no_unit = NULL;
@@ -265,6 +272,8 @@ bool command_parse(struct reader *r, struct question *q)
     *q = (struct question){.key = -1, .command = command_read(r)};
     if (!q->command)
         return false;
+    if (command_is_print(q->command) && is_text_alone(skip_blanks(r->at)))
+        q->command = command_find("echo");
     r->problem->command = q->command->name;
     r->details = q->command->brief != NULL;
     if (!question_parse(r, q))

@@ -269,7 +269,7 @@ const struct command explain_commands[] = {
      .help =
          "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
          "c6 or 24. For each quantity of its answer, 'explain' shows the "
-         "equation in symbols and with numbers, and the value. It also lists the quantities in the "
+         "equation in symbols and with numbers, and the value; 'details' lists the quantities in the "
          "equation. With 'deep' at the end, these quantities are explained as well, down to the "
          "parameters. The values are the ones that the commands themselves print. With theta1, energy "
          "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
@@ -282,6 +282,7 @@ const struct command explain_commands[] = {
      .see = "why theta1 barrier launch recipe paper",
      .sweep.refusal = "it explains one train",
      .rows = true,
+     .brief = "*",
      .writes = WRITES_DOCUMENTS,
      ANSWER(explain)},
     {.name = "recipe",

@@ -5,6 +5,7 @@
 #include "io/escape.h"
 #include "language/quad.h"
 #include "picture/show.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -76,7 +77,7 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
 /* ---- The whole derivation ---- */
 
 /* The texts before, between and after the equations of a derivation. */
-enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, FROM, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
+enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
 enum dialect { PLAIN, TEX, DIALECTS };
 
 static const char *const texts[][DIALECTS] = {
@@ -85,7 +86,6 @@ static const char *const texts[][DIALECTS] = {
     [EQUALS] = {" = ", " &= "},
     [JOIN] = {"\n      = ", " \\\\\n&= "},
     [CLOSE] = {"", "\\end{aligned}\n\\]\n"},
-    [FROM] = {"  from\n", "\nfrom\n\n"},
     [GIVEN] = {"given:\n", "Given:\n\n"},
     [LIST] = {"", "\\begin{itemize}\n"},
     [ITEM] = {"    ", "\\item $"},
@@ -108,10 +108,10 @@ static void put(const struct writer *w, enum text text)
     fputs(texts[text][w->dialect], w->formula.out);
 }
 
-static void words_write(const struct writer *w, const struct step *s)
+static void words_write(const struct writer *w, const char *words)
 {
     char piece[ESCAPE_PIECE];
-    for (const char *c = s->words; *c; c++)
+    for (const char *c = words; *c; c++)
         if (w->dialect == TEX)
             fputs(escape_tex(*c, piece), w->formula.out);
         else
@@ -155,7 +155,10 @@ static void value_write(const struct writer *w, const struct step *s)
 static void step_write(const struct writer *w, const struct step *s)
 {
     FILE *out = w->formula.out;
-    words_write(w, s);
+    const char *words = s->words;
+    if (words[strspn(words, "abcdefghijklmnopqrstuvwxyz")] != '^') /* a symbol, such as tau^2 */
+        putc(toupper((unsigned char)*words++), out);
+    words_write(w, words);
     if (w->dialect && *s->reference)
         fprintf(out, " (%s)", s->reference);
     put(w, HEADING);
@@ -167,8 +170,10 @@ static void step_write(const struct writer *w, const struct step *s)
         if (!w->dialect && *s->reference)
             fprintf(out, "    (%s)", s->reference);
         put(w, JOIN);
-        step_numbers(w->derivation, s, &w->formula, w->digits);
-        put(w, JOIN);
+        if (s->tree->kind != TREE_SYMBOL) { /* the number of a symbol is the value, which follows */
+            step_numbers(w->derivation, s, &w->formula, w->digits);
+            put(w, JOIN);
+        }
     }
     value_write(w, s);
     putc('\n', out);
@@ -188,37 +193,47 @@ static void list_write(const struct writer *w, const struct step *const *list, i
             value_write(w, list[k]);
         }
         put(w, MEANING);
-        words_write(w, list[k]);
+        words_write(w, list[k]->words);
         putc('\n', out);
     }
     put(w, END);
 }
 
-static void derivation_write(const struct writer *w, const struct explained *e, bool deep)
+/* Writes the meanings and values of the quantities that the equations of the answer contain. */
+static void meanings_write(const struct writer *w, const struct explained *e)
 {
-    FILE *out = w->formula.out;
-    const struct step *given[STEPS_MOST];
+    const struct derivation *d = w->derivation;
+    const struct step *needed[STEPS_MOST];
     int count = 0;
-    bool more = false;
+    bool has_equations = false;
+    for (int k = 0; k < d->count; k++)
+        if (d->step[k].depth == 1) {
+            has_equations = has_equations || !d->step[k].derived->is_given;
+            needed[count++] = &d->step[k];
+        }
+    list_write(w, needed, count);
+    if (has_equations && !w->dialect)
+        fprintf(w->formula.out, "\n'explain %s%s%s deep' also shows the equations for these quantities.\n",
+                e->name, isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
+}
+
+/* Writes the equations of the answer or, if `deep` is true, of all quantities. */
+static void equations_write(const struct writer *w, bool deep)
+{
+    const struct step *given[STEPS_MOST];
+    int count = 0, written = 0;
     for (int k = 0; k < w->derivation->count; k++) {
         const struct step *s = &w->derivation->step[k];
         if (s->derived->is_given)
             given[count++] = s;
         if (s->derived->is_given || (s->depth > 0 && !deep))
             continue;
+        if (written++)
+            putc('\n', w->formula.out);
         step_write(w, s);
-        if (!deep && s->count > 0) {
-            put(w, FROM);
-            list_write(w, s->needs, s->count);
-        }
-        putc('\n', out);
-        for (int i = 0; i < s->count; i++)
-            more = more || (!s->needs[i]->derived->is_given && !deep);
     }
-    if (more && !w->dialect)
-        fprintf(out, "'explain %s%s%s deep' also shows the equations for these quantities.\n", e->name,
-                isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
     if (deep && count > 0) {
+        putc('\n', w->formula.out);
         put(w, GIVEN);
         list_write(w, given, count);
     }
@@ -234,7 +249,11 @@ static void document_write(const struct writer *w, const struct explained *e, bo
             e->name);
     if (*verdict)
         fprintf(out, "%s\n\n", verdict);
-    derivation_write(w, e, deep);
+    equations_write(w, deep);
+    if (!deep) {
+        fputs("\nwith\n\n", out);
+        meanings_write(w, e);
+    }
     fputs("\\end{document}\n", out);
 }
 
@@ -250,21 +269,29 @@ static void lines_write(FILE *out, char *text, int width)
     }
 }
 
-/* Writes a derivation as plain text that fits the terminal. */
+/* Writes a derivation as plain text that fits the terminal. What the symbols mean is left to the details. */
 static bool text_write(struct writer *w, const struct explained *e, bool deep, struct answer *a,
                        struct problem *problem)
 {
-    char *text = NULL;
-    size_t size;
-    w->formula.out = open_memstream(&text, &size);
-    if (!w->formula.out)
-        return problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
-    derivation_write(w, e, deep);
-    const bool whole = fclose(w->formula.out) == 0;
-    if (whole)
-        lines_write(a->out, text, a->layout.width);
-    free(text);
-    return whole || problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
+    FILE *const to[] = {a->out, deep ? NULL : answer_rest(a)};
+    for (int k = 0; k < 2 && to[k]; k++) {
+        char *text = NULL;
+        size_t size;
+        w->formula.out = open_memstream(&text, &size);
+        if (w->formula.out && k == 0)
+            equations_write(w, deep);
+        else if (w->formula.out)
+            meanings_write(w, e);
+        const bool whole = w->formula.out && fclose(w->formula.out) == 0;
+        if (whole && k == 0)
+            answer_say(a, "%s", strtok(text, "\n")); /* the first line begins the answer */
+        if (whole)
+            lines_write(to[k], k == 0 ? text + strlen(text) + 1 : text, a->layout.width);
+        free(text);
+        if (!whole)
+            return problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
+    }
+    return true;
 }
 
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
@@ -282,6 +309,7 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
         document_write(&w, e, bound->deep, verdict);
         return true;
     }
-    answer_say(a, *verdict ? "%s\n" : "%s", verdict);
+    if (*verdict)
+        answer_say(a, "%s\n", verdict);
     return text_write(&w, e, bound->deep, a, problem);
 }

@@ -82,7 +82,8 @@ static const char *end_reason(const struct row_run *run)
     return dom_row_end_text(v->end);
 }
 
-static void verdict_say(struct answer *a, const struct falling *f)
+/* Says how the fall ends. Beside the table of 'fall', the weakest domino is left to the details. */
+static void verdict_say(struct answer *a, const struct falling *f, bool listed)
 {
     const struct domq_verdict *v = &f->run.verdict;
     const size_t count = f->run.scene.row.count;
@@ -94,7 +95,7 @@ static void verdict_say(struct answer *a, const struct falling *f)
                    count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else
         answer_say(a, "The fall ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
-    weakest_say(a, v);
+    weakest_say(a, v, listed);
 }
 
 /* Prints which foot slides farthest relative to the height of its domino. */
@@ -214,7 +215,7 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
     if (known && !listed)
         verdict_row(a, &f.run);
     if (known || (status == DOM_OK && listed)) {
-        verdict_say(a, &f);
+        verdict_say(a, &f, listed);
         if (scene->row.floor)
             feet_say(a, &f.feet, scene->row.count);
         engine_say(a, &f.run);

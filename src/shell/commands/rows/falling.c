@@ -122,12 +122,13 @@ domq_real fall_share(const struct domq_fall *f)
     return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;
 }
 
-void weakest_say(struct answer *a, const struct domq_verdict *v)
+void weakest_say(struct answer *a, const struct domq_verdict *v, bool as_detail)
 {
     if (v->weakest > 0 && isfinite(v->spare))
-        answer_say(a, "%s %zu has the least energy to spare: it %s.",
-                   v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes that tip over, domino", v->weakest,
-                   energy_words(v->spare + 1).text);
+        (as_detail ? answer_detail
+                   : answer_say)(a, "%s %zu has the least energy to spare: it %s.",
+                                 v->end == DOM_ROW_FALLS ? "Domino" : "Of the dominoes that tip over, domino",
+                                 v->weakest, energy_words(v->spare + 1).text);
 }
 
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status)

@@ -93,7 +93,7 @@ static void mends_answer(struct answer *a, const struct domq_mend *list, size_t 
     else
         answer_say(a, "T%s.", no_single_gap + 1);
     if (falls)
-        weakest_say(a, v);
+        weakest_say(a, v, false);
 }
 
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
