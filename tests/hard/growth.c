@@ -44,6 +44,10 @@ static bool margin_is_good(const struct ref_input *input, bool pair, int digits2
     return r * input->s < 1 && growth_margin(input, pair, digits2, r) >= 0;
 }
 
+/* At first, the bracket is at most eight times as wide as the distance. So the distance is found to a
+ * relative 1e-4, less than the slack of the comparison with quad. */
+enum { HALVINGS = 16 };
+
 double growth_distance(const struct ref_input *input, bool pair, int digits2, domq_real r, double delta)
 {
     domq_real lo = r, hi = r;
@@ -53,12 +57,10 @@ double growth_distance(const struct ref_input *input, bool pair, int digits2, do
         if (margin_is_good(input, pair, digits2, lo) && !margin_is_good(input, pair, digits2, hi))
             break;
     }
-    for (int k = 0; k < 10; k++) {
+    for (int k = 0; k < HALVINGS; k++) {
         domq_real middle = lo + (hi - lo) / 2;
         *(margin_is_good(input, pair, digits2, middle) ? &lo : &hi) = middle;
     }
     domq_real error = r - (lo + (hi - lo) / 2);
     return (double)(error < 0 ? -error : error);
 }
-
-enum { STEPS = 160 };
