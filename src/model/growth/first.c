@@ -75,9 +75,12 @@ struct stretch {
     int halves;
 };
 
+/* Returns true if the margin has its initial sign. A value within its error of 0 does not count as a change:
+ * it may be the bottom of a dip, whose minimum decides. */
 static bool sign_kept(const struct first *s, const struct margin_sample *sample)
 {
-    return (margin_value(&sample->margin) >= 0) == (s->sign > 0);
+    const struct margin *m = &sample->margin;
+    return s->sign * margin_value(m) >= -margin_error(s->c, m, margin_finest(s->c));
 }
 
 /* Returns the margin, scaled so that it varies smoothly with x. The value is positive as long as the margin
@@ -232,7 +235,9 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
     enum dom_status status = DOM_OK;
     /* First follow one maximum of H. If this fails, or if another maximum is higher at that root, start again
      * with a search for all maxima at each growth. */
-    if (follows && !shallow) {
+    /* at `lo`, the margin may be 0 within its error */
+    const bool at_lo = margin_value(&in->lo->margin) < 0;
+    if (follows && !shallow && !at_lo) {
         status = root_between(c, in->lo, in->hi, &root);
         if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
             return status;
@@ -243,12 +248,14 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
         }
     }
     c->geometry.tol = shallow && follows ? margin_finest(c) : tol;
-    const enum num_status solver =
-        num_root_between(margin_at, c, in->lo->r, margin_value(&in->lo->margin), in->hi->r,
-                         margin_value(&in->hi->margin), tol / 8, &root.r);
-    status = model_status(c->status, solver);
+    root.r = in->lo->r;
+    status = at_lo
+                 ? DOM_OK
+                 : model_status(c->status,
+                                num_root_between(margin_at, c, in->lo->r, margin_value(&in->lo->margin),
+                                                 in->hi->r, margin_value(&in->hi->margin), tol / 8, &root.r));
     c->geometry.tol = tol;
-    root.barrier = c->barrier.height;
+    root.barrier = at_lo ? in->lo->margin.barrier : c->barrier.height;
     keep_root(s, &root);
     s->step = cbrt(REAL_EPSILON) / 8;
     if (status == DOM_OK)

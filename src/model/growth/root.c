@@ -210,7 +210,11 @@ KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root
     if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
         return status;
     c->status = DOM_OK;
-    if (status == DOM_OK && at.falls > 0 && at.r < reach && margin_highest(c, at.r))
+    /* Near the bottom of a shallow dip, the search may end where there is no root. */
+    const struct margin m = {.kinetic = at.barrier, .barrier = at.barrier};
+    const real error = fmax(c->geometry.tol * at.barrier, margin_error(c, &m, margin_finest(c)));
+    if (status == DOM_OK && at.r < reach && at.falls * at.r > 100 * sqrt(error * at.barrier) &&
+        margin_highest(c, at.r))
         *root = at;
     return DOM_OK;
 }
