@@ -46,7 +46,8 @@ struct derived {
      * How to find the number:
      * - '$' and the name of a parameter or effect,
      * - '#' and a name that fall_value accepts, or
-     * - an expression for the library, where '@' is the value that the user typed.
+     * - an expression for the library, where '@' is the value that the user typed, '@t2' and '@s2' are the
+     *   tilt and the slope of domino 2 at this tilt of the head, and '@S2' is its slope at the tilt 0.
      * NULL for a quantity that is different in each term of a sum.
      */
     const char *library;
@@ -67,10 +68,17 @@ struct explained {
 };
 extern const struct explained explained_list[];
 
-/* An equation of the paper, by its printed number and its label, and the quantity that it gives. */
+/* An equation of the paper, by its label, and the quantities that it gives: what it defines, or its two
+ * sides. The paper's form may need more than a train that falls. */
 struct explained_label {
-    const char *number;
     struct explained explained; /* its name is the label */
+    enum needs {
+        HOLDS,          /* derived_list has forms for trains with effects */
+        BARE,           /* no effects, and the exact fuel */
+        PAIR,           /* and domino 1 tips over before it hits (5; b0) */
+        LEANING,        /* no effects, and domino 2 leans on domino 1 at this tilt */
+        LEANING_AT_HIT, /* the same when the head is hit, at the tilt 0 */
+    } needs;
 };
 extern const struct explained_label explained_labels[];
 

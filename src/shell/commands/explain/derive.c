@@ -9,16 +9,32 @@
 
 /* ---- The numbers of the library ---- */
 
-/* Copies a text and replaces '@' by a number. */
-static void fill_in(const char *text, domq_real number, char *filled, size_t size)
+static enum dom_status chains_fill(struct derivation *d, domq_real tilt);
+
+/* Returns the tilt ('t') or the slope ('s') of domino k at the tilt of the head, or its slope at 0 ('S'). */
+static domq_real chain_value(const struct derivation *d, char what, size_t k)
+{
+    return what == 't' ? d->at.link[k].theta : what == 's' ? d->at.link[k].slope : d->launch.link[k].slope;
+}
+
+/* Copies a text and replaces '@' by the number that the user typed, and '@t2' and the like by the numbers of
+ * a domino. */
+static void fill_in(const struct derivation *d, const char *text, char *filled, size_t size)
 {
     char digits[WIDE_TEXT];
-    quad_exact(number, WIDE_DIGITS, digits);
-    for (filled[0] = '\0'; *text; text++)
-        if (*text == '@')
-            text_add(filled, size, "(%s)", digits);
-        else
+    for (filled[0] = '\0'; *text; text++) {
+        const bool of_domino = *text == '@' && text[1] && strchr("tsS", text[1]);
+        if (*text != '@') {
             text_add(filled, size, "%c", *text);
+            continue;
+        }
+        quad_exact(of_domino          ? chain_value(d, text[1], (size_t)(text[2] - '0'))
+                   : isnan(d->height) ? d->theta
+                                      : d->height,
+                   WIDE_DIGITS, digits);
+        text_add(filled, size, "(%s)", digits);
+        text += of_domino ? 2 : 0;
+    }
 }
 
 /* Returns a quantity of a hit by its name, such as "margin". */
@@ -35,7 +51,7 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
  * number. Returns false on an error. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
-    char text[256];
+    char text[512];
     const struct last_answer none = {.command = NULL};
     if (*expression == '#') {
         *value = fall_value(d->fall, expression + 1);
@@ -46,7 +62,11 @@ static bool library_value(struct derivation *d, const char *expression, domq_rea
         *value = *value == EFFECT_OFF ? 0 : *value;
         return true;
     }
-    fill_in(expression, isnan(d->height) ? d->theta : d->height, text, sizeof text);
+    const bool of_dominoes = strstr(expression, "@t") || strstr(expression, "@s") || strstr(expression, "@S");
+    const enum dom_status status = of_dominoes ? chains_fill(d, isnan(d->theta) ? 0 : d->theta) : DOM_OK;
+    if (status != DOM_OK)
+        return problem_status(d->problem, &d->state->scene, status);
+    fill_in(d, expression, text, sizeof text);
     struct expression_error error;
     struct parse parse = {.text = text, .error = &error, .arena = &d->arena};
     struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena, .error = &error};
@@ -182,6 +202,8 @@ static const char *words_of(struct derivation *d, const struct derived *q)
             words, sizeof words,
             "%s; with %s, energy is not conserved, so the equation of motion in 'help %s' is integrated",
             q->words, domq_law(&d->state->scene.train)->name, domq_law(&d->state->scene.train)->name);
+    else if (ends & HAS_DETACHED_AT_TILT)
+        n = snprintf(words, sizeof words, "%s; at this tilt the follower has slid off the head", q->words);
     else
         n = snprintf(
             words, sizeof words,

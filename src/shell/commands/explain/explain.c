@@ -67,17 +67,17 @@ static bool what_parse(struct reader *r, struct question *q)
     *item = (struct item){.at = r->at};
     reader_place(r, r->at);
     r->at = begin + length + (begin > shown && begin[length] == ')');
-    for (int k = 0; explained_labels[k].number; k++) {
-        const char *label = explained_labels[k].explained.name, *number = explained_labels[k].number;
-        if ((strlen(label) == length && strncmp(label, begin, length) == 0) ||
-            (strlen(number) == length && strncmp(number, begin, length) == 0)) {
+    const int number = isdigit((unsigned char)*begin) ? atoi(begin) : 0;
+    for (int k = 0; explained_labels[k].explained.name; k++) {
+        const char *label = explained_labels[k].explained.name;
+        if (number == k + 1 || (strlen(label) == length && strncmp(label, begin, length) == 0)) {
             item->number = LABELS + k;
             return true;
         }
     }
     return problem_error(r->problem,
-                         "equation (%.*s) gives no number here; 'man domino-model' lists all equations, and "
-                         "those with numbers are a1 a2 b1 b8 b10 c1 c2 c3 c6 c7 c8 A5 A16 A17 A18",
+                         "the paper has no equation (%.*s), only (1; a1) to (59; e8), which 'man "
+                         "domino-model' lists",
                          (int)length, begin);
 }
 
@@ -216,6 +216,38 @@ static bool explain_answer(struct answer *a, const struct derivation *d, const s
     return true;
 }
 
+/* Checks that an equation of the paper holds for this train, at this tilt of the head. */
+static bool label_holds(const struct query *query, const struct explained_label *l, domq_real tilt,
+                        struct problem *problem)
+{
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_effect *effect = domq_first_effect(train);
+    const char *label = l->explained.name;
+    struct domq_angles angles;
+    struct domq_contact contact;
+    if (l->needs == HOLDS)
+        return true;
+    if (effect)
+        return problem_no_answer(problem, "equation (%s) does not include %s; first enter 'set %s off'",
+                                 label, effect->name, effect->name);
+    if (train->fuel == DOM_FUEL_PAPER)
+        return problem_no_answer(problem, "equation (%s) needs the exact fuel; first enter 'set fuel exact'",
+                                 label);
+    enum dom_status status = domq_angles_find(train, &query->scene->compute, &angles);
+    if (status == DOM_OK)
+        status = domq_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    if (l->needs == PAIR && angles.theta_u >= angles.theta_c)
+        return problem_no_answer(problem, "(5; b0) does not hold: domino 1 hits before it tips over; first "
+                                          "enter a larger s");
+    if (l->needs >= LEANING && angles.detaches && contact.theta_1 >= angles.theta_leave)
+        return problem_no_answer(
+            problem, "equation (%s) has no value at this tilt, because domino 2 has slid off domino 1",
+            label);
+    return true;
+}
+
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct explained *e = explained_at(query->given->number[0]);
@@ -234,6 +266,10 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
                              e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
+    if (query->given->number[0] >= LABELS &&
+        !label_holds(query, &explained_labels[(int)query->given->number[0] - LABELS],
+                     bound ? bound->value : DOMQ_NAN, problem))
+        return false;
     if (row && !deciding_find(query, a, &fall, verdict, problem))
         return false;
     e = row ? &of_row : e;
@@ -268,7 +304,7 @@ const struct command explain_commands[] = {
      .summary = "where a number comes from: its equations, with numbers filled in",
      .help =
          "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
-         "c6 or 24. For each quantity of its answer, 'explain' shows the "
+         "c6 or 24, from a1 to e8. For each quantity of its answer, 'explain' shows the "
          "equation in symbols and with numbers, and the value; 'details' lists the quantities in the "
          "equation. With 'deep' at the end, these quantities are explained as well, down to the "
          "parameters. The values are the ones that the commands themselves print. With theta1, energy "
