@@ -5,13 +5,15 @@
 /* Finds the tilt of the head at which domino i behind it has the tilt *tilt. */
 static enum dom_status tilt_of_head(const struct geometry *head, size_t i, struct tilt *tilt)
 {
-    const struct geometry **leader = malloc((i + 1) * sizeof *leader);
+    struct {
+        const struct geometry *geometry;
+    } *leader = malloc((i + 1) * sizeof *leader);
     if (!leader)
         return DOM_NO_MEMORY;
     for (size_t j = 0; j < i; j++, head = head->follower ? head->follower : head)
-        leader[j] = head;
+        leader[j].geometry = head;
     while (i-- > 0)
-        *tilt = leader[i]->law->leader(leader[i], *tilt);
+        *tilt = leader[i].geometry->law->leader(leader[i].geometry, *tilt);
     free(leader);
     return DOM_OK;
 }
