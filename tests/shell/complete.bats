@@ -66,7 +66,7 @@ print an|ans
 0.9*rm|0.9*rmax
 r = 0.9*rm|0.9*rmax
 rmax.r_max_e|rmax.r_max_exact
-solve d 0.05 |d m mm cm in ft yd
+solve d 0.05 |d m mm cm km in ft yd
 rmax with q ho|hollow
 q = |hollow solid
 print 4 cm to f|ft

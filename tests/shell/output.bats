@@ -166,7 +166,7 @@ print 1e400|\{"command":"print","value":null,"unit":"","reason":".*quad.*"\}
 print 1e-400|\{"command":"print","value":null,"unit":"","reason":".*closer to 0.*"\}
 print 1e5000|\{"command":"print","error":".*this number is too large","source".*\}
 help rmax|\{"command":"help","name":"rmax","kind":"command","usage":"rmax \[S\]",.*"keys":"s r_max ends_by r_max_exact r_max_paper r_start".*\}
-help friction|\{"command":"help","name":"friction","kind":"effect","usage":"effect friction .*\}
+help friction|\{"command":"help","name":"friction","kind":"effect","usage":"set friction .*\}
 show s|\{"command":"show","name":"s","value":0\.4,.*\}
 complete set output j|\{"command":"complete","line":".*json"\}
 echo "a; b"|\{"command":"echo","text":"a; b"\}
@@ -206,7 +206,7 @@ END
 }
 
 @test "all commands in all outputs and precisions: every number is finite or null" {
-    local scene precision style status sessions=0
+    local scene precision style status errors sessions=0
     calls >calls.dom
     [ "$(wc -l <calls.dom)" -gt 40 ]
     while read -r scene; do
@@ -214,7 +214,10 @@ END
             for style in json csv table; do
                 # The layout of a table does not depend on the precision.
                 if [ "$style$precision" = csvfloat ] || [ "$style$precision" = tablequad ]; then continue; fi
-                echo "set output $style; set precision $precision; set errors on; $scene" >session.dom
+                # An error takes a computation in quad, so one format in one precision has errors.
+                errors=off
+                if [ "$style$precision" = jsondouble ]; then errors=on; fi
+                echo "set output $style; set precision $precision; set errors $errors; $scene" >session.dom
                 # Quad is slow, so it runs only a few commands, which show how numbers are written.
                 if [ "$precision" = quad ]; then grep -E '^(print|row|launch|draw)' calls.dom; else cat calls.dom; fi >>session.dom
                 status=0

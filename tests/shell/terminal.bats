@@ -193,7 +193,7 @@ gone() { ! terminal has-session 2>/dev/null; }
     export PAGER=no-such-program
     open_session 80 24
     modes >"$BATS_TEST_TMPDIR/before"
-    type_in help
+    type_in 'help all'
     press Enter
     see_last 'space: more, q: back' # less takes its place
     press q
@@ -201,7 +201,7 @@ gone() { ! terminal has-session 2>/dev/null; }
     close_terminal
     export PAGER='stty raw -echo </dev/tty; kill -9 $$'
     open_session 80 24
-    ask help
+    ask 'help all'
     ask 'print 6*7'
     see '^42$'
     modes | diff "$BATS_TEST_TMPDIR/before" -
@@ -450,7 +450,7 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     see '^81$'
     modes | diff "$BATS_TEST_TMPDIR/before" -
     # Keys that a user types in less by mistake must not write a file or run a command.
-    type_in help
+    type_in 'help all'
     press Enter
     see_last 'space: more, q: back'
     press -l s

@@ -34,10 +34,10 @@ static const struct first_line {
 /* Prints one screen: the lines to type, and the names of all commands, in groups. */
 static void help_screen(FILE *out)
 {
-    enum { WORD = 10, LINE = 79 };
+    enum { WORD = 10 };
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        fprintf(out, "> %-14s %s\n", first_lines[i].line, first_lines[i].does);
+        help_wrapped(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line));
     const char *word = "";
     for (const struct command_group *g = command_groups(); g->title; g++)
         if (strcmp(g->word, word) != 0) {
@@ -47,9 +47,7 @@ static void help_screen(FILE *out)
                 for (const struct command *c = of->commands; c->name; c++)
                     if (!c->typed.is_hidden && !c->typed.phrase)
                         text_add(names, sizeof names, " %s", c->name);
-            int left = fprintf(out, "%-*s", WORD - 1, word);
-            write_wrapped(out, names + 1, left, LINE);
-            putc('\n', out);
+            help_wrapped(out, names + 1, fprintf(out, "%-*s", WORD, word));
         }
     help_say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
 }
