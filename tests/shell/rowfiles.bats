@@ -187,10 +187,10 @@ END
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'set edges off', or set all dominoes upright: 'change all lean = 0 mm'"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, but the rigid-body engine needs upright dominoes [(]the engine runs this row because method is engine[)]; turn the engine off'
-    said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
+    said=$("$DOMINO" -e 'effect row lean.csv; tolerance details')
     grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the tightest limits of all; it is off by 1 mm backwards now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
-    said=$("$DOMINO" -e 'effect row stops.csv; tolerance')
+    said=$("$DOMINO" -e 'effect row stops.csv; tolerance details')
     grep -qxF 'All dominoes would fall if the top of domino 2 were off by anything from 1.7 mm backwards to 1.03 cm forwards; it is off by 3 mm backwards now.' <<<"$said"
 }
 
