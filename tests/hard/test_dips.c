@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * r_max of trains whose margin has a dip of a given depth, on both sides of zero. The separation at which the
+ * dip touches 0 comes from a minimization of the margin by plain sums, which share no code with the model.
+ */
+#include "../unit/support.h"
+#include "domino_proof.h"
+#include "plain.h"
+#include "sweep.h"
+
+struct scene {
+    double d, q, rho, mu, s, r; /* r_max jumps at s, and the dip is at r */
+};
+
+static const struct scene scenes[] = {
+    {0.254524, 0.474363, 0, 0, 0.119202042, 4.46689},
+    {0.0244133, 0.653582, 0, 0, 0.00735522243724, 5.22211},
+    {0.0016585772691508735, 0.84128950999683272, 0, 0, 0.0007904185218329231, 16.01510219},
+    {0.12773775370585011, 0.67238449435099856, 0, 0, 0.055906539782145763, 9.519301739},
+    {0.22373795343230674, 0.69380355920198367, 0, 0, 0.13227114600415679, 4.403084767},
+    {0.082457764072550802, 0.60035705876465428, 0, 0, 0.024667433946930831, 6.262129298},
+    {0.15622093930854777, 0.64742926209836527, 0.010775842012546572, 0, 0.059502663130984824, 8.493397434},
+    {0.27334726204119109, 0.54460422910635375, 0.012051470181822238, 0, 0.13410886401245503, 4.013587643},
+    {0.2, 0.65, 0, 0.1, 0.1306, 4.56},
+};
+
+static domq_real share(const struct scene *at, domq_real s, domq_real r)
+{
+    if (at->mu > 0)
+        return plain_share_rubbing((long double)s, at->d, at->q, at->mu, (long double)r);
+    if (at->rho > 0)
+        return plain_share_rounded((long double)s, at->d, at->q, at->rho, (long double)r);
+    return plain_share(s, at->d, at->q, r);
+}
+
+/* Returns the depth of the dip: the minimum of (K - B) / K near at->r. */
+static domq_real depth(const struct scene *at, domq_real s, domq_real *r)
+{
+    const domq_real part = (domq_real)0.6180339887498948482L;
+    const double width = at->mu > 0 || at->rho > 0 ? 1e-11 : 1e-16;
+    domq_real lo = (domq_real)at->r * 0.985, hi = (domq_real)at->r * 1.015, a = hi - part * (hi - lo),
+              b = lo + part * (hi - lo), at_a = share(at, s, a), at_b = share(at, s, b);
+    while (hi - lo > (domq_real)width * hi)
+        if (at_a < at_b) {
+            hi = b;
+            b = a;
+            at_b = at_a;
+            a = hi - part * (hi - lo);
+            at_a = share(at, s, a);
+        } else {
+            lo = a;
+            a = b;
+            at_a = at_b;
+            b = lo + part * (hi - lo);
+            at_b = share(at, s, b);
+        }
+    *r = at_a < at_b ? a : b;
+    return at_a < at_b ? at_a : at_b;
+}
+
+/* Returns the first root, which is below the minimum at r. */
+static domq_real root_before(const struct scene *at, domq_real s, domq_real r)
+{
+    domq_real lo = (domq_real)at->r * 0.985, hi = r;
+    for (int k = 0; k < 110 && hi - lo > 0; k++) {
+        const domq_real middle = (lo + hi) / 2;
+        *(share(at, s, middle) >= 0 ? &lo : &hi) = middle;
+    }
+    return lo;
+}
+
+struct dips {
+    int trains, open, wrong, proved;
+};
+
+static void check(const struct scene *at, domq_real s, enum dom_precision precision, bool proof,
+                  struct dips *tally)
+{
+    struct setup train = setup_default();
+    struct domq_limit limit;
+    domq_real r;
+    train.s = s;
+    train.d = at->d;
+    train.q = at->q;
+    train.rho = at->rho;
+    train.mu = at->mu;
+    train.precision = precision;
+    train.tol = domq_arithmetic(precision)->tol_default;
+    const domq_real deep = depth(at, s, &r);
+    const enum dom_status status = ask_limit_rmax(&train, &limit);
+    const double least = precision == DOM_QUAD && at->mu == 0 ? 1e-31 : 1e-16;
+    const bool sharp = at->mu == 0 && at->rho == 0;
+    bool wrong = false;
+    tally->trains++;
+    if (status == DOM_OPEN) {
+        tally->open++;
+        wrong = fabs((double)deep) > least || !(fabs((double)(limit.open / r) - 1) < 1e-6);
+    } else if (status != DOM_OK) {
+        wrong = true;
+    } else if (deep < 0) {
+        const domq_real root = root_before(at, s, r), off = limit.r_max - root;
+        /* the slope of the margin at the root is about 2 deep / (r - root) */
+        const double own =
+            (double)root * 1e-15 + (sharp ? 1e-31 / (at->d * at->d) : 1e-16) * (double)((r - root) / -deep);
+        wrong = !(fabs((double)off) <= (double)limit.uncertainty + own) ||
+                !(limit.uncertainty < 1e-5 * (double)root);
+        if (wrong)
+            print_error("root %.20Lg ", (long double)root);
+    } else {
+        wrong = !(limit.r_max > r * (domq_real)1.015);
+    }
+    if (proof) {
+        const struct dom_train same = {
+            .s = (double)s, .d = at->d, .q = at->q, .r = 1, .fuel = DOM_FUEL_EXACT};
+        struct dom_proof proved;
+        assert_status(dom_prove_rmax(&same, NULL, &proved), DOM_OK);
+        tally->proved += proved.ends == DOM_PROVED_BARRIER;
+        if (status == DOM_OK && proved.ends != DOM_PROVED_NONE &&
+            (proved.low > (double)limit.r_max * (1 + 1e-14) ||
+             proved.high < (double)limit.r_max * (1 - 1e-14)))
+            wrong = true;
+        if (wrong)
+            print_error("proved %.17g to %.17g ", proved.low, proved.high);
+    }
+    if (wrong) {
+        tally->wrong++;
+        print_error(
+            "precision %d: %s r_max %.20Lg +- %.2g open %.17g, depth %.6g at %.17g: s %.36Lg d %.17g q "
+            "%.17g rho %.17g mu %.17g\n",
+            (int)precision, dom_status_text(status), (long double)limit.r_max, (double)limit.uncertainty,
+            (double)limit.open, (double)deep, (double)r, (long double)s, at->d, at->q, at->rho, at->mu);
+    }
+}
+
+/* Returns the separation at which the dip touches 0, and the change of its depth with s. */
+static domq_real touching(const struct scene *at, domq_real *slope)
+{
+    domq_real s[2] = {at->s, (domq_real)at->s * (1 + (domq_real)1e-5)}, r,
+              f[2] = {depth(at, s[0], &r), depth(at, s[1], &r)};
+    *slope = (f[1] - f[0]) / (s[1] - s[0]);
+    for (int k = 0; k < 8 && f[1] != f[0]; k++) {
+        const domq_real next = s[1] - f[1] * (s[1] - s[0]) / (f[1] - f[0]);
+        s[0] = s[1];
+        f[0] = f[1];
+        s[1] = next;
+        f[1] = depth(at, next, &r);
+        if (fabs((double)((s[1] - s[0]) / s[1])) < 1e-30)
+            break;
+    }
+    return s[1];
+}
+
+TEST(the_depth_of_a_dip_decides)
+{
+    struct dips tally = {0};
+    const bool brief = sweep_size() < 1;
+    const int step = brief ? 5 : sweep_size() > 1 ? 1 : 4;
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i += brief ? 3 : 1) {
+        const struct scene *at = &scenes[i];
+        const bool sharp = at->mu == 0 && at->rho == 0;
+        domq_real slope, s = touching(at, &slope);
+        for (int k = 6; k <= (sharp ? 28 : 15); k += step)
+            for (int side = -1; side <= 1; side += 2) {
+                const domq_real there = s + (domq_real)(side * pow(10, -k)) / slope;
+                if (k <= 15)
+                    check(at, (double)there, DOM_DOUBLE, sharp && k <= (brief ? 6 : 10), &tally);
+                check(at, there, DOM_QUAD, false, &tally);
+            }
+    }
+    print_message("# %d dips, %d of them open, %d proved\n", tally.trains, tally.open, tally.proved);
+    assert_int_equal(tally.wrong, 0);
+}
+
+/* ---- The best separation ---- */
+
+struct top {
+    double s, r;
+};
+
+/* Closes in on the largest r_max between two separations. */
+static struct top close_in(double d, double q, struct top top, double lo, double hi, double least)
+{
+    for (int zoom = 0; zoom < 9; zoom++) {
+        const double width = (hi - lo) / 10;
+        for (int i = 0; i <= 12; i++) {
+            const double s = lo + (hi - lo) * i / 12, r = plain_rmax(s, d, q, 1.05);
+            if (r > top.r)
+                top = (struct top){s, r};
+        }
+        if (zoom == 1 && top.r < least)
+            break;
+        lo = fmax(top.s - width, 1e-7);
+        hi = fmin(top.s + width, 1);
+    }
+    return top;
+}
+
+/* Finds the best separation by a dense search, which refines the three highest samples. */
+static struct top dense_best(double d, double q)
+{
+    enum { MOST = 260, TOPS = 3 };
+    struct top at[MOST], best = {0, 0};
+    int n = 0, lower = 0;
+    for (double s = 1; n < MOST && s > 1e-6 && lower < 60; s *= 0.95, n++) {
+        at[n] = (struct top){s, plain_rmax(s, d, q, 1.05)};
+        lower = at[n].r > best.r ? 0 : lower + (best.r > 1);
+        best = at[n].r > best.r ? at[n] : best;
+    }
+    for (int pass = 0; pass < TOPS; pass++) {
+        int top = -1;
+        for (int k = 0; k < n; k++)
+            if (at[k].r > 0 && (top < 0 || at[k].r > at[top].r) && (k == 0 || at[k].r >= at[k - 1].r) &&
+                (k + 1 == n || at[k].r >= at[k + 1].r))
+                top = k;
+        if (top < 0)
+            break;
+        const struct top found = close_in(d, q, at[top], at[top].s * 0.95, fmin(at[top].s / 0.95, 1),
+                                          pass == 0 ? 0 : best.r * 0.98);
+        best = found.r > best.r ? found : best;
+        at[top].r = -1;
+    }
+    return best;
+}
+
+/* Returns r_max of plain_rmax with the digits of the widest type. */
+static double polished(struct top top, double d, double q)
+{
+    if (top.r * top.s > 1 - 1e-9)
+        return top.r;
+    return (double)plain_root(top.s, d, q, top.r * (1 - 1e-8), top.r * (1 + 1e-8));
+}
+
+TEST(best_against_a_dense_search)
+{
+    uint64_t seed = 52;
+    int found = 0, wrong = 0;
+    const int pairs = (int)ceil(4 * fmax(sweep_size(), 1)); /* 5 s each; SWEEP_SIZE=40 for a thorough run */
+    for (int i = 0; i < pairs; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_best best = {.s = 0};
+        struct dom_barrier barrier;
+        train.d = random_log(&seed, 1e-4, 0.6);
+        train.q = random_log(&seed, 0.3, 6);
+        const enum dom_status status = dom_limit_best(&train, NULL, &best);
+        const struct top own = dense_best(train.d, train.q);
+        const double most = own.r > 1 ? polished(own, train.d, train.q) : own.r;
+        bool bad = status == DOM_OK ? most > best.r_max + fmax(1e-9 * best.r_max, best.r_uncertainty)
+                                    : own.r > 1 + 1e-9;
+        if (status == DOM_OK) { /* this train goes on: at the growth itself, and in every dip before it */
+            found++;
+            train.s = best.s;
+            train.r = best.r_max - best.r_uncertainty;
+            bad = bad || dom_barrier_find(&train, NULL, &barrier) != DOM_OK;
+            /* plain_rmax knows its root in double only */
+            bad = bad || plain_rmax(best.s, train.d, train.q, 1.02) < train.r * (1 - 1e-9);
+        }
+        if (bad && ++wrong)
+            print_error("d %.17g q %.17g: %s, s %.15g r %.15g +- %.2g; dense s %.15g r %.15g\n", train.d,
+                        train.q, dom_status_text(status), best.s, best.r_max, best.r_uncertainty, own.s,
+                        most);
+    }
+    print_message("# %d best separations, %d wrong\n", found, wrong);
+    assert_true(wrong == 0 && found * 2 > pairs);
+}
+
+/* Checks trains close to the separation of a jump: the side of it decides. */
+TEST(trains_beside_a_jump)
+{
+    uint64_t seed = 7;
+    int wrong = 0;
+    const int trains = (int)ceil(60 * sweep_size());
+    struct scene at = {0};
+    domq_real slope, s = 0, r;
+    for (int i = 0; i < trains; i++) {
+        if (i % 60 == 0) {
+            at = scenes[i / 60];
+            s = touching(&at, &slope);
+        }
+        struct dom_train train = dom_train_default();
+        struct dom_limit limit;
+        const double by = random_log(&seed, 1e-15, 1e-4) * (random_unit(&seed) < 0.5 ? -1 : 1);
+        train.d = at.d;
+        train.q = at.q;
+        train.s = (double)s * (1 + by);
+        const domq_real deep = depth(&at, train.s, &r);
+        const enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
+        if ((status != DOM_OK || (deep < 0) != (limit.r_max < (double)r * 1.015)) && ++wrong)
+            print_error("s %.17g d %.17g q %.17g: %s, r_max %.15g, depth %.3g\n", train.s, train.d, train.q,
+                        dom_status_text(status), limit.r_max, (double)deep);
+    }
+    assert_int_equal(wrong, 0);
+}
