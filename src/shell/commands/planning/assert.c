@@ -59,7 +59,7 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     }
     a->columns = c->columns;
     a->rows = c->rows;
-    a->brief = c->brief;
+    a->details.brief = c->brief;
     if (!question_ask(asserted, query, a, problem))
         return false;
     a->wrote_text = true;
