@@ -18,19 +18,23 @@ const struct command design_commands[] = {
      .help =
          "'design' finds a gap and a growth such that every domino after the first has at least 'safety' "
          "times the energy that it needs. This is true both in the endless train and in the row. The first "
-         "domino, friction, slope and push come from the scene. WISHES can come in any order. 'safety 2' is "
+         "domino, friction, slope and push come from the scene.\n\n"
+         "WISHES can come in any order. 'safety 2' is "
          "the default. 'hall 20 m' is the greatest length of the row, including its fallen last domino. "
          "'minimise dominoes' is the default. 'minimise mass' finds the same row, because fewer dominoes "
          "also have less mass. 'minimise length' finds the shortest row. 'boards 9, 12, 15 mm' are the "
          "thicknesses to choose from; with 'set walls 12 mm 30 cm', a box can have any thickness. 'grid 1 "
          "mm' makes all gaps, heights and thicknesses multiples of 1 mm, except the first domino, the height "
-         "H and the thicknesses of boards. The row still has the required safety. 'design 8 m falls 99 %' "
+         "H and the thicknesses of boards. The row still has the required safety.\n\n"
+         "'design 8 m falls 99 %' "
          "finds how few dominoes are enough for the row to fall with this probability. It takes the random "
          "errors of the scene into account, such as 'set placement 3 mm'. The lower end of the 95 % "
          "interval must reach this probability. A table shows the results for fewer and for more dominoes; "
-         "then the row is improved, as with 'improve sizes'. If the rigid-body engine runs rows ('set "
+         "then the row is improved, as with 'improve sizes'.\n\n"
+         "If the rigid-body engine runs rows ('set "
          "feet', 'set bounce', 'set method engine'), the row also falls in the engine. 'safety' still "
-         "refers to the model, which treats feet as hinges. The row becomes the session's row; 'design ... > "
+         "refers to the model, which treats feet as hinges.\n\n"
+         "The row becomes the session's row; 'design ... > "
          "hall.csv' writes a file for 'set row hall.csv'.",
      .example = "set q hollow; set friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",

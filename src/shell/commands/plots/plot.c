@@ -135,12 +135,15 @@ const struct command plot_commands[] = {
          "The picture appears in the terminal. 'plot fall > fall.svg' makes a file with gnuplot: "
          ".svg, .png, .pdf, or .tex for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The "
          "extensions .csv and .json give the data, and .gp gives gnuplot's script with the data, for you to "
-         "change. 'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' "
+         "change.\n\n"
+         "'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look. 'title', 'xlabel' "
          "and 'ylabel' take a text. 'xrange' and 'yrange' take the two ends of an axis, in the unit that its "
          "label names. 'xscale' and 'yscale' take 'log' or 'linear', and 'legend' takes 'below', 'right' or "
-         "'off'. For a file, 'width' and 'height' take 6 to 30 cm (the unit may be left out), 'font' takes "
+         "'off'.\n\n"
+         "For a file, 'width' and 'height' take 6 to 30 cm (the unit may be left out), 'font' takes "
          "points, and 'family' takes "
-         "the name of a font. These words can come in any order. They must come before the grid of a sweep "
+         "the name of a font.\n\n"
+         "These words can come in any order. They must come before the grid of a sweep "
          "or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
