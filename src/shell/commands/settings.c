@@ -338,8 +338,8 @@ const struct command session_commands[] = {
          "comparison is 1 if it is true, and 0 otherwise. Write '(a > b)' in parentheses, because otherwise "
          "'>' sends the answer to a file. 'and', 'or' and 'not' join comparisons, and 'if(r > 1.5, 1, 0)' "
          "chooses one of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q "
-         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. 'print "
-         "\"TEXT\"' writes the text, as 'echo' does.",
+         "hollow d 0.1'. In an expression, 'with' needs parentheses: '2*(rmax with friction 0.2)'. A text in "
+         "double quotes is written as 'echo' writes it.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .typed.shortest = "pr",
