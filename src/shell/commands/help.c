@@ -31,13 +31,20 @@ static const struct first_line {
     {"quit", "ends the session; ^C stops a computation"},
 };
 
+static void screen_line(FILE *out, const char *text, int left, int width)
+{
+    write_wrapped(out, text, left, width);
+    putc('\n', out);
+}
+
 /* Prints one screen: the lines to type, and the names of all commands, in groups. */
 static void help_screen(FILE *out)
 {
-    enum { WORD = 10 };
+    enum { WORD = 10, LINE = 79 };
+    const int width = help_width(out) < LINE ? help_width(out) : LINE;
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        help_wrapped(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line));
+        screen_line(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line), width);
     const char *word = "";
     for (const struct command_group *g = command_groups(); g->title; g++)
         if (strcmp(g->word, word) != 0) {
@@ -47,7 +54,7 @@ static void help_screen(FILE *out)
                 for (const struct command *c = of->commands; c->name; c++)
                     if (!c->typed.is_hidden && !c->typed.phrase)
                         text_add(names, sizeof names, " %s", c->name);
-            help_wrapped(out, names + 1, fprintf(out, "%-*s", WORD, word));
+            screen_line(out, names + 1, fprintf(out, "%-*s", WORD, word), width);
         }
     help_say(out, "'help GROUP' or 'help NAME' explains more; 'help all' lists every command.");
 }

@@ -105,8 +105,7 @@ void topic_row(struct answer *answer, const struct topic *t)
 
 /* ---- For people ---- */
 
-/* Returns the width of the terminal, but at most 100, because longer lines are hard to read. */
-static int help_width(FILE *out)
+int help_width(FILE *out)
 {
     int width = terminal_width(out);
     return width && width < 100 ? width : 100;

@@ -40,6 +40,9 @@ void topic_entry(FILE *out, const char *prefix, const char *usage, const char *s
 
 /* ---- Paragraphs ---- */
 
+/* Returns the width of the terminal, but at most 100, because longer lines are hard to read. */
+int help_width(FILE *out);
+
 /* Prints a text and a newline, wrapped to the width of help pages. The lines after the first begin at column
  * `left`. */
 void help_wrapped(FILE *out, const char *text, int left);

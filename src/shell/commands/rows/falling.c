@@ -104,6 +104,8 @@ struct words dominoes_words(domq_real q, const char *noun)
 struct words limit_words(domq_real limit, int digits)
 {
     struct words words;
+    while (limit > 1 && round_digits(limit, digits, false) <= 1 && digits < WIDE_DIGITS)
+        digits++;
     snprintf(words.text, sizeof words.text, "%s", quad_text(round_digits(limit, digits, false), digits));
     return words;
 }

@@ -53,7 +53,8 @@ struct words energy_words(domq_real share);
 /* Returns "solid dominoes" for q = 4 and the noun "dominoes", or "dominoes with q = 3.5". */
 struct words dominoes_words(domq_real q, const char *noun);
 
-/* Returns a limit as text with at most `digits` digits, rounded down, so that what it allows is possible. */
+/* Returns a limit as text with at most `digits` digits, rounded down, so that what it allows is possible.
+ * A growth that is not 1 gets more digits if it would be 1. */
 struct words limit_words(domq_real limit, int digits);
 
 /* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
