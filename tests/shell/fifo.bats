@@ -23,7 +23,7 @@ load common
 
 @test "^C ends the wait for a reader that reads nothing" {
     # Write more than a FIFO can hold at once.
-    for _ in {1..40}; do echo help; done >"$BATS_TEST_TMPDIR/script"
+    for _ in {1..40}; do echo 'help all'; done >"$BATS_TEST_TMPDIR/script"
     prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" 'cannot write [^\n]*canceled'
 }
 
