@@ -76,10 +76,13 @@ struct stretch {
 };
 
 /* Returns true if the margin has its initial sign. A value within its error of 0 does not count as a change:
- * it may be the bottom of a dip, whose minimum decides. */
+ * it may be the bottom of a dip, whose minimum decides. With friction, the estimate of the error can be as
+ * large as a small barrier, and the value counts as it is. */
 static bool sign_kept(const struct first *s, const struct margin_sample *sample)
 {
     const struct margin *m = &sample->margin;
+    if (!s->c->geometry.dynamics->conservative)
+        return (margin_value(m) >= 0) == (s->sign > 0);
     return s->sign * margin_value(m) >= -margin_error(s->c, m, margin_finest(s->c));
 }
 
