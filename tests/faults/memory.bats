@@ -11,9 +11,9 @@ load faults
 outcome() { # WHAT STATUS
     no_crash "$1" "$2"
     obtained=$(grep -vE '\.$' out) said=$(cat err)
-    same "$1: other lines" '(nothing)' "$(grep -vxFf expected out)"
+    [ -n "${errors_may_lack-}" ] || same "$1: other lines" '(nothing)' "$(grep -vxFf expected out)"
     if [ "$2" -eq 0 ]; then
-        same "$1: the answers" "$answers" "$obtained"
+        [ -n "${errors_may_lack-}" ] || same "$1: the answers" "$answers" "$obtained"
     else
         [[ $said =~ ^(-e|domino|in\.dom|[a-z.]*:[0-9]*).*[a-z] ]] || same "$1: a message" 'why' "$said"
         [ -z "$(LC_ALL=C grep -v '^[[:print:][:space:]]*$' err)" ] || same "$1: what is said" readable "$said"
@@ -51,9 +51,14 @@ every_allocation() { # SESSION
 @test "failing allocations: friction, a walk, pictures" {
     every_allocation 'effect friction 0.2; step; goto 0.1; why; cycle 3; draw 0.2 forces'
 }
-@test "failing allocations: random rows" { every_allocation 'set threads 2; effect row 4; effect placement 5 mm; placement 40'; }
-@test "failing allocations: quad with friction, and bounds" {
-    every_allocation 'set precision quad; effect friction 0.2; barrier; reset; set errors on; rmax 0.3; curve 0.3 0.5 3'
+@test "failing allocations: random rows" { every_allocation 'set output csv; set threads 2; set row 4; set placement 5 mm; placement 40'; }
+@test "failing allocations: quad with friction, and sweeps" {
+    every_allocation 'set precision quad; set friction 0.2; barrier; reset; rmax 0.3; curve 0.3 0.5 3'
+}
+@test "failing allocations: errors" {
+    # If memory runs out in the computation with 30 digits, numbers have no errors.
+    errors_may_lack=yes
+    every_allocation 'set errors on; rmax 0.3; curve 0.3 0.5 3'
 }
 
 # Chipmunk does not check whether an allocation fails.
