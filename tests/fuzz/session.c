@@ -2,6 +2,7 @@
 #include "session.h"
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
+#include "io/io.h"
 #include "io/escape.h"
 #include <ctype.h>
 #include <signal.h>
@@ -84,6 +85,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     line_stream(&session, in, "fuzz");
     fclose(in);
     session_close(&session);
+    io_stderr_end();
     fclose(to);
     if (strlen(out) == length) /* the output contains no NUL */
         judge(out);

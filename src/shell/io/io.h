@@ -67,6 +67,8 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
 /* Returns the stream for standard error, which writes each text at once. */
 FILE *io_stderr(void);
+/* Closes that stream at the end of the program. */
+void io_stderr_end(void);
 
 void io_stdout_flush(void);
 

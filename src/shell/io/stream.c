@@ -57,6 +57,13 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
     return c->error ? 0 : (ssize_t)size;
 }
 
+/* Frees a channel whose file stays open. */
+static int channel_forget(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
 static int channel_close(void *cookie)
 {
     struct channel *c = cookie;
@@ -127,7 +134,8 @@ static double flushed; /* when standard output was last flushed, as terminal_clo
 static FILE *standard_stream(int file, int buffering, const volatile sig_atomic_t *interrupt)
 {
     const struct channel channel = {.file = file, .interrupt = interrupt};
-    const struct system_stream functions = {.write = channel_write, .close = channel_close};
+    const struct system_stream functions = {.write = channel_write,
+                                            .close = file == STDERR_FILENO ? channel_forget : channel_close};
     FILE *stream = cookie_stream(&channel, sizeof channel, "w", functions);
     if (stream)
         setvbuf(stream, NULL, buffering, HELD_MOST);
@@ -141,12 +149,20 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt)
     return standard ? standard : stdout;
 }
 
+static FILE *messages;
+
 FILE *io_stderr(void)
 {
-    static FILE *messages;
     if (!messages)
         messages = standard_stream(STDERR_FILENO, _IONBF, NULL);
     return messages ? messages : stderr;
+}
+
+void io_stderr_end(void)
+{
+    if (messages)
+        fclose(messages);
+    messages = NULL;
 }
 
 void io_stdout_flush(void)
