@@ -2,8 +2,8 @@
 #include "session.h"
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
-#include "io/io.h"
 #include "io/escape.h"
+#include "io/io.h"
 #include <ctype.h>
 #include <signal.h>
 #include <stdint.h>
