@@ -236,10 +236,10 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
                shallow = fabs(scaled(s, in->hi, in->hi->margin.barrier)) < SAMPLE_TOL;
     struct root root = {.r = 0};
     enum dom_status status = DOM_OK;
-    /* First follow one maximum of H. If this fails, or if another maximum is higher at that root, start again
-     * with a search for all maxima at each growth. */
     /* at `lo`, the margin may be 0 within its error */
     const bool at_lo = margin_value(&in->lo->margin) < 0;
+    /* First follow one maximum of H. If this fails, or if another maximum is higher at that root, start again
+     * with a search for all maxima at each growth. */
     if (follows && !shallow && !at_lo) {
         status = root_between(c, in->lo, in->hi, &root);
         if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
