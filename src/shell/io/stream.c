@@ -57,13 +57,6 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
     return c->error ? 0 : (ssize_t)size;
 }
 
-/* Frees a channel whose file stays open. */
-static int channel_forget(void *cookie)
-{
-    free(cookie);
-    return 0;
-}
-
 static int channel_close(void *cookie)
 {
     struct channel *c = cookie;
@@ -131,21 +124,15 @@ enum { HELD_MOST = 1 << 16 };
 static FILE *standard;
 static double flushed; /* when standard output was last flushed, as terminal_clock() */
 
-static FILE *standard_stream(int file, int buffering, const volatile sig_atomic_t *interrupt)
-{
-    const struct channel channel = {.file = file, .interrupt = interrupt};
-    const struct system_stream functions = {.write = channel_write,
-                                            .close = file == STDERR_FILENO ? channel_forget : channel_close};
-    FILE *stream = cookie_stream(&channel, sizeof channel, "w", functions);
-    if (stream)
-        setvbuf(stream, NULL, buffering, HELD_MOST);
-    return stream;
-}
-
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
-    if (!standard)
-        standard = standard_stream(STDOUT_FILENO, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, interrupt);
+    const struct channel channel = {.file = STDOUT_FILENO, .interrupt = interrupt};
+    const struct system_stream functions = {.write = channel_write, .close = channel_close};
+    if (!standard) {
+        standard = cookie_stream(&channel, sizeof channel, "w", functions);
+        if (standard)
+            setvbuf(standard, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, HELD_MOST);
+    }
     return standard ? standard : stdout;
 }
 
@@ -153,8 +140,13 @@ static FILE *messages;
 
 FILE *io_stderr(void)
 {
-    if (!messages)
-        messages = standard_stream(STDERR_FILENO, _IONBF, NULL);
+    static struct channel channel = {.file = STDERR_FILENO};
+    const struct system_stream functions = {.write = channel_write};
+    if (!messages) {
+        messages = system_stream(&channel, "w", functions);
+        if (messages)
+            setvbuf(messages, NULL, _IONBF, 0);
+    }
     return messages ? messages : stderr;
 }
 
