@@ -63,7 +63,8 @@ static long rows_of(const char *text, const char *end, int width)
 static void text_show(struct pager *p)
 {
     FILE *terminal = p->output.below->out;
-    fwrite(p->text + p->shown, 1, p->text_size - p->shown, terminal);
+    if (p->text_size > p->shown)
+        fwrite(p->text + p->shown, 1, p->text_size - p->shown, terminal);
     fflush(terminal);
     p->shown = p->text_size;
     p->state = SHOWN;
