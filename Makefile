@@ -28,7 +28,7 @@ LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now $(RELR))
 # used if the linker accepts it without a warning and a program linked with it runs here.
 RELR     = $(if $(shell echo 'int main(void) { return 0; }' | { $(CC) -x c - $(PACKED) -o $(B)/relr && $(B)/relr; } 2>&1 || echo no),,$(PACKED))
 PACKED  := -Wl,-z,pack-relative-relocs
-INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
+INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/train/model -Isrc/shell -I$(B)
 # POSIX and the usual extensions of C libraries. Only a file that uses more defines _GNU_SOURCE, because <math.h> is then
 # three times as long.
 STD     := -std=c17 -D_DEFAULT_SOURCE
@@ -46,17 +46,18 @@ THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
-# The remaining files of src/model are the source of the kernels, and precision/*.c include them. The kernel in double
+# The remaining files of src/train/model are the source of the kernels, and precision/*.c include them. The kernel in double
 # is compiled within compare/gsl.c, which includes precision/double.c. TYPED is compiled twice: once with the types of
 # <domino.h>, and once with the types of <domino_quad.h>, which the kernels in float and quad use.
-TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/dispatch/dispatch.c \
-           $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
-DOUBLE  := src/model/texts.c src/model/numerics/quiet.c src/model/numerics/interrupt.c src/model/dispatch/bridge.c \
-           $(wildcard $(patsubst %,src/model/%/*.c,compare proof))
-QUAD    := $(addprefix src/model/precision/,float.c quad.c)
+TRAIN   := src/train/model
+TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) $(wildcard $(TRAIN)/effects/*.c) \
+           $(wildcard $(patsubst %,src/%/model/*.c,rows chance planning))
+DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c dispatch/bridge.c) \
+           $(wildcard $(TRAIN)/compare/*.c src/proof/model/*.c)
+QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
 ENGINE_C := $(wildcard src/engine/*.c)
-SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)
+SHELL_C := src/main.c $(filter-out $(ENGINE_C),$(wildcard src/*/*.c src/shell/*/*.c src/pictures/*/*.c))
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
@@ -125,7 +126,7 @@ $(B)/system_features.h $(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
 	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 # Renames each function of the kernels after its precision, as in chain_sum_double, for debuggers.
-KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
+KERNEL_C := $(filter-out $(MODEL),$(wildcard $(TRAIN)/*/*.c $(TRAIN)/*/*.h))
 $(B)/kernel_names.h: $(KERNEL_C)
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z][A-Za-z_0-9]*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@.new
@@ -133,8 +134,8 @@ $(B)/kernel_names.h: $(KERNEL_C)
 
 # The names that the files of the library share. All files are compiled again if a name is added, but not after other
 # changes.
-SHARED_AWK := src/model/precision/shared.awk
-SHARED_OF  := $(wildcard src/model/*/*.h)
+SHARED_AWK := $(TRAIN)/precision/shared.awk
+SHARED_OF  := $(wildcard $(TRAIN)/*/*.h src/*/model/*.h)
 $(B)/library.h: $(SHARED_OF) $(SHARED_AWK)
 	@mkdir -p $(@D)
 	@awk -f $(SHARED_AWK) $(SHARED_OF) > $@.new
@@ -146,7 +147,7 @@ $(B)/tutorial.h: examples/tutorial.dom
 	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
 # <domino_quad.h>, which is generated from these headers, and a list of its names for the sources.
-QUAD_AWK := src/model/precision/quad.awk
+QUAD_AWK := $(TRAIN)/precision/quad.awk
 QUAD_OF  := include/domino_common.h include/domino.h include/domino_row.h
 $(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
@@ -157,9 +158,9 @@ $(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
 $(B)/domq_names_end.h: $(B)/domq_names.h
 	@sed -n 's/^#define \([^ ]*\).*/#undef \1/p' $< > $@
 
-$(B)/members.h: $(QUAD_OF) src/model/dispatch/members.awk
+$(B)/members.h: $(QUAD_OF) $(TRAIN)/dispatch/members.awk
 	@mkdir -p $(@D)
-	@awk -f src/model/dispatch/members.awk $(QUAD_OF) > $@
+	@awk -f $(TRAIN)/dispatch/members.awk $(QUAD_OF) > $@
 
 LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(QUAD))
 # With -flto the archive also has machine code, for programs that are linked without -flto.
@@ -168,11 +169,11 @@ $(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
 # With -O1, compiling takes at most two thirds of the time. Code that waits for the kernels in float and double is as
 # fast with -O1. The kernel in quad is as fast, too, because it waits for library functions that multiply and add. The
 # kernels in float and double need the same options, because 'cost' compares their times.
-QUICK := $(call OBJ,$(SHELL_C) $(TYPED) src/model/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) src/model/precision/quad.c)
+QUICK := $(call OBJ,$(SHELL_C) $(TYPED) $(TRAIN)/dispatch/bridge.c) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(TRAIN)/precision/quad.c)
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 # With -Og, compiling takes even less time. Code that runs once per command executes as many instructions as with -O1.
 # With -Og everywhere, a line would take 16 % more instructions, and quad with friction 10 % more.
-ONCE  := $(filter src/shell/commands/% src/shell/picture/% src/shell/prompt/% src/model/planning/% src/model/effects/%,$(SHELL_C) $(TYPED))
+ONCE  := $(filter-out src/shell/% $(TRAIN)/%,$(SHELL_C) $(TYPED)) $(filter src/shell/commands/% src/shell/prompt/% $(TRAIN)/effects/%,$(SHELL_C) $(TYPED))
 $(call OBJ,$(ONCE)) $(patsubst %.c,$(B)/objq/%.o,$(ONCE)): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-Og)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -256,7 +257,7 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/
 # The reader of csv files.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # Completion and other functions that need the tables of commands.
-$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
+$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
 $(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
@@ -381,7 +382,7 @@ fuzz: | $(FIRST)
 	$(B)/fuzz/fuzz_grammar $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=300 -len_control=0 $(abspath $(B))/fuzz/lines
 	$(B)/fuzz/fuzz_csv $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/csv.dict $(abspath $(B))/fuzz/tables
 
-$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/libdomino.a
+$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/src/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 

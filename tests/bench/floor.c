@@ -23,7 +23,8 @@ static inline struct point next(struct point p, double r, double L, double d)
 }
 
 /* Returns the time in nanoseconds of one link of a train with rounded edges. The link consists of the turn,
- * by the estimate and the first correction of turn_solve (src/model/geometry/rounded.c), and of the tilt. */
+ * by the estimate and the first correction of turn_solve (src/train/model/geometry/rounded.c), and of the
+ * tilt. */
 static double rounded_link(double rho)
 {
     const struct setup train = setup_default();

@@ -5,11 +5,11 @@
  * a function. Half of the sessions may not use files. The others do so in a scratch folder, and no file name
  * leads out of it. See 'make fuzz'.
  */
-#include "commands/sweeps/grid.h"
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "interpreter/question.h"
 #include "session.h"
+#include "sweeps/grid.h"
 #include <dirent.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
  * lie within the interval that the operation returns.
  */
 #include "../unit/suite.h"
-#include "proof/span.h"
+#include "proof/model/span.h"
 #include <gmp.h>
 
 static const double bound[] = {-INFINITY, -DBL_MAX,

@@ -51,7 +51,7 @@ build=$(dirname "$DOMINO")
     while read -r option; do
         grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
     done <options
-    grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell | sed 's/.*"\(.*\)".*/\1/' | sort -u \
+    grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src | sed 's/.*"\(.*\)".*/\1/' | sort -u \
         >environment
     [ "$(wc -l <environment)" -ge 5 ]
     while read -r name; do

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
  * interrupt. A study with an error that all dominoes share is also compared with studies of fixed values. */
-#include "planning/boxes.c"
-#include "planning/shape.c"
+#include "planning/model/shape.c"
+#include "rows/model/boxes.c"
 #include "support.h"
 #include <string.h>
 

@@ -33,13 +33,13 @@ static bool raised_by_count(const volatile sig_atomic_t *flag)
 #define dom_interrupted raised_by_count
 
 /* NOLINTBEGIN(bugprone-suspicious-include): the sources themselves, with the switch. */
-#include "proof/chain.c"
-#include "proof/climb.c"
-#include "proof/cover.c"
-#include "proof/limit.c"
-#include "proof/power.c"
-#include "proof/rest.c"
-#include "proof/upright.c"
+#include "proof/model/chain.c"
+#include "proof/model/climb.c"
+#include "proof/model/cover.c"
+#include "proof/model/limit.c"
+#include "proof/model/power.c"
+#include "proof/model/rest.c"
+#include "proof/model/upright.c"
 /* NOLINTEND(bugprone-suspicious-include) */
 
 /* Returns 1 if a value is outside of the interval, or if a bound is NaN. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bounds for remainders of sums in proofs, compared with the sums of the omitted terms. */
-#include "proof/chain.c"
-#include "proof/power.c"
-#include "proof/rest.c"
+#include "proof/model/chain.c"
+#include "proof/model/power.c"
+#include "proof/model/rest.c"
 #include "support.h"
 
 /* Sums over domino n and all later ones. struct rest has a bound for each of these sums. */

@@ -3,7 +3,7 @@
 #include "support.h"
 #include <float.h>
 
-#include "picture/stage.h"
+#include "pictures/picture/stage.h"
 
 static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.3, 1, 7.0 / 48, 4},    {0.4, 1.5, 7.0 / 48, 4},

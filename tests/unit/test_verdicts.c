@@ -2,8 +2,8 @@
 /* Verdicts on random rows. In a study, bounds decide for most heads whether they keep falling. Here an engine
  * also runs each random row in full with this library, and must find the same verdicts. */
 #include "ask.h"
-#include "planning/boxes.c"
-#include "planning/draw.c"
+#include "chance/model/draw.c"
+#include "rows/model/boxes.c"
 #include "support.h"
 #include <string.h>
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'effect', 'effects' and 'scene'. */
-#include "commands/rows/falling.h"
-#include "commands/seconds.h"
 #include "commands/tables.h"
-#include "commands/walk.h"
 #include "language/text.h"
 #include "session/random_errors.h"
+#include "train/falling.h"
+#include "train/seconds.h"
+#include "train/walk.h"
 #include <stdlib.h>
 
 /* ---- effects ---- */

@@ -5,7 +5,7 @@
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
-#include "picture/show.h"
+#include "pictures/picture/show.h"
 #include "session/engine.h"
 #include "session/undo.h"
 #include <ctype.h>

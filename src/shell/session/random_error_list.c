@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The effects that give rows random errors. Errors in gaps and heights are not here, but in the effect
  * 'placement'. To add a kind of error, add it to DOM_ERRORS and ERROR_EFFECTS, describe it in this file, and
- * apply it to a row in src/model/planning/draw.c. */
+ * apply it to a row in src/chance/model/draw.c. */
 #include "session/effect_kinds.h"
 
 static const char *const distributions[] = {"normal", "uniform", NULL};

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Draws the random errors of a row. The random numbers for each kind of error depend only on the seed, the
+ * kind and the number of the row. So if one kind of error is left out, the errors of all other kinds stay the
+ * same.
+ */
+#include "chance/model/draw.h"
+#include "rows/model/boxes.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <gsl/gsl_randist.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A random error never reduces a size or a mass below this fraction of its original value. */
+#define LEAST_SHARE ((dom_real)0.01)
+
+/* A factor that makes the limits of slopes, leans, radii and thicknesses slightly tighter. A value that is
+ * within the tightened limits is still within the true limits after rounding to float. */
+#define INSIDE (1 - (dom_real)1e-6)
+
+enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
+{
+    *draw = (struct draw){.random = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)},
+                          .domino = malloc(row->count * sizeof *draw->domino)};
+    return draw->random[0] && draw->random[1] && draw->domino ? DOM_OK : DOM_NO_MEMORY;
+}
+
+void draw_end(struct draw *draw)
+{
+    for (int i = 0; i < 2; i++)
+        if (draw->random[i])
+            gsl_rng_free(draw->random[i]);
+    free(draw->domino);
+}
+
+/* Derives seed number i from `seed`. Successive integers as seeds would give similar random numbers, so the
+ * bits are mixed, as in splitmix64 (Steele et al., 2014). */
+static unsigned long long seed_of(unsigned long long seed, size_t i)
+{
+    unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+}
+
+/* Seeds both generators for one kind of error in row number i. */
+static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
+{
+    unsigned long long seed = seed_of(p->seed, i);
+    if (kind > 0)
+        seed = seed_of(seed, (size_t)kind);
+    gsl_rng_set(draw->random[0], (unsigned long)(seed & 0xffffffffU));
+    gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
+}
+
+/* Returns the next random error. It is made from the numbers of two generators, because the seeds of GSL have
+ * only 32 bits. With a single generator, about a hundred pairs among a million rows would have the same seed
+ * and therefore the same errors. */
+static dom_real error_next(const struct draw *draw, const struct dom_random_error *error)
+{
+    gsl_rng *const *random = draw->random;
+    if (error->uniform) {
+        double u = gsl_rng_uniform(random[0]) + gsl_rng_uniform(random[1]);
+        return error->size * (dom_real)(2 * (u < 1 ? u : u - 1) - 1);
+    }
+    double normal = gsl_ran_gaussian_ziggurat(random[0], 1) + gsl_ran_gaussian_ziggurat(random[1], 1);
+    return error->size * (dom_real)(normal * M_SQRT1_2);
+}
+
+static dom_real factor_next(const struct draw *draw, const struct dom_random_error *error)
+{
+    return fmax(1 + error_next(draw, error), LEAST_SHARE);
+}
+
+static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
+{
+    return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
+}
+
+/* Applies a random error to a size or to the mass of a domino. The thickness and the radius are limited, so
+ * that walls and rounded edges still fit. */
+static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
+                      const struct dom_random_error *error, struct dom_domino *d)
+{
+    const dom_real factor = factor_next(draw, error);
+    const struct dom_domino before = *d;
+    switch (kind) {
+    case DOM_ERROR_height:
+        d->width = width_of(d);
+        d->height = height_of_kind(row, d->height, d->height * factor);
+        d->mass *= wood_factor(row, &before, d, factor);
+        break;
+    case DOM_ERROR_thickness: {
+        const dom_real least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
+        d->thickness = fmax(d->thickness * factor, fmin(least, d->thickness));
+        d->mass *= wood_factor(row, &before, d, d->thickness / before.thickness);
+        break;
+    }
+    case DOM_ERROR_mass:
+        d->mass *= factor;
+        break;
+    default: /* DOM_ERROR_radius */
+        if (row->rho != 0)
+            d->radius = fmin(radius_of(row, d) * factor, fmin(d->thickness, d->height) / 2 * INSIDE);
+        break;
+    }
+}
+
+/* Moves each domino after the first by a random error of its own. If a domino would overlap the previous
+ * domino, it is placed so that it touches the previous domino. */
+static void places_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
+{
+    dom_real before = 0; /* distance by which the previous domino has moved */
+    for (size_t k = 1; k < count; k++) {
+        const dom_real by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
+        draw->domino[k].gap = fmax(gap, 0);
+        before = gap < 0 ? by - gap : by;
+    }
+}
+
+static void gaps_draw(const struct draw *draw, const struct dom_random_error *error, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        const dom_real by = error_next(draw, error);
+        if (k > 0)
+            draw->domino[k].gap = fmax(draw->domino[k].gap + by, 0);
+    }
+}
+
+/* Applies a random error to the lean of each domino. If the domino would then fall over by itself, its lean
+ * is limited so that it still stands. */
+static void leans_draw(const struct draw *draw, const struct dom_random_error *error)
+{
+    for (size_t k = 0; k < draw->row.count; k++) {
+        struct dom_domino *d = &draw->domino[k];
+        dom_real limit[2];
+        dom_lean_limits(d, draw->row.alpha, draw->row.rho, limit);
+        const dom_real middle = (limit[0] + limit[1]) / 2, most = (limit[1] - limit[0]) / 2 * INSIDE;
+        d->lean = fmin(fmax(d->lean + error_next(draw, error), middle - most), middle + most);
+    }
+}
+
+dom_real row_steepest(const struct dom_row *row)
+{
+    dom_real steepest = (dom_real)M_PI_2;
+    for (size_t k = 0; k < row->count; k++) {
+        dom_real limit[2];
+        dom_lean_limits(&row->domino[k], 0, row->rho, limit);
+        steepest = fmin(steepest, limit[1] - fabs(row->domino[k].lean));
+    }
+    return steepest;
+}
+
+/* Applies a random error to a value of the whole row, such as the slope. */
+static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
+{
+    struct dom_row *row = &draw->row;
+    const dom_real by = error_next(draw, error);
+    if (kind == DOM_ERROR_friction)
+        row->mu = fmin(fmax(row->mu + by, 0), DOM_MU_HIGHEST);
+    else if (kind == DOM_ERROR_slope) {
+        const dom_real most = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
+        row->alpha = fmin(fmax(row->alpha + by, -most), most);
+    } else if (kind == DOM_ERROR_floor)
+        row->feet += by;
+    else if (!isnan(row->push))
+        row->push = fmax(row->push + by, 0);
+}
+
+static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_random_error *error)
+{
+    if (kind == DOM_ERROR_gap)
+        gaps_draw(draw, error, draw->row.count);
+    else if (kind == DOM_ERROR_place)
+        places_draw(draw, error, draw->row.count);
+    else if (kind == DOM_ERROR_lean)
+        leans_draw(draw, error);
+    else if (kind >= DOM_ERROR_friction)
+        common_draw(draw, kind, error);
+    else
+        for (size_t k = 0; k < draw->row.count; k++)
+            size_draw(draw, &draw->row, kind, error, &draw->domino[k]);
+}
+
+void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
+              unsigned off)
+{
+    /* Random leans come last, since their limits depend on the sizes and on the slope. */
+    static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
+                                              DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
+                                              DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,
+                                              DOM_ERROR_push,      DOM_ERROR_lean};
+    _Static_assert(sizeof order / sizeof *order == DOM_ERROR_COUNT,
+                   "`order` must list each kind of error once");
+    memcpy(draw->domino, row->domino, row->count * sizeof *draw->domino);
+    draw->row = *row;
+    draw->row.domino = draw->domino;
+    draw->row.floor = false;
+    for (int k = 0; k < DOM_ERROR_COUNT; k++) {
+        const struct dom_random_error *error = &p->error[order[k]];
+        if (!(error->size > 0) || off >> order[k] & 1)
+            continue;
+        kind_begin(draw, p, i, (int)order[k]);
+        kind_draw(draw, order[k], error);
+    }
+}

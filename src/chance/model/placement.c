@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs many rows with random errors, in batches that may run in parallel. */
+#include "chance/model/draw.h"
+#include "dispatch/dispatch.h"
+#include "numerics/quiet.h"
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Whether a row falls depends only on the signs of its margins, so their values need not be accurate. A
+ * smaller tolerance would change about one verdict in a billion. */
+#define VERDICT_TOL ((dom_real)1e-9)
+
+/* number of rows in a batch, large enough to make the time for memory allocation negligible */
+enum { BATCH = 16 };
+
+/* The data that all batches of a study share. */
+struct shared {
+    const struct dom_row *row;
+    struct dom_compute compute;
+    const struct dom_placement *placement;
+    bool causes;       /* true to run each row again for each kind of error, without errors of this kind */
+    atomic_int status; /* DOM_OK, or the status of the first batch that failed */
+    atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
+    /* how many falls ended at each domino (dom_placement_causes), or NULL if not requested */
+    atomic_size_t *stops;
+};
+
+struct batch {
+    struct draw draw;
+    const struct kernel *kernel;
+    struct study *study; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
+};
+
+static size_t stops_length(const struct shared *s)
+{
+    const size_t lists = s->causes ? 1 + DOM_ERROR_COUNT : 1;
+    return lists * s->row->count;
+}
+
+/* Draws random row number i without the kinds of error in `off` and runs this row. */
+static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i, unsigned off,
+                               struct dom_verdict *verdict)
+{
+    draw_row(&b->draw, s->row, s->placement, i, off);
+    return b->study ? b->kernel->row_study(b->study, &b->draw.row, 0, s->row->count - 1, verdict)
+                    : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
+}
+
+/* Runs random row number i and adds the result to the counts. If s->causes is true, also finds out which
+ * kinds of error matter: runs the row again once for each kind of error, with this kind left out. */
+static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
+{
+    struct dom_verdict all, verdict;
+    size_t without[DOM_ERROR_COUNT] = {0};
+    enum dom_status status = row_try(b, s, i, 0, &all);
+    for (int k = 0; s->causes && k < DOM_ERROR_COUNT && status == DOM_OK; k++) {
+        const bool is_on = s->placement->error[k].size > 0;
+        verdict = all;
+        if (is_on)
+            status = row_try(b, s, i, 1U << k, &verdict);
+        without[k] = verdict.end == DOM_ROW_FALLS;
+    }
+    if (status != DOM_OK)
+        return status;
+    const bool unknown = all.end == DOM_ROW_PASSES || all.end == DOM_ROW_PARTS,
+               stops = all.end != DOM_ROW_FALLS && !unknown;
+    s->unknown += unknown;
+    s->fall += all.end == DOM_ROW_FALLS;
+    s->done++;
+    if (s->stops && stops)
+        s->stops[all.domino - 1]++;
+    for (size_t k = 0; s->causes && k < DOM_ERROR_COUNT; k++) {
+        s->without[k] += without[k];
+        if (s->stops && stops && without[k])
+            s->stops[(k + 1) * s->row->count + all.domino - 1]++;
+    }
+    return DOM_OK;
+}
+
+/* Unless an engine runs the rows, checks the row and prepares the kernel to run many rows of this kind. */
+static enum dom_status batch_begin(struct batch *b, const struct shared *s)
+{
+    struct dom_row row = *s->row;
+    if (s->row->engine)
+        return DOM_OK;
+    row.floor = false;
+    struct row_question q = row_question_make(&row, &s->compute);
+    b->kernel = q.kernel;
+    return ASK(q, row_study_begin, &b->study, NULL);
+}
+
+/* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
+static void batch_run(size_t index, void *context)
+{
+    struct shared *s = context;
+    const struct dom_placement *p = s->placement;
+    if (atomic_load(&s->status) != DOM_OK)
+        return;
+    struct batch b = {.study = NULL};
+    enum dom_status status = draw_begin(&b.draw, s->row);
+    if (status == DOM_OK)
+        status = batch_begin(&b, s);
+    for (size_t i = index * BATCH; i < p->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
+        status = row_count(&b, s, p->first + i);
+    int none = DOM_OK;
+    if (status != DOM_OK)
+        atomic_compare_exchange_strong(&s->status, &none, (int)status);
+    if (b.study)
+        (void)b.kernel->row_study_end(b.study);
+    draw_end(&b.draw);
+}
+
+/* A dom_parallel that runs one task after the other, without a thread pool. */
+static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
+{
+    (void)pool;
+    for (size_t i = 0; i < count; i++)
+        task(i, context);
+    return DOM_OK;
+}
+
+/* Checks the arguments of a study. The kernel cannot check all of them. The study changes the gaps and the
+ * tolerance before the kernel sees them, and could thereby hide bad values. */
+static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
+                                   const struct dom_placement *p)
+{
+    enum dom_status status = p->rows == 0                    ? DOM_BAD_ROWS
+                             : row->count == 0               ? DOM_BAD_COUNT
+                             : compute->precision > DOM_QUAD ? DOM_BAD_PRECISION
+                             : !(compute->tol >= dom_arithmetic(compute->precision)->tol_floor) ? DOM_BAD_TOL
+                                                                                                : DOM_OK;
+    for (int k = 0; k < DOM_ERROR_COUNT && status == DOM_OK; k++)
+        if (!(p->error[k].size >= 0 && (double)p->error[k].size < HUGE_VAL))
+            status = DOM_BAD_ERROR;
+    if (status == DOM_OK && p->error[DOM_ERROR_lean].size > 0 && (row->rho != 0 || row->engine))
+        status = DOM_NO_LEAN;
+    for (size_t k = 0; k < row->count && status == DOM_OK; k++)
+        status = row->domino[k].gap >= 0 ? DOM_OK : DOM_BAD_GAP;
+    return status;
+}
+
+/* Runs the study. Copies its counts if it has ended or was interrupted. */
+static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *without, size_t *stops)
+{
+    const struct dom_placement *p = s->placement;
+    dom_quiet_begin();
+    enum dom_status status = (p->parallel ? p->parallel : in_order)(p->rows / BATCH + (p->rows % BATCH > 0),
+                                                                    batch_run, s, p->pool);
+    if (s->status != DOM_OK)
+        status = (enum dom_status)s->status;
+    else if (status == DOM_OK && s->done < p->rows) /* the thread pool has skipped some batches */
+        status = DOM_INTERRUPTED;
+    struct dom_study found = {.rows = s->done, .fall = s->fall, .unknown = s->unknown};
+    const bool partial = status == DOM_INTERRUPTED && found.rows > 0;
+    const enum dom_status counted = status == DOM_OK || partial ? dom_study_interval(&found) : status;
+    if (counted == DOM_OK)
+        *study = found;
+    for (size_t k = 0; without && counted == DOM_OK && k < DOM_ERROR_COUNT; k++)
+        without[k] = s->without[k];
+    for (size_t k = 0; stops && counted == DOM_OK && k < stops_length(s); k++)
+        stops[k] = s->stops[k];
+    dom_quiet_end();
+    return partial ? status : counted;
+}
+
+enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, struct dom_study *study,
+                                     size_t without[DOM_ERROR_COUNT], size_t *stops)
+{
+    struct shared shared = {
+        .row = row, .compute = compute_or_default(compute), .placement = p, .causes = without != NULL};
+    struct dom_work *work = shared.compute.work;
+    enum dom_status status = study_check(row, &shared.compute, p);
+    if (status != DOM_OK)
+        return status;
+    shared.compute.work = NULL; /* rows may run in parallel and must not share the counters */
+    if (shared.compute.tol < VERDICT_TOL)
+        shared.compute.tol = VERDICT_TOL;
+    if (stops) {
+        shared.stops = calloc(stops_length(&shared), sizeof *shared.stops);
+        if (!shared.stops)
+            return DOM_NO_MEMORY;
+    }
+    status = study_run(&shared, study, without, stops);
+    if (work)
+        work->entered[DOM_EFFECT_placement] += p->rows;
+    free(shared.stops);
+    return status;
+}
+
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
+{
+    return dom_placement_causes(row, compute, p, study, NULL, stops);
+}

@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
+#include "commands/tables.h"
+#include "language/quad.h"
+#include "parallel/workers.h"
+#include "rows/rows.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* The row and the random errors of a study. Do not copy this struct: `placement` points to `pool`. */
+struct trials {
+    struct scene_row scene;
+    struct domq_placement placement;
+    bool has_errors; /* an effect that describes random errors is on */
+    struct task_pool pool;
+};
+
+/* Makes the row and its random errors. After a failure nothing needs to be freed. */
+static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
+                        struct trials *t)
+{
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &t->scene, problem))
+        return false;
+    t->pool = (struct task_pool){.threads = query->state->settings.threads,
+                                 .progress = progress,
+                                 .interrupt = query->scene->compute.interrupt};
+    t->placement = (struct domq_placement){
+        .seed = (unsigned long)query->scene->seed,
+        .rows = (size_t)rows,
+        .parallel = workers_tasks,
+        .pool = &t->pool,
+    };
+    t->has_errors = scene_errors(query->scene, t->placement.error);
+    return true;
+}
+
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
+               struct domq_random_error error[DOM_ERROR_COUNT])
+{
+    struct trials t;
+    enum dom_status status = DOM_OK;
+    *study = (struct domq_study){.rows = 0};
+    if (!trials_make(query, problem, (domq_real)rows, true, &t))
+        return false;
+    if (t.has_errors)
+        status = domq_placement_study(&t.scene.row, &t.scene.compute, &t.placement, study, NULL);
+    memcpy(error, t.placement.error, sizeof t.placement.error);
+    free(t.scene.domino);
+    return row_status(query, problem, status);
+}
+
+/* ---- placement ---- */
+
+static bool placement_answer(const struct query *query, struct answer *a, struct problem *problem,
+                             const struct trials *t)
+{
+    struct study study;
+    char partial[80];
+    const enum dom_status status =
+        study_run_with_causes(&t->scene.row, &t->scene.compute, &t->placement, &study);
+    const size_t rows = study.result.rows;
+    /* Within a sweep, an interrupted study has no answer. */
+    const bool interrupted = status == DOM_INTERRUPTED && rows > 0 && !a->sink.take;
+    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
+    if (status == DOM_OK || interrupted)
+        study_answer(a, &study, interrupted ? partial : NULL);
+    free(study.stops);
+    return row_status(query, problem, status);
+}
+
+static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct trials t;
+    if (!trials_make(query, problem, query->given->count > 0 ? query->given->number[0] : 2000, true, &t))
+        return false;
+    bool done =
+        !t.has_errors
+            ? problem_error(problem, "this command needs random errors; first enter 'set placement 1 mm', "
+                                     "or another error, such as 'set error_thickness 1 %%'")
+        : query->run_context->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
+                                              : placement_answer(query, a, problem, &t);
+    free(t.scene.domino);
+    return done;
+}
+
+/* ---- budget ---- */
+
+static const struct column budget_columns[] = {
+    {"probability", "share", "the share of the rows that fall completely", 0},
+    {"sigma", "m", "the largest errors in the gaps at which the share 'probability' of the rows falls", 0},
+    {"low", "m", "the lower end of the 95 % interval of sigma", 0},
+    {"high", "m", "the upper end of the 95 % interval of sigma; more rows narrow the interval", 0},
+    {"rows", "", "the number of rows that were set up at each sigma", 0},
+    {"scaled", "", "the kind of error whose size is sigma; 'all' if sigma multiplies all errors", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Returns out of how many rows a share is counted: 100 for 0.95, which is written as "95 of 100", or 1000 for
+ * 0.999, which is written as "999 of 1000". Returns 0 if the share has more than three decimal places. */
+static int rows_of(domq_real share)
+{
+    for (int of = 100; of <= 1000; of *= 10)
+        if (quad(fabs)(share * of - quad(round)(share * of)) < (domq_real)1e-9)
+            return of;
+    return 0;
+}
+
+/* Returns a phrase such as "95 of 100", "999 of 1000" or "99.95 % of the". */
+static struct words share_words(domq_real share)
+{
+    struct words words;
+    const int of = rows_of(share);
+    if (of)
+        snprintf(words.text, sizeof words.text, "%.0f of %d", round((double)share * of), of);
+    else
+        snprintf(words.text, sizeof words.text, "%s of the", measured(share, "share", 6).text);
+    return words;
+}
+
+/* Rounds sigma down to two digits, which is safe: more rows fall with a smaller sigma. */
+static domq_real two_digits(domq_real sigma)
+{
+    return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
+}
+
+/* The arguments of 'budget'. */
+struct budget_call {
+    const struct trials *trials;
+    domq_real share;
+    enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
+};
+
+/* Returns the size of an error with its unit. In a budget of all errors together, `size` is a factor that
+ * multiplies the errors, and has no unit. */
+static struct measured size_words(const struct budget_call *call, domq_real size)
+{
+    const char *unit = error_unit((int)call->kind);
+    return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
+}
+
+/* Writes how precise the row must be, for example "Keep the gaps accurate to within 2 mm". */
+static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
+{
+    static const char *const keep[DOM_ERROR_COUNT] = {
+        [DOM_ERROR_gap] = "Keep the gaps accurate",
+        [DOM_ERROR_place] = "Place the dominoes",
+        [DOM_ERROR_height] = "Keep the heights accurate",
+        [DOM_ERROR_thickness] = "Keep the thicknesses accurate",
+        [DOM_ERROR_mass] = "Keep the masses accurate",
+        [DOM_ERROR_lean] = "Keep the leans accurate",
+        [DOM_ERROR_radius] = "Keep the radii accurate",
+        [DOM_ERROR_friction] = "Measure the friction",
+        [DOM_ERROR_slope] = "Measure the slope",
+        [DOM_ERROR_floor] = "Measure the friction of the floor",
+        [DOM_ERROR_push] = "Keep the push accurate",
+    };
+    const bool all = call->kind == DOM_ERROR_COUNT;
+    const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
+    if (all)
+        snprintf(text, room, "All errors may be %s times as large as they are now",
+                 size_words(call, size).text);
+    else
+        snprintf(text, room, "%s to within %s (%s)", keep[call->kind], size_words(call, size).text,
+                 uniform ? "limits of uniform errors" : "one standard deviation");
+}
+
+/* Prints the largest error that the row may have, rounded down to two digits, and the share of the rows that
+ * was asked for. Runs rows with the rounded error and prints the 95 % interval of the share that falls. */
+static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
+                                  const struct domq_budget *budget)
+{
+    const struct trials *t = call->trials;
+    struct domq_placement at = t->placement;
+    struct domq_study study;
+    char text[200];
+    const domq_real size = two_digits(budget->sigma);
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        if (call->kind == DOM_ERROR_COUNT)
+            at.error[k].size *= size;
+        else if (k == (int)call->kind)
+            at.error[k].size = size;
+    enum dom_status status = domq_placement_study(&t->scene.row, &t->scene.compute, &at, &study, NULL);
+    if (status != DOM_OK)
+        return status;
+    const int of = rows_of(call->share), digits = of ? 0 : 2;
+    const double digit = pow(10, -digits), scale = of ? of : 100;
+    precision_say(call, size, text, sizeof text);
+    answer_say(a, "%s: then %s rows fall (95 %% interval: %.*f to %.*f%s).", text,
+               share_words(call->share).text, digits, floor(scale * study.low / digit) * digit, digits,
+               ceil(scale * study.high / digit) * digit, of ? "" : " %");
+    return DOM_OK;
+}
+
+/* Prints what the search had found when ^C interrupted it. */
+static void interrupted_say(struct answer *a, const struct budget_call *call, const struct domq_budget *b)
+{
+    const bool open = !isfinite(b->high);
+    const bool all = call->kind == DOM_ERROR_COUNT;
+    answer_say(a, "Interrupted: with %s%s%s, at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
+               size_words(call, two_digits(b->sigma)).text, all ? " times as large" : "",
+               share_words(call->share).text,
+               open ? "; it is not known how many fall with larger errors" : ", and fewer with ",
+               open ? "" : size_words(call, b->high).text);
+}
+
+/* Reports why there is no budget. Returns false. */
+static bool budget_none(struct problem *problem, const struct budget_call *call)
+{
+    bool others = false;
+    for (int k = 0; k < DOM_ERROR_COUNT && call->kind < DOM_ERROR_COUNT; k++)
+        others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
+    if (!others)
+        return problem_no_answer(problem, "even without random errors, the row does not fall; 'mend' looks "
+                                          "for a change that saves it");
+    return problem_no_answer(problem,
+                             "even with no error in the %s, fewer rows fall than P asks for; enter a smaller "
+                             "P, or make the other errors smaller",
+                             error_names(NULL, (int)call->kind));
+}
+
+/* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
+static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
+                         struct problem *problem)
+{
+    struct scene with = *query->scene; /* this copy shares the dominoes of query->scene */
+    if (kind == DOM_ERROR_COUNT)
+        return t->has_errors ||
+               problem_error(problem, "there are no errors to scale; first enter some, such as 'set "
+                                      "placement 1 mm' and 'set error_thickness 1 %%'");
+    const int effect = error_effect((int)kind);
+    if (!effect_check_needs(query->scene, effect, problem))
+        return false;
+    effect_put(&with, effect, effect_at(effect)->argument[0].usual, NULL);
+    return errors_check(&with, problem);
+}
+
+static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
+                       bool interrupted)
+{
+    const bool any = !isfinite(b->sigma);
+    const int digits = interrupted ? 4 : 0;
+    if (*error_unit((int)call->kind) != 'm')
+        for (int i = 1; i < 4; i++)
+            answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
+    if (call->kind != DOM_ERROR_gap)
+        answer_describe(a, "sigma", NULL,
+                        "the largest error, or factor for all errors, at which the share 'probability' of "
+                        "the rows falls");
+    answer_row(a,
+               ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
+                   cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
+                   cell_word(error_names(NULL, (int)call->kind))),
+               any ? "more rows fall than P asks for, even with the largest errors that are tried"
+               : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
+                                                      : NULL);
+}
+
+static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct arguments *given = query->given;
+    struct trials t;
+    struct domq_budget budget = {.sigma = 0};
+    const struct budget_call call = {.trials = &t,
+                                     .share = given->number[0],
+                                     .kind = given->count > 2 ? (enum dom_error_of)given->number[2]
+                                                              : DOM_ERROR_gap};
+    if (!(call.share > 0 && call.share < 1))
+        return problem_error(problem,
+                             "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
+                             quad_text(call.share, 10));
+    /* No progress is shown, because the number of studies is not known in advance. */
+    if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000, false, &t))
+        return false;
+    bool good = budget_check(query, &t, call.kind, problem);
+    enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,
+                                                          call.kind, (double)call.share, &budget)
+                                  : DOM_OK;
+    const bool any = !isfinite(budget.sigma);
+    if (good && status == DOM_OK && !any && answer_for_people(a))
+        status = budget_say(a, &call, &budget);
+    free(t.scene.domino);
+    if (!good || status == DOM_STOPS)
+        return good && budget_none(problem, &call);
+    const bool interrupted = status == DOM_INTERRUPTED && budget.sigma > 0 && !any;
+    if (status != DOM_OK && !interrupted)
+        return row_status(query, problem, status);
+    if (interrupted)
+        interrupted_say(a, &call, &budget);
+    budget_row(a, &call, &budget, interrupted);
+    return !interrupted || row_status(query, problem, status);
+}
+
+/* ---- The table of commands ---- */
+
+const struct command study_commands[] = {
+    {.name = "placement",
+     .synonyms = "probability chance random risk precision",
+     .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
+     .summary = "the probability that the whole row falls, and where rows stop",
+     .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene. "
+             "First turn on at least one kind of error: 'set placement 1 mm' for errors in the gaps or, "
+             "for example, 'set error_thickness 1 %' or 'set error_friction 0.05'. If there are "
+             "several errors, each row is also run without each error in turn, with the same random numbers "
+             "for the other errors. The answer then says which error makes the most rows fail, and at which "
+             "domino. With the same 'seed', row number i is always the same, whatever the number of "
+             "'threads'. ^C ends the study, and the answer then covers only the rows that have been run. "
+             "'domino --shard 2/7' runs only the second of seven parts of the study, and prints counts for "
+             "blocks of 100 rows. The command 'pool' adds up the counts of all parts.",
+     .example = "set row 13; set placement 3 mm; set error_thickness 5 %; placement 500",
+     .see = "pool budget effects",
+     .principal = "probability",
+     .brief = "",
+     ANSWER(placement)},
+    {.name = "pool",
+     .synonyms = "cluster parallel merge combine add",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "combine the parts of a 'placement' study into one answer",
+     .help = "To run a study in N parts, start 'domino --shard I/N' for each I from 1 to N, and enter 'set "
+             "output csv' and 'placement' there. Collect the outputs in FILE, in any order. If FILE is '-', "
+             "'pool' reads standard input. The answer equals the answer of the undivided study, digit for "
+             "digit. If rows are missing, the answer says so. It is an error if a row occurs twice, or if "
+             "blocks come from different studies.",
+     .see = "placement",
+     .columns = placement_columns,
+     .sweep.refusal = "it reads a file",
+     .principal = "probability",
+     .brief = "",
+     .access.files = true,
+     .run = run_pool},
+    {.name = "budget",
+     .synonyms = "probability chance random precision spacing tolerance",
+     .argument =
+         {{.name = "P", .kind = ARGUMENT_ANY, .noun = "share"},
+          {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
+          {.name = "E", .kind = ARGUMENT_CHOICE, .noun = "error", .choices = error_names, .optional = true}},
+     .summary = "how precise gaps (or property E) must be for rows to fall with probability P",
+     .help = "Finds how large the errors in the gaps may be for the share P of the rows to fall. The answer "
+             "is sigma with its 95 % interval. Sigma is the standard deviation of these errors or, if they "
+             "are uniform, their limit. Each sigma is tried on ROWS random rows (1000 if ROWS is left out), "
+             "with the same random numbers. All other errors of the scene stay as they are. 'budget 0.95 "
+             "1000 thickness' finds the size of another error in the same way. 'budget 0.95 1000 all' finds "
+             "the factor by which all errors of the scene may be multiplied. ^C ends the search, and sigma "
+             "is then the largest size at which enough rows are known to fall.",
+     .example = "set row 13; budget 0.9 200; budget 90 % 200 thickness",
+     .see = "placement mend",
+     .principal = "sigma",
+     .brief = "",
+     ANSWER(budget)},
+    {.name = "slip",
+     .has_errors = true,
+     .synonyms = "foot feet slide slippery ground",
+     .train = true,
+     .summary = "the least friction of the floor at which no foot slips",
+     .help = "Finds how much friction the floor needs so that no foot slips: one number for the time while "
+             "dominoes fall, and one for the moment of a hit.",
+     .example = "set floor 0.5; slip",
+     .see = "effects fall",
+     .principal = "motion",
+     .brief = "motion hit slips slips_hit",
+     ANSWER(slip)},
+    {.name = NULL},
+};

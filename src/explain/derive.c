@@ -1,0 +1,351 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Makes derivations: finds the quantities that an answer needs, and their numbers. */
+#include "explain/derivation.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "session/effects.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The numbers of the library ---- */
+
+static enum dom_status chains_fill(struct derivation *d, domq_real tilt);
+
+/* Returns the tilt ('t') or the slope ('s') of domino k at the tilt of the head, or its slope at 0 ('S'). */
+static domq_real chain_value(const struct derivation *d, char what, size_t k)
+{
+    return what == 't' ? d->at.link[k].theta : what == 's' ? d->at.link[k].slope : d->launch.link[k].slope;
+}
+
+/* Copies a text and replaces '@' by the number that the user typed, and '@t2' and the like by the numbers of
+ * a domino. */
+static void fill_in(const struct derivation *d, const char *text, char *filled, size_t size)
+{
+    char digits[WIDE_TEXT];
+    for (filled[0] = '\0'; *text; text++) {
+        const bool of_domino = *text == '@' && text[1] && strchr("tsS", text[1]);
+        if (*text != '@') {
+            text_add(filled, size, "%c", *text);
+            continue;
+        }
+        quad_exact(of_domino          ? chain_value(d, text[1], (size_t)(text[2] - '0'))
+                   : isnan(d->height) ? d->theta
+                                      : d->height,
+                   WIDE_DIGITS, digits);
+        text_add(filled, size, "(%s)", digits);
+        text += of_domino ? 2 : 0;
+    }
+}
+
+/* Returns a quantity of a hit by its name, such as "margin". */
+static domq_real fall_value(const struct domq_fall *fall, const char *name)
+{
+    return strcmp(name, "margin") == 0    ? fall->margin
+           : strcmp(name, "kinetic") == 0 ? fall->kinetic
+           : strcmp(name, "barrier") == 0 ? fall->barrier
+           : strcmp(name, "lost") == 0    ? fall->lost
+                                          : fall->kinetic + fall->lost;
+}
+
+/* Evaluates `expression`, which is written like derived.library. Sets *value to NaN if the train has no such
+ * number. Returns false on an error. */
+static bool library_value(struct derivation *d, const char *expression, domq_real *value)
+{
+    char text[512];
+    const struct last_answer none = {.command = NULL};
+    if (*expression == '#') {
+        *value = fall_value(d->fall, expression + 1);
+        return true;
+    }
+    if (*expression == '$') {
+        *value = parameter_get(d->state, parameter_find(expression + 1));
+        *value = *value == EFFECT_OFF ? 0 : *value;
+        return true;
+    }
+    const bool of_dominoes = strstr(expression, "@t") || strstr(expression, "@s") || strstr(expression, "@S");
+    const enum dom_status status = of_dominoes ? chains_fill(d, isnan(d->theta) ? 0 : d->theta) : DOM_OK;
+    if (status != DOM_OK)
+        return problem_status(d->problem, &d->state->scene, status);
+    fill_in(d, expression, text, sizeof text);
+    struct expression_error error;
+    struct parse parse = {.text = text, .error = &error, .arena = &d->arena};
+    struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena, .error = &error};
+    struct quantity result;
+    struct tree *tree = expression_parse(&parse);
+    if (!tree || !resolve(&resolver, tree))
+        return problem_error(d->problem, "%s: %s", expression, error.message);
+    *value = DOMQ_NAN;
+    if (query_evaluate(&d->query, tree, &result, &error, d->problem))
+        *value = result.value;
+    else if (!error.message[0])
+        return false;
+    return true;
+}
+
+/* ---- Sums ---- */
+
+/* Returns the number with this name for the domino whose term is being computed. */
+static domq_real term_value(const struct derivation *d, const char *name)
+{
+    const size_t i = d->i;
+    return strcmp(name, "i") == 0         ? (domq_real)i
+           : strcmp(name, "theta_i") == 0 ? d->at.link[i].theta
+           : strcmp(name, "slope_i") == 0 ? d->at.link[i].slope
+           : strcmp(name, "next_i") == 0  ? d->launch.link[i + 1].theta
+                                          : d->launch.link[i].theta;
+}
+
+static bool name_value(struct evaluation *e, const struct tree *t, struct quantity *result)
+{
+    const struct step *step = t->refers;
+    *result =
+        (struct quantity){.value = step->derived->library ? step->value : term_value(e->context, step->name)};
+    return true;
+}
+
+static bool chain_add(const struct domq_link *link, void *context)
+{
+    struct chain *c = context;
+    if (c->count == c->room) {
+        size_t room = 2 * c->room + 64;
+        struct domq_link *more = realloc(c->link, room * sizeof *more);
+        c->failed = !more;
+        if (!more)
+            return false;
+        c->link = more;
+        c->room = room;
+    }
+    c->link[c->count++] = *link;
+    return true;
+}
+
+/* Computes the tilts of all dominoes twice: in the chain `d->at` the head has the given tilt, and in the
+ * chain `d->launch` it has the tilt 0. The two chains may differ in length, so dominoes with the tilt theta_f
+ * are added until both are equally long. The terms of the added dominoes are 0. */
+static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
+{
+    const struct scene *scene = &d->state->scene;
+    struct chain *const chain[] = {&d->at, &d->launch};
+    struct domq_angles angles = {.theta_f = DOMQ_NAN};
+    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    for (int k = 0; k < 2 && status == DOM_OK; k++) {
+        chain[k]->count = 0;
+        status = domq_chain_walk(&scene->train, &scene->compute, k == 0 ? tilt : 0, chain_add, chain[k]);
+    }
+    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
+    const size_t count = (d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2) + 2;
+    for (int k = 0; k < 2; k++)
+        while (status == DOM_OK && !chain[k]->failed && chain[k]->count < count)
+            (void)chain_add(&rest, chain[k]);
+    return status == DOM_OK && (d->at.failed || d->launch.failed) ? DOM_NO_MEMORY : status;
+}
+
+/* Computes the terms of a sum, without the zeros at its end. */
+static bool sum_value(struct derivation *d, struct step *s)
+{
+    const enum sum sum = s->derived->sum;
+    domq_real tilt = d->theta;
+    if (sum == SUM_TOP && !library_value(d, "barrier.theta_m", &tilt))
+        return false;
+    tilt = sum == SUM_LAUNCH ? 0 : tilt;
+    if (isnan(tilt))
+        return true;
+    enum dom_status status = chains_fill(d, tilt);
+    s->terms = d->launch.count - 1;
+    s->term = status == DOM_OK ? arena_take(&d->arena, s->terms * sizeof *s->term) : NULL;
+    if (!s->term)
+        return problem_status(d->problem, &d->state->scene, status == DOM_OK ? DOM_NO_MEMORY : status);
+    struct expression_error error;
+    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
+    for (d->i = 0; d->i < s->terms; d->i++) {
+        struct quantity result;
+        s->term[d->i] = expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
+    }
+    while (s->terms > 1 && s->term[s->terms - 1] == 0)
+        s->terms--;
+    return true;
+}
+
+/* ---- Steps ---- */
+
+static struct step *step_add(struct derivation *d, const char *name, int depth);
+
+/* Adds a step for every name in an equation and makes the names refer to these steps. */
+static bool names_add(struct derivation *d, struct step *s, struct tree *t)
+{
+    if (t->kind == TREE_NAME) {
+        struct step *needed = step_add(d, t->name, s->depth + 1);
+        t->kind = TREE_SYMBOL;
+        t->refers = needed;
+        bool is_new = needed != NULL;
+        for (int k = 0; k < s->count; k++)
+            is_new = is_new && s->needs[k] != needed;
+        if (is_new && s->count < NEEDS_MOST)
+            s->needs[s->count++] = needed;
+        return needed;
+    }
+    for (struct tree *child = t->child; child; child = child->next)
+        if (!names_add(d, s, child))
+            return false;
+    return true;
+}
+
+/* Returns a description of the quantity. If the equation does not hold for this train, the description says
+ * why. */
+static const char *words_of(struct derivation *d, const struct derived *q)
+{
+    const unsigned ends = q->ends & d->has;
+    char words[256];
+    int n;
+    if (ends & HAS_LOSS)
+        n = snprintf(
+            words, sizeof words,
+            "%s; with %s, energy is not conserved, so the equation of motion in 'help %s' is integrated",
+            q->words, domq_law(&d->state->scene.train)->name, domq_law(&d->state->scene.train)->name);
+    else if (ends & HAS_DETACHED_AT_TILT)
+        n = snprintf(words, sizeof words, "%s; at this tilt the follower has slid off the head", q->words);
+    else
+        n = snprintf(
+            words, sizeof words,
+            "%s; with rounded edges the contact is found by iteration: 'help edges' has its equation",
+            q->words);
+    return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
+}
+
+/* Adds a step for this quantity, without its value. Returns NULL on failure. */
+static struct step *step_begin(struct derivation *d, const char *name, int depth)
+{
+    const struct derived *q = derived_list;
+    while (q->words && (strcmp(q->names.text[0], name) != 0 || (q->with & d->has) != q->with))
+        q++;
+    if (d->count == STEPS_MOST || !q->words) {
+        problem_error(d->problem,
+                      q->words ? "a derivation of %s has too many quantities"
+                               : "there is no equation for %s with this train",
+                      name);
+        return NULL;
+    }
+    struct step *s = &d->step[d->count++];
+    *s = (struct step){.derived = q, .name = q->names.text[0], .unit = q->unit, .value = DOMQ_NAN};
+    s->depth = depth;
+    s->reference = q->ends & d->has ? "" : q->reference;
+    s->words = words_of(d, q);
+    if (d->fall && strcmp(s->unit, "mgh/2") == 0)
+        s->unit = d->energy_unit;
+    if (s->words)
+        return s;
+    problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
+    return NULL;
+}
+
+/* Reduces the depth of a step to `depth`, unless it is already as small. Also reduces the depths of the steps
+ * that this step needs. Called when another equation turns out to need a step of the derivation. */
+static void depth_reduce(struct derivation *d, struct step *s, int depth)
+{
+    if (depth >= s->depth)
+        return;
+    s->depth = depth;
+    for (int k = 0; k < s->count; k++)
+        depth_reduce(d, &d->step[s->needs[k] - d->step], depth + 1);
+}
+
+/* Returns the step for a quantity, with its value, or NULL on failure. */
+static struct step *step_add(struct derivation *d, const char *name, int depth)
+{
+    for (int k = 0; k < d->count; k++)
+        if (strcmp(d->step[k].name, name) == 0) {
+            depth_reduce(d, &d->step[k], depth);
+            return &d->step[k];
+        }
+    struct step *s = step_begin(d, name, depth);
+    if (!s || (s->derived->library && !library_value(d, s->derived->library, &s->value)))
+        return NULL;
+    if (!s->derived->equation || s->derived->ends & d->has)
+        return s;
+    struct expression_error error;
+    struct parse parse = {.text = s->derived->equation, .error = &error, .arena = &d->arena};
+    struct tree *tree = expression_parse(&parse);
+    if (!tree) {
+        problem_error(d->problem, "%s: %s", s->derived->equation, error.message);
+        return NULL;
+    }
+    s->tree = tree;
+    return names_add(d, s, tree) && (!s->derived->sum || sum_value(d, s)) ? s : NULL;
+}
+
+/* ---- Derivations ---- */
+
+static unsigned conditions(const struct domq_train *train, bool detached, bool reach)
+{
+    return (train->alpha != 0 ? HAS_SLOPE : 0u) | (domq_law(train)->dissipates ? HAS_LOSS : 0u) |
+           (train->rho != 0 ? HAS_EDGES : 0u) | (train->walls != 0 ? HAS_WALLS : 0u) |
+           (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
+           (reach && train->rho == 0 ? HAS_REACH : 0u);
+}
+
+/* Prepares a question about the largest growth. The train gets the separation s of the question, and the
+ * largest growth at this separation. Sets *reach to true if the reach limits the growth. Does nothing for
+ * other questions. */
+static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
+{
+    struct domq_train *train = &d->state->scene.train;
+    struct domq_limit limit;
+    if (!e->value || strcmp(e->value, "s") != 0)
+        return true;
+    train->s = isnan(value) ? train->s : value;
+    enum dom_status status = domq_limit_rmax(train, &d->state->scene.compute, &limit);
+    if (status != DOM_OK)
+        return problem_status(d->problem, &d->state->scene, status);
+    if (limit.ends == DOM_END_NONE)
+        return problem_no_answer(d->problem, "no growth is possible here: 'rmax' says why");
+    train->r = limit.r_max;
+    *reach = limit.ends == DOM_END_REACH;
+    return true;
+}
+
+static bool conditions_find(struct derivation *d, bool reach)
+{
+    struct domq_angles angles;
+    const struct scene *scene = &d->state->scene;
+    if (d->fall)
+        return true; /* the equations for a row have no conditions */
+    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    if (status != DOM_OK)
+        return problem_status(d->problem, scene, status);
+    d->has = conditions(&scene->train, angles.detaches, reach) |
+             (angles.detaches && d->theta > angles.theta_leave ? HAS_DETACHED_AT_TILT : 0u);
+    return true;
+}
+
+bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
+                     domq_real value, const struct domq_fall *fall, struct state *state,
+                     struct problem *problem)
+{
+    bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
+    *d = (struct derivation){.state = state, .problem = problem, .fall = fall};
+    if (!query_with(query, NULL, 0, state, &d->query, problem))
+        return false;
+    state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
+    state->settings.style.angle = ANGLE_RAD;
+    d->energy_unit = scene_has_masses(&state->scene) ? "J" : "mgh/2";
+    d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
+    d->height = of_height ? value : DOMQ_NAN;
+    if (!train_set(d, e, value, &reach) || !conditions_find(d, reach))
+        return false;
+    char name[32];
+    for (const char *c = e->roots; *c; c += strspn(c, " ")) {
+        size_t n = strcspn(c, " ");
+        snprintf(name, sizeof name, "%.*s", (int)n, c);
+        c += n;
+        if (!step_add(d, name, 0))
+            return false;
+    }
+    return true;
+}
+
+void derivation_end(struct derivation *d)
+{
+    free(d->launch.link);
+    free(d->at.link);
+    arena_free(&d->arena);
+}

@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'explain', which shows where a number comes from. */
+#include "commands/tables.h"
+#include "explain/derivation.h"
+#include "explain/paper.h"
+#include "interpreter/question.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "pictures/picture/show.h"
+#include "train/falling.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct column explain_columns[] = {
+    {"quantity", "", "the quantity", 9},
+    {"equation", "",
+     "the equation for the quantity, as one would type it; 'sum' stands for the sum over all dominoes i", 40},
+    {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
+    {"value", "", "the number that the program computes", 0},
+    {"unit", "", "the unit of the value: h is the height of the head, mgh/2 its energy, tau its unit of time",
+     6},
+    {"needs", "", "the quantities that the equation contains", 16},
+    {"reference", "", "the number and the label of the equation in the paper", 9},
+    {"depth", "", "the number of equations on the shortest path from this quantity to the answer", 5},
+    {"meaning", "", "what the quantity is and, if it has no equation, why not", 40},
+    {NULL, NULL, NULL, 0},
+};
+
+/* ---- Arguments ---- */
+
+struct explain_parsed {
+    struct item value;
+    bool deep;
+};
+
+static const char *deep_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "deep" : NULL;
+}
+
+enum { LABELS = 1000 /* question LABELS + k is equation k of explained_labels */ };
+
+static const struct explained *explained_at(domq_real number)
+{
+    return number >= LABELS ? &explained_labels[(int)number - LABELS].explained
+                            : &explained_list[(int)number];
+}
+
+/* Returns true if the word can be the number or the label of an equation, such as 24, c6 or A18. */
+static bool is_label(const char *word, size_t length)
+{
+    const size_t letters = isalpha((unsigned char)*word) ? 1 : 0;
+    return length > letters && length <= 3 && strspn(word + letters, "0123456789") >= length - letters;
+}
+
+/* Parses the name of a command, or an equation of the paper, as in 'explain c6' and 'explain 24'. */
+static bool what_parse(struct reader *r, struct question *q)
+{
+    static const struct argument what = {.name = "WHAT", .noun = "question", .choices = explained_names};
+    struct item *item = &q->item[0];
+    const char *begin = r->at + (*r->at == '('), *shown = r->at;
+    const size_t length = strcspn(begin, " \t\r\f\v);>#");
+    if (r->offer || !is_label(begin, length))
+        return item_parse_choice(r, &what, item);
+    *item = (struct item){.at = r->at};
+    reader_place(r, r->at);
+    r->at = begin + length + (begin > shown && begin[length] == ')');
+    const int number = isdigit((unsigned char)*begin) ? atoi(begin) : 0;
+    for (int k = 0; explained_labels[k].explained.name; k++) {
+        const char *label = explained_labels[k].explained.name;
+        if (number == k + 1 || (strlen(label) == length && strncmp(label, begin, length) == 0)) {
+            item->number = LABELS + k;
+            return true;
+        }
+    }
+    return problem_error(r->problem,
+                         "the paper has no equation (%.*s), only (1; a1) to (59; e8), which 'man "
+                         "domino-model' lists",
+                         (int)length, begin);
+}
+
+static const struct argument *value_argument(const struct explained *e)
+{
+    static const struct argument tilt = {.name = "VALUE", .kind = ARGUMENT_TILT},
+                                 separation = {.name = "VALUE", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                                 height = {.name = "VALUE", .kind = ARGUMENT_HEIGHT};
+    return !e->value                        ? NULL
+           : strcmp(e->value, "theta") == 0 ? &tilt
+           : strcmp(e->value, "s") == 0     ? &separation
+                                            : &height;
+}
+
+static bool explain_parse(struct reader *r, struct question *q)
+{
+    static const struct argument deep = {.name = "deep", .noun = "word", .choices = deep_names};
+    const struct explained *e = explained_at(q->item[0].number);
+    struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
+    struct item word;
+    if (!p)
+        return false;
+    offer_names(r, deep_names, NULL);
+    if (e->value && !reader_ends(r) && !word_is_next(r, "deep")) {
+        r->last = false;
+        if (!item_parse(r, value_argument(e), &p->value))
+            return false;
+    }
+    reader_place(r, r->at);
+    if (reader_ends(r))
+        return true;
+    p->deep = true;
+    return item_parse_choice(r, &deep, &word);
+}
+
+static bool explain_bind(const struct question *q, const struct query *query, struct arguments *given,
+                         struct problem *problem)
+{
+    const struct explain_parsed *parsed = q->parsed;
+    struct explain_arguments *b = arguments_take(given, sizeof *b, query, problem);
+    if (!b)
+        return false;
+    b->deep = parsed->deep;
+    b->value = DOMQ_NAN;
+    return !parsed->value.argument || item_bind(&parsed->value, q->text, query, NULL, &b->value, problem);
+}
+
+/* ---- Rows ---- */
+
+/* Returns the equation of a step, written with names or, if `numbers` is true, with numbers. Returns NULL if
+ * memory runs out. The caller frees the text. */
+static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
+{
+    char *text = NULL;
+    size_t size;
+    const int digits = d->query.scene->compute.precision == DOM_QUAD ? WIDE_DIGITS : 17;
+    struct formula f = {.out = open_memstream(&text, &size)};
+    if (!f.out)
+        return NULL;
+    if (s->derived->sum && !numbers)
+        fprintf(f.out, "sum(%s)", s->derived->equation);
+    else if (numbers)
+        step_numbers(d, s, &f, digits);
+    else
+        fputs(s->derived->equation, f.out);
+    return fclose(f.out) == 0 ? text : NULL;
+}
+
+static void step_row(struct answer *a, const struct derivation *d, const struct step *s)
+{
+    char needs[256] = "";
+    char *equation = s->tree ? text_of(d, s, false) : NULL, *numbers = s->tree ? text_of(d, s, true) : NULL;
+    for (int k = 0; k < s->count; k++)
+        text_add(needs, sizeof needs, "%s%s", k ? " " : "", s->needs[k]->name);
+    struct cell none = cell_real(DOMQ_NAN);
+    answer_row(a,
+               ROW(cell_word(s->name), equation ? cell_word(equation) : none,
+                   numbers ? cell_word(numbers) : none, cell_without_error(s->value), cell_word(s->unit),
+                   cell_word(needs), cell_word(s->reference), cell_count(s->depth), cell_word(s->words)),
+               NULL);
+    free(equation);
+    free(numbers);
+}
+
+/* ---- The command ---- */
+
+enum { VERDICT_TEXT = 160 };
+
+static const struct explained of_row = {"verdict", NULL, "margin_k"};
+
+/* Runs the row and finds the domino whose energy decides the verdict. If the row stops, this is the domino at
+ * which it stops. If all dominoes fall, it is the domino with the least energy to spare. Writes a sentence
+ * about the domino to `verdict`. Fails if no energy decides the verdict, for example because a domino is out
+ * of reach, or if the rigid-body engine runs the row. */
+static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
+                          char verdict[VERDICT_TEXT], struct problem *problem)
+{
+    struct row_run run;
+    if (scene_has_engine(query->scene))
+        return problem_no_answer(problem,
+                                 "the rigid-body engine runs this row, because %s; the engine has no "
+                                 "equations to show, but 'fall' shows how the row falls",
+                                 scene_engine_why(query->scene));
+    if (!row_run(query, problem, false, &run))
+        return false;
+    const struct domq_verdict v = run.verdict;
+    const size_t count = run.scene.row.count, k = v.end == DOM_ROW_STOPS ? v.domino : v.weakest;
+    bool by_energy = (v.end == DOM_ROW_STOPS || v.end == DOM_ROW_FALLS) && k > 0;
+    if (by_energy)
+        *fall = run.fall[k - 1];
+    row_run_free(&run);
+    if (!by_energy)
+        return problem_no_answer(problem,
+                                 v.end == DOM_ROW_FALLS
+                                     ? "all dominoes fall, and none of them has a barrier to climb"
+                                     : "the fall ends at domino %zu for a reason other than its energy: %s",
+                                 v.domino, dom_row_end_text(v.end));
+    a->note = NULL; /* the note about the train does not apply to a row */
+    snprintf(verdict, VERDICT_TEXT,
+             v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
+                                    : "The row has %zu dominoes and stops at domino k = %zu.",
+             count, k);
+    return true;
+}
+
+/* Writes the derivation as text or as a lesson, or as rows of csv or json. */
+static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
+                           const struct explain_arguments *bound, const char *verdict,
+                           struct problem *problem)
+{
+    if (answer_for_people(a))
+        return explain_write(a, d, e, bound, verdict, problem);
+    for (int k = 0; k < d->count; k++)
+        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
+            step_row(a, d, &d->step[k]);
+    return true;
+}
+
+/* Checks that an equation of the paper holds for this train, at this tilt of the head. */
+static bool label_holds(const struct query *query, const struct explained_label *l, domq_real tilt,
+                        struct problem *problem)
+{
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_effect *effect = domq_first_effect(train);
+    const char *label = l->explained.name;
+    struct domq_angles angles;
+    struct domq_contact contact;
+    if (l->needs == HOLDS)
+        return true;
+    if (effect)
+        return problem_no_answer(problem, "equation (%s) does not include %s; first enter 'set %s off'",
+                                 label, effect->name, effect->name);
+    if (train->fuel == DOM_FUEL_PAPER)
+        return problem_no_answer(problem, "equation (%s) needs the exact fuel; first enter 'set fuel exact'",
+                                 label);
+    enum dom_status status = domq_angles_find(train, &query->scene->compute, &angles);
+    if (status == DOM_OK)
+        status = domq_contact_find(train, &query->scene->compute, l->needs == LEANING ? tilt : 0, &contact);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    if (l->needs == PAIR && angles.theta_u >= angles.theta_c)
+        return problem_no_answer(problem, "(5; b0) does not hold: domino 1 hits before it tips over; first "
+                                          "enter a larger s");
+    if (l->needs >= LEANING && angles.detaches && contact.theta_1 >= angles.theta_leave)
+        return problem_no_answer(
+            problem, "equation (%s) has no value at this tilt, because domino 2 has slid off domino 1",
+            label);
+    return true;
+}
+
+static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct explained *e = explained_at(query->given->number[0]);
+    const struct explain_arguments *bound = query->given->bound;
+    struct explain_arguments none = {.value = DOMQ_NAN};
+    const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
+    struct domq_fall fall;
+    char verdict[VERDICT_TEXT] = "";
+    /* An equation is about the tilt in the middle of the cycle if no tilt is given. */
+    struct domq_angles angles;
+    if (query->given->number[0] >= LABELS && e->value && !bound &&
+        domq_angles_find(&query->scene->train, &query->scene->compute, &angles) == DOM_OK) {
+        none.value = angles.theta_c / 2;
+        bound = &none;
+    }
+    if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
+        return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
+                             e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
+    if (query->given->number[0] >= LABELS &&
+        !label_holds(query, &explained_labels[(int)query->given->number[0] - LABELS],
+                     bound ? bound->value : DOMQ_NAN, problem))
+        return false;
+    if (row && !deciding_find(query, a, &fall, verdict, problem))
+        return false;
+    e = row ? &of_row : e;
+    bound = bound ? bound : &none;
+    struct derivation *d = calloc(1, sizeof *d);
+    struct state *state = malloc(sizeof *state);
+    bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
+                           : problem_status(problem, query->scene, DOM_NO_MEMORY);
+    done = done && d && explain_answer(a, d, e, bound, verdict, problem);
+    if (d)
+        derivation_end(d);
+    free(state);
+    free(d);
+    return done;
+}
+
+const struct command explain_commands[] = {
+    {.name = "explain",
+     .synonyms = "derive derivation equation formula show steps proof lesson teacher",
+     .train = true,
+     .argument = {{.name = "WHAT",
+                   .kind = ARGUMENT_WORDS,
+                   .noun = "question",
+                   .parse = what_parse,
+                   .choices = explained_names},
+                  {.name = "MORE",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .parse = explain_parse,
+                   .bind = explain_bind,
+                   .choices = deep_names}},
+     .summary = "where a number comes from: its equations, with numbers filled in",
+     .help =
+         "WHAT is a command, such as barrier, or an equation of the paper by its label or number, such as "
+         "c6 or 24, from a1 to e8. For each quantity of its answer, 'explain' shows the "
+         "equation in symbols and with numbers, and the value; 'details' lists the quantities in the "
+         "equation. With 'deep' at the end, these quantities are explained as well, down to the "
+         "parameters. The values are the ones that the commands themselves print. With theta1, energy "
+         "and omega, the first word of MORE is a tilt; with rmax, a separation; with count, a height. "
+         "With a row, 'explain verdict' is about the domino that decides the verdict. With friction or "
+         "rounded edges, a quantity may have no equation in closed form. A maximum that the program "
+         "finds by a search has none either. The derivation then says so and ends. 'explain ... > "
+         "lesson.tex' writes a document with formulas. json gives the tree: 'needs' names the quantities in "
+         "each equation.",
+     .example = "explain theta1 0.2; explain barrier deep",
+     .see = "why theta1 barrier launch recipe paper",
+     .sweep.refusal = "it explains one train",
+     .rows = true,
+     .brief = "*",
+     .writes = WRITES_DOCUMENTS,
+     ANSWER(explain)},
+    {.name = "recipe",
+     .synonyms = "paper method algorithm steps compare",
+     .train = true,
+     .summary = "the paper's recipe for the largest growth, compared with this program",
+     .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
+             "shows the number that each step gives at the session's s and r. It compares the paper's number "
+             "with this program's, and says why they differ. With friction, a slope, walls or rounded edges "
+             "there is no recipe.",
+     .example = "set q hollow; recipe",
+     .see = "paper explain rmax best fuel",
+     .sweep.refusal = "the paper's steps are compared for one train at a time",
+     .rows = true,
+     .brief = "step quantity paper program",
+     ANSWER(recipe)},
+    {.name = "paper",
+     .synonyms = "figures table compare reproduce van Leeuwen magnification",
+     .summary = "numbers and figures of the paper, next to the exact values",
+     .help = "A table of numbers from the paper: points of the figures, the largest growth, the best "
+             "separation, the printed equations and the quiz. Each number is computed twice: with the "
+             "paper's formulas, such as the closed form of the fuel, and with the fuel from the energy "
+             "balance. The table says why the two results differ. It is about the paper's own dominoes and "
+             "does not depend on the scene.",
+     .example = "paper",
+     .see = "recipe explain curve plot",
+     .sweep.refusal = "it does not depend on the scene",
+     .rows = true,
+     .brief = "*",
+     ANSWER(paper)},
+    {.name = NULL},
+};

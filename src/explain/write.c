@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writes derivations as text and as TeX documents. */
+#include "answer/wrap.h"
+#include "explain/derivation.h"
+#include "io/escape.h"
+#include "language/quad.h"
+#include "pictures/picture/show.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The struct that formula->context points to while a step is written. */
+struct writing {
+    const struct derivation *derivation; /* NULL if names are written rather than numbers */
+    int digits;
+};
+
+static void name_write(const struct formula *f, const struct tree *t)
+{
+    const struct step *s = t->refers;
+    const struct writing *w = f->context;
+    const bool is_number = w->derivation && isfinite(s->value);
+    if (is_number && s->value < 0)
+        putc('(', f->out);
+    if (is_number)
+        formula_number(f, s->value, w->digits);
+    else
+        fputs(s->derived->names.text[f->style], f->out);
+    if (is_number && s->value < 0)
+        putc(')', f->out);
+}
+
+static void step_name(const struct step *s, const struct formula *formula)
+{
+    fputs(s->derived->names.text[formula->style], formula->out);
+}
+
+static void step_symbols(const struct step *s, const struct formula *formula)
+{
+    static const char *const sums[FORMULA_STYLES] = {"sum over i of ", "Σ ", "\\sum_i "};
+    struct formula f = *formula;
+    struct writing w = {.derivation = NULL};
+    f.name = name_write;
+    f.context = &w;
+    if (s->derived->sum)
+        fputs(sums[f.style], f.out);
+    formula_write(&f, s->tree);
+}
+
+static void terms_write(const struct step *s, const struct formula *f, int digits, size_t shown)
+{
+    domq_real rest = 0;
+    for (size_t i = s->terms; i-- > shown;)
+        rest += s->term[i];
+    for (size_t i = 0; i < s->terms && i < shown; i++) {
+        fputs(i == 0 && s->term[i] >= 0 ? "" : s->term[i] < 0 ? (i ? " - " : "-") : " + ", f->out);
+        formula_number(f, quad(fabs)(s->term[i]), digits);
+    }
+    if (s->terms > shown) {
+        fputs(rest < 0 ? " - " : " + ", f->out);
+        formula_number(f, quad(fabs)(rest), digits);
+    }
+}
+
+void step_numbers(const struct derivation *d, const struct step *s, const struct formula *formula, int digits)
+{
+    struct formula f = *formula;
+    struct writing w = {.derivation = d, .digits = digits};
+    f.name = name_write;
+    f.context = &w;
+    if (s->derived->sum)
+        terms_write(s, &f, digits, TERMS_SHOWN);
+    else
+        formula_write(&f, s->tree);
+}
+
+/* ---- The whole derivation ---- */
+
+/* The texts before, between and after the equations of a derivation. */
+enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
+enum dialect { PLAIN, TEX, DIALECTS };
+
+static const char *const texts[][DIALECTS] = {
+    [HEADING] = {":\n", ":\n\n"},
+    [OPEN] = {"    ", "\\[\n\\begin{aligned}\n"},
+    [EQUALS] = {" = ", " &= "},
+    [JOIN] = {"\n      = ", " \\\\\n&= "},
+    [CLOSE] = {"", "\\end{aligned}\n\\]\n"},
+    [GIVEN] = {"given:\n", "Given:\n\n"},
+    [LIST] = {"", "\\begin{itemize}\n"},
+    [ITEM] = {"    ", "\\item $"},
+    [MEANING] = {": ", "$: "},
+    [END] = {"", "\\end{itemize}\n"},
+    [NO_VALUE] = {"no value: this train has no complete cycle; 'why' says more", "\\text{no value}"},
+};
+
+/* A derivation, and the form in which to write it. */
+struct writer {
+    const struct derivation *derivation;
+    struct formula formula;
+    enum dialect dialect;
+    int digits;
+    domq_real value; /* the value that the user typed after the question, or NaN */
+};
+
+static void put(const struct writer *w, enum text text)
+{
+    fputs(texts[text][w->dialect], w->formula.out);
+}
+
+static void words_write(const struct writer *w, const char *words)
+{
+    char piece[ESCAPE_PIECE];
+    for (const char *c = words; *c; c++)
+        if (w->dialect == TEX)
+            fputs(escape_tex(*c, piece), w->formula.out);
+        else
+            putc(*c, w->formula.out);
+}
+
+/* Each number is the result of a few dozen operations. So its rounding error is at most a few dozen machine
+ * epsilons times the largest number in its equation. A value that is smaller than ROUNDINGS machine epsilons
+ * times this largest number is written as 0. */
+#define ROUNDINGS 64
+
+/* Returns true if a value differs from 0 only by rounding errors, like the margin at the largest growth. */
+static bool is_rounding(const struct writer *w, const struct step *s)
+{
+    domq_real largest = 0;
+    for (int k = 0; k < s->count; k++)
+        if (isfinite(s->needs[k]->value))
+            largest = quad_larger(largest, quad(fabs)(s->needs[k]->value));
+    const enum dom_precision precision = w->derivation->query.scene->compute.precision;
+    return s->value != 0 &&
+           quad(fabs)(s->value) <= ROUNDINGS * (domq_real)domq_arithmetic(precision)->epsilon * largest;
+}
+
+/* Writes a value with its unit, which TeX sets in upright letters. */
+static void value_write(const struct writer *w, const struct step *s)
+{
+    FILE *out = w->formula.out;
+    if (!isfinite(s->value)) {
+        put(w, NO_VALUE);
+        return;
+    }
+    if (is_rounding(w, s))
+        putc('0', out);
+    else
+        formula_number(&w->formula, s->value, w->digits);
+    if (*s->unit)
+        fprintf(out, w->dialect ? "\\,\\mathrm{%s}" : " %s", s->unit);
+}
+
+/* Writes one quantity: its description, its equation, the equation with numbers, and its value. */
+static void step_write(const struct writer *w, const struct step *s)
+{
+    FILE *out = w->formula.out;
+    const char *words = s->words;
+    if (words[strspn(words, "abcdefghijklmnopqrstuvwxyz")] != '^') /* a symbol, such as tau^2 */
+        putc(toupper((unsigned char)*words++), out);
+    words_write(w, words);
+    if (w->dialect && *s->reference)
+        fprintf(out, " (%s)", s->reference);
+    put(w, HEADING);
+    put(w, OPEN);
+    step_name(s, &w->formula);
+    put(w, EQUALS);
+    if (s->tree) {
+        step_symbols(s, &w->formula);
+        if (!w->dialect && *s->reference)
+            fprintf(out, "    (%s)", s->reference);
+        put(w, JOIN);
+        if (s->tree->kind != TREE_SYMBOL) { /* the number of a symbol is the value, which follows */
+            step_numbers(w->derivation, s, &w->formula, w->digits);
+            put(w, JOIN);
+        }
+    }
+    value_write(w, s);
+    putc('\n', out);
+    put(w, CLOSE);
+}
+
+/* Writes a list of quantities that are named but not derived. */
+static void list_write(const struct writer *w, const struct step *const *list, int count)
+{
+    FILE *out = w->formula.out;
+    put(w, LIST);
+    for (int k = 0; k < count; k++) {
+        put(w, ITEM);
+        step_name(list[k], &w->formula);
+        if (isfinite(list[k]->value)) { /* a quantity that is different in each term has no single value */
+            fputs(" = ", out);
+            value_write(w, list[k]);
+        }
+        put(w, MEANING);
+        words_write(w, list[k]->words);
+        putc('\n', out);
+    }
+    put(w, END);
+}
+
+/* Writes the meanings and values of the quantities that the equations of the answer contain. */
+static void meanings_write(const struct writer *w, const struct explained *e)
+{
+    const struct derivation *d = w->derivation;
+    const struct step *needed[STEPS_MOST];
+    int count = 0;
+    bool has_equations = false;
+    for (int k = 0; k < d->count; k++)
+        if (d->step[k].depth == 1) {
+            has_equations = has_equations || !d->step[k].derived->is_given;
+            needed[count++] = &d->step[k];
+        }
+    list_write(w, needed, count);
+    if (has_equations && !w->dialect)
+        fprintf(w->formula.out, "\n'explain %s%s%s deep' also shows the equations for these quantities.\n",
+                e->name, isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
+}
+
+/* Writes the equations of the answer or, if `deep` is true, of all quantities. */
+static void equations_write(const struct writer *w, bool deep)
+{
+    const struct step *given[STEPS_MOST];
+    int count = 0, written = 0;
+    for (int k = 0; k < w->derivation->count; k++) {
+        const struct step *s = &w->derivation->step[k];
+        if (s->derived->is_given)
+            given[count++] = s;
+        if (s->derived->is_given || (s->depth > 0 && !deep))
+            continue;
+        if (written++)
+            putc('\n', w->formula.out);
+        step_write(w, s);
+    }
+    if (deep && count > 0) {
+        putc('\n', w->formula.out);
+        put(w, GIVEN);
+        list_write(w, given, count);
+    }
+}
+
+/* Writes a lesson in TeX. */
+static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
+{
+    FILE *out = w->formula.out;
+    fprintf(out,
+            "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
+            "\\begin{document}\n\\section*{Where %s comes from}\n\n",
+            e->name);
+    if (*verdict)
+        fprintf(out, "%s\n\n", verdict);
+    equations_write(w, deep);
+    if (!deep) {
+        fputs("\nwith\n\n", out);
+        meanings_write(w, e);
+    }
+    fputs("\\end{document}\n", out);
+}
+
+/* Writes lines of text so that they fit the terminal. Broken lines keep their indentation. */
+static void lines_write(FILE *out, char *text, int width)
+{
+    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {
+        const int indent = (int)strspn(line, " ");
+        *end = '\0';
+        fprintf(out, "%*s", indent, "");
+        write_wrapped(out, line + indent, indent, width);
+        putc('\n', out);
+    }
+}
+
+/* Writes a derivation as plain text that fits the terminal. What the symbols mean is left to the details. */
+static bool text_write(struct writer *w, const struct explained *e, bool deep, struct answer *a,
+                       struct problem *problem)
+{
+    FILE *const to[] = {a->out, deep ? NULL : answer_rest(a)};
+    for (int k = 0; k < 2 && to[k]; k++) {
+        char *text = NULL;
+        size_t size;
+        w->formula.out = open_memstream(&text, &size);
+        if (w->formula.out && k == 0)
+            equations_write(w, deep);
+        else if (w->formula.out)
+            meanings_write(w, e);
+        const bool whole = w->formula.out && fclose(w->formula.out) == 0;
+        if (whole && k == 0)
+            answer_say(a, "%s", strtok(text, "\n")); /* the first line begins the answer */
+        if (whole)
+            lines_write(to[k], k == 0 ? text + strlen(text) + 1 : text, a->layout.width);
+        free(text);
+        if (!whole)
+            return problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
+    }
+    return true;
+}
+
+bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
+                   const struct explain_arguments *bound, const char *verdict, struct problem *problem)
+{
+    const bool is_document = a->path && extension_of(a->path)->is_document;
+    struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
+    w.dialect = is_document ? TEX : PLAIN;
+    answer_plan(a, NULL);
+    w.formula = (struct formula){.out = a->out,
+                                 .style = is_document         ? FORMULA_TEX
+                                          : a->layout.letters ? FORMULA_LETTERS
+                                                              : FORMULA_PLAIN};
+    if (is_document) {
+        document_write(&w, e, bound->deep, verdict);
+        return true;
+    }
+    if (*verdict)
+        answer_say(a, "%s\n", verdict);
+    return text_write(&w, e, bound->deep, a, problem);
+}

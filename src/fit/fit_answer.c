@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fit/fit.h"
+#include "language/text.h"
+#include "planning/planning.h"
+#include "train/falling.h"
+#include <gsl/gsl_cdf.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The arguments ---- */
+
+/* Lists the parameters of 'solve', without the random errors, which do not change the computed motion. */
+const char *fit_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = solve_names(context, i)) != NULL; i++)
+        if (strncmp(name, "error_", 6) != 0 && strcmp(name, "placement") != 0 && k-- == 0)
+            return name;
+    return NULL;
+}
+
+struct fit_given {
+    const struct parameter *parameter[FIT_UNKNOWNS];
+    int count;
+};
+
+/* Parses "friction, push": names with commas between them. */
+bool fit_parse(struct reader *r, struct question *q)
+{
+    char message[NAMES_MESSAGE] = "", name[32];
+    struct fit_given *g = q->parsed = reader_memory(r, sizeof *g);
+    bool more = g != NULL;
+    while (more) {
+        reader_place(r, r->at);
+        offer_names(r, fit_names, NULL);
+        const size_t length = strcspn(r->at, " \t,;>");
+        snprintf(name, sizeof name, "%.*s", (int)length, r->at);
+        const int k = parameter_search(fit_names, "thing to fit", name, message);
+        if (k < 0)
+            return problem_error(
+                r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, 'fit friction, push FILE'",
+                message);
+        if (g->count == FIT_UNKNOWNS)
+            return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
+        const struct parameter *p = parameter_find(fit_names(NULL, k));
+        for (int i = 0; i < g->count; i++)
+            if (g->parameter[i] == p)
+                return problem_error(r->problem, "'%s' is named twice", p->name);
+        g->parameter[g->count++] = p;
+        r->at = skip_blanks(r->at + length);
+        more = *r->at == ',';
+        r->at = skip_blanks(r->at + more);
+        /* Without this check, a name after a blank would be taken for the name of a file. */
+        const size_t next = strcspn(r->at, " \t,;>");
+        snprintf(name, sizeof name, "%.*s", (int)next, r->at);
+        if (!more && names_exact(fit_names, NULL, name) >= 0)
+            return problem_error(r->problem,
+                                 "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
+    }
+    return g != NULL;
+}
+
+/* ---- The answer ---- */
+
+const struct column fit_columns[] = {
+    {"gap", "m",
+     "the clear gap between neighbouring dominoes, if a speed was measured; all gaps of the row are equal",
+     0},
+    {"run", "", "the number of the run, if a hit or an angle was measured", 5},
+    {"domino", "", "the number of the domino, if a hit or an angle was measured", 0},
+    {"time", "s", "the time of the measurement, if an angle was measured", 0},
+    {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
+    {"fitted", "", "the model's result with the fitted values", 0},
+    {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
+    {"friction", "", "the fitted value of friction; every fitted parameter has a column", 0},
+    {"friction_sd", "", "the standard deviation of the fitted value", 0},
+    {"friction_push", "",
+     "the correlation of friction and push; every pair of fitted parameters has a column", 0},
+    {NULL, NULL, NULL, 0},
+};
+enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
+
+/* The keys of the columns for standard deviations and correlations. */
+struct fit_keys {
+    char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
+};
+
+/* Makes the columns for the kind of measurement. csv and json also have columns for the fitted values. A
+ * table has sentences below it instead. */
+static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
+{
+    static const char *const units[] = {"m/s", "rad", "s"};
+    struct column *c = answer_columns(a, fit_columns) + UNKNOWN;
+    const bool speeds = f->data.kind == FIT_SPEEDS;
+    for (int i = 0, n = 0; i < f->unknowns && !answer_for_people(a); i++) {
+        const struct parameter *p = f->unknown[i].parameter;
+        snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
+        *c++ = (struct column){p->name, "", "a fitted value", 0};
+        *c++ = (struct column){keys->deviation[i], "", "the standard deviation of the fitted value", 0};
+        for (int j = 0; j < i; j++, n++) {
+            snprintf(keys->correlation[n], sizeof keys->correlation[n], "%.24s_%.24s",
+                     f->unknown[j].parameter->name, p->name);
+            *c++ = (struct column){keys->correlation[n], "", "a correlation", 0};
+        }
+    }
+    *c = (struct column){NULL, NULL, NULL, 0};
+    answer_describe(a, "measured", units[f->data.kind], NULL);
+    answer_describe(a, "fitted", units[f->data.kind], NULL);
+    answer_describe(a, "residual", speeds ? "share" : units[f->data.kind], NULL);
+    answer_leave_out(a, speeds ? "run domino time" : f->data.kind == FIT_HITS ? "gap time" : "gap");
+}
+
+/* Computes the measured value, the fitted value and the residual of point k. If intervals are compared,
+ * returns false for the first hit of a run. */
+static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
+{
+    *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);
+    *fitted = f->computed[k] - (f->data.intervals && k > 0 ? f->computed[k - 1] : 0);
+    *residual = f->data.kind == FIT_SPEEDS ? *measured_ / *fitted - 1 : *measured_ - *fitted;
+    return !(f->data.intervals && fit_is_first(f, k));
+}
+
+static void rows_write(struct answer *a, const struct fit *f)
+{
+    for (size_t k = 0; k < f->data.points && !answer_lost(a); k++) {
+        const struct fit_point *p = &f->data.point[k];
+        double value, fitted, residual;
+        if (!compared(f, k, &value, &fitted, &residual))
+            continue;
+        struct cell cell[ANSWER_COLUMNS] = {
+            [GAP] = cell_real((domq_real)p->gap),
+            [RUN] = cell_real((domq_real)f->data.run[p->run].number),
+            [DOMINO] = cell_count((domq_real)p->domino),
+            [TIME] = cell_real((domq_real)p->time),
+            [MEASURED] = cell_real((domq_real)value),
+            [FITTED] = cell_narrow((domq_real)fitted, 4),
+            [RESIDUAL] = cell_narrow((domq_real)residual, 2),
+        };
+        int n = UNKNOWN;
+        for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
+            cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
+            cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
+            for (int v = 0; v < u; v++)
+                cell[n++] = cell_narrow((domq_real)f->correlation[v][u], 4);
+        }
+        answer_row(a, cell, NULL);
+    }
+}
+
+/* ---- In words ---- */
+
+/* Says the best value with its interval, with as many digits as the ends of the interval need to differ. */
+static void value_say(struct answer *a, const struct fit_unknown *u, const char *unit, double t)
+{
+    struct measured low, high;
+    int digits = 4;
+    do {
+        low = measured((domq_real)(u->value - t * u->deviation), unit, digits);
+        high = measured((domq_real)(u->value + t * u->deviation), unit, digits);
+    } while (strcmp(low.text, high.text) == 0 && ++digits < 15);
+    answer_say(a, "The best fit is %s %s, with a standard deviation of %s and a 95 %% interval of %s to %s.",
+               u->parameter->name, measured((domq_real)u->value, unit, digits).text,
+               measured((domq_real)u->deviation, unit, 2).text, low.text, high.text);
+}
+
+static void values_say(struct answer *a, const struct fit *f)
+{
+    char commands[300] = "";
+    const double t = gsl_cdf_tdist_Pinv(0.975, (double)f->freedom);
+    answer_say(a, "\n%zu measurements, %d unknown%s.", f->data.points, f->unknowns,
+               f->unknowns > 1 ? "s" : "");
+    for (int i = 0; i < f->unknowns; i++) {
+        const struct fit_unknown *u = &f->unknown[i];
+        const struct parameter *p = u->parameter;
+        const char *unit = strcmp(p->value->unit, "h") == 0 ? "" : p->value->unit;
+        const domq_real value = (domq_real)u->value;
+        text_add(commands, sizeof commands, "%sset %s %.4g%s%s", i ? "; " : "", p->name, u->value,
+                 *unit ? " " : "", unit);
+        if (u->is_at_limit)
+            answer_say(a, "The best fit is %s %s, which is the limit of its range.", p->name,
+                       measured(value, unit, 4).text);
+        else
+            value_say(a, u, unit, t);
+    }
+    for (int i = 0; i < f->unknowns; i++)
+        for (int j = 0; j < i; j++)
+            if (isfinite(f->correlation[j][i]))
+                answer_say(a, "The correlation of %s and %s is %.3f%s.", f->unknown[j].parameter->name,
+                           f->unknown[i].parameter->name, f->correlation[j][i],
+                           fabs(f->correlation[j][i]) > 0.95 ? ": these measurements hardly tell them apart"
+                                                             : "");
+    answer_say(a, "'%s' sets %s.", commands, f->unknowns > 1 ? "them" : "it");
+}
+
+static void residuals_say(struct answer *a, const struct fit *f)
+{
+    static const char *const units[] = {"share", "rad", "s"}, *const alike[] = {
+                                                                  "All speeds have the same relative weight.",
+                                                                  "All angles have the same weight.",
+                                                                  "All times have the same weight."};
+    double most = 0;
+    size_t worst = 0;
+    for (size_t k = 0; k < f->data.points; k++) {
+        double value, fitted, residual;
+        if (!compared(f, k, &value, &fitted, &residual))
+            continue;
+        worst = fabs(residual) > most ? k : worst;
+        most = fmax(most, fabs(residual));
+    }
+    if (f->data.intervals)
+        answer_say(
+            a, "The measured times drift away from the model's times, as they do if the gaps of a row are "
+               "not all equal. The fit and the table therefore compare the times between successive hits.");
+    else if (f->data.has_errors)
+        answer_say(a, "The measurements are weighted by their errors%s.",
+                   f->reduced_chi_squared > 2 ? ", which are smaller than the residuals" : "");
+    else
+        answer_say(a, "%s", alike[f->data.kind]);
+    if (f->data.kind == FIT_SPEEDS)
+        answer_say(a, "The largest residual is %s.", measured((domq_real)most, units[f->data.kind], 2).text);
+    else
+        answer_say(a, "The largest residual is %s, at domino %zu.",
+                   measured((domq_real)most, units[f->data.kind], 2).text, f->data.point[worst].domino);
+}
+
+/* ---- The command ---- */
+
+/* Checks that no gap is longer than a domino is tall, and that there are as many different gaps as unknowns.
+ * Several measurements at one gap determine one unknown. */
+static bool speeds_check(const struct fit *f, const char *shown, struct problem *problem)
+{
+    const domq_real h = f->query->scene->scale.h;
+    int gaps = 0;
+    for (size_t k = 0; k < f->data.points; k++) {
+        const domq_real gap = (domq_real)f->data.point[k].gap;
+        size_t earlier = 0;
+        while (f->data.point[earlier].gap != f->data.point[k].gap)
+            earlier++;
+        gaps += earlier == k;
+        if (gap > h)
+            return problem_no_answer(
+                problem,
+                "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
+                shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
+    }
+    return gaps >= f->unknowns ||
+           problem_no_answer(problem,
+                             "%s has the speeds at %d gap%s, which cannot determine %d unknowns; measure at "
+                             "another gap, or name fewer unknowns",
+                             shown, gaps, gaps == 1 ? "" : "s", f->unknowns);
+}
+
+static const struct parameter *undetermined(const struct fit *f)
+{
+    for (int i = 0; i < f->unknowns; i++)
+        if (f->unknown[i].deviation == HUGE_VAL)
+            return f->unknown[i].parameter;
+    return NULL;
+}
+
+bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
+{
+    const struct fit_given *given = query->given->bound;
+    const char *shown = names_shown(query->given->word[1]);
+    *f = (struct fit){.query = query, .unknowns = given->count};
+    for (int i = 0; i < given->count; i++) {
+        f->unknown[i].parameter = given->parameter[i];
+        solve_range(given->parameter[i]->name, &f->unknown[i].lowest, &f->unknown[i].highest);
+    }
+    const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||
+        (f->data.kind == FIT_SPEEDS && !speeds_check(f, shown, problem)) || !fit_solve(f, problem))
+        return false;
+    const struct parameter *open = undetermined(f);
+    return !open || problem_no_answer(
+                        problem, "%s: the measurements do not depend on %s%s", shown, open->name,
+                        f->unknowns > 1 ? ", or not separately from the others; fit fewer parameters" : "");
+}
+
+void fit_free(struct fit *f)
+{
+    fit_data_free(&f->data);
+    free(f->computed);
+}
+
+bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct fit f;
+    struct fit_keys keys;
+    const bool done = fit_make(query, &f, problem);
+    if (done) {
+        columns_make(a, &f, &keys);
+        rows_write(a, &f);
+        values_say(a, &f);
+        residuals_say(a, &f);
+    }
+    fit_free(&f);
+    return done;
+}

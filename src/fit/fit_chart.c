@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws a fit, for 'plot fit' and for 'fit ... > FILE': measured values against fitted values. */
+#include "fit/fit.h"
+#include "language/text.h"
+#include "pictures/plots/plots.h"
+#include <string.h>
+
+enum { RUNS_NAMED = CHART_CURVES - 1 };
+
+/* Adds runs i to end - 1 as one curve. The times of hits are relative to the fitted time of the first hit of
+ * their run. */
+static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t end, double unit,
+                       double *most)
+{
+    static const enum ink inks[RUNS_NAMED] = {INK_BLUE, INK_RED,    INK_GREEN, INK_PURPLE, INK_ORANGE,
+                                              INK_SKY,  INK_PURPLE, INK_GREEN, INK_RED};
+    struct chart_curve *points =
+        f->data.runs == 1 ? chart_curve(chart, CHART_POINTS, INK_BLUE, 0, "measured")
+        : end - i > 1
+            ? chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g and later ones", f->data.run[i].number)
+            : chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g", f->data.run[i].number);
+    for (; i < end; i++) {
+        const struct fit_run *run = &f->data.run[i];
+        const double clock = f->data.kind == FIT_HITS ? f->computed[run->first] : 0;
+        for (size_t k = run->first; k < run->first + run->count; k++) {
+            const double x = (f->computed[k] - clock) / unit, y = (f->data.point[k].measured - clock) / unit,
+                         error = f->data.point[k].error / unit;
+            chart_range(chart, points, x, y, error > 0 ? y - error : (double)NAN,
+                        error > 0 ? y + error : (double)NAN);
+            *most = fmax(*most, fmax(x, y));
+        }
+    }
+}
+
+/* Draws a point for each measurement, and the line on which measured and fitted values are equal. */
+static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
+{
+    static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};
+    const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
+    const double size = f->data.kind == FIT_ANGLES ? 1 / (double)style_angle(style, 1) : 1;
+    double most = 0;
+    snprintf(chart->title, sizeof chart->title, "Measured against fitted");
+    snprintf(chart->x.label, sizeof chart->x.label, "fitted %s in %s", what[f->data.kind], unit);
+    snprintf(chart->y.label, sizeof chart->y.label, "measured %s in %s", what[f->data.kind], unit);
+    for (int i = 0; i < f->unknowns; i++) {
+        const struct fit_unknown *u = &f->unknown[i];
+        const char *of = strcmp(u->parameter->value->unit, "h") == 0 ? "" : u->parameter->value->unit;
+        text_add(chart->note, sizeof chart->note, "%s%s %s", i ? ", " : "", u->parameter->name,
+                 measured((domq_real)u->value, of, 4).text);
+    }
+    for (size_t i = 0; i < f->data.runs && i < RUNS_NAMED; i++)
+        run_points(chart, f, i, i + 1 == RUNS_NAMED ? f->data.runs : i + 1, size, &most);
+    struct chart_curve *line = chart_curve(chart, CHART_LINE, INK_GREY, 0, "measured = fitted");
+    chart_point(chart, line, 0, 0);
+    chart_point(chart, line, most, most);
+}
+
+static bool fit_draw(const struct query *query, struct answer *a, struct chart *chart,
+                     struct problem *problem)
+{
+    struct fit f;
+    if (!chart)
+        return run_fit(query, a, problem);
+    const bool done = fit_make(query, &f, problem);
+    if (done)
+        points_draw(chart, &f, &a->style);
+    fit_free(&f);
+    return done;
+}
+
+bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct plot plot = {.run = fit_draw, .title = "", .columns = a->columns};
+    const struct chart_look usual = {.title = NULL};
+    return plot_write(&plot, &usual, query, a, problem);
+}
+
+bool plot_fit_parse(struct reader *r, struct question *q)
+{
+    struct question *fit = q->parsed = reader_memory(r, sizeof *fit);
+    if (!fit)
+        return false;
+    *fit = (struct question){.key = -1, .command = command_find("fit")};
+    return question_parse(r, fit);
+}
+
+static bool plot_fit(const struct query *query, struct answer *a, struct chart *chart,
+                     struct problem *problem)
+{
+    const struct question *fit = query->given->bound;
+    struct call call;
+    if (!fit)
+        return problem_error(
+            problem,
+            "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'");
+    const bool done = question_bind(fit, query, &call, problem) && fit_draw(&call.query, a, chart, problem);
+    arena_free(&call.given.memory);
+    return done;
+}
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column fit_plot_columns[] = {{NULL, NULL, NULL, 0}};
+static const struct argument fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
+
+const struct plot fit_plots[] = {
+    {"fit", plot_fit,
+     "measurements against the values that the model gives with the fitted parameter, as in 'plot fit "
+     "friction "
+     "FILE'; the columns are those of 'fit'",
+     fit_plot_columns, .title = "", .argument = &fit_argument},
+    {.name = NULL},
+};

@@ -1,0 +1,375 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid provides
+ * the starting point for GSL's Levenberg-Marquardt method. */
+#include "fit/fit.h"
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Finds the unknowns that are not at a limit and discards the correlations of an earlier search. */
+static void free_find(struct fit *f)
+{
+    f->free_count = 0;
+    for (int i = 0; i < f->unknowns; i++) {
+        if (!f->unknown[i].is_at_limit)
+            f->free[f->free_count++] = i;
+        for (int j = 0; j < i; j++)
+            f->correlation[j][i] = (double)NAN;
+    }
+}
+
+/* Returns how many numbers are fitted: the free unknowns and, if the data are angles, the start time of each
+ * run. */
+static size_t numbers_of(const struct fit *f)
+{
+    return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
+}
+
+static size_t residuals_of(const struct fit *f)
+{
+    return f->data.points - (f->data.intervals ? f->data.runs : 0);
+}
+
+static bool is_interrupted(const struct fit *f)
+{
+    return dom_raised(f->query->scene->compute.interrupt);
+}
+
+/* Reflects a value at the limits of its parameter's range, so that it lies in the range. The sum of squares
+ * then has a mirror image beyond a limit. If the sum decreases all the way to a limit, the limit is therefore
+ * a minimum. */
+static double inside(const struct fit_unknown *u, double value)
+{
+    const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
+    value = value < lowest ? 2 * lowest - value : value;
+    return value > highest ? 2 * highest - value : value;
+}
+
+/* Fills in the residuals, each divided by its error, and returns the sum of their squares. */
+static double residuals_fill(const struct fit *f, gsl_vector *residual)
+{
+    const struct fit_data *d = &f->data;
+    double squares;
+    size_t n = 0;
+    for (size_t k = 0; k < d->points; k++) {
+        double left = f->computed[k] - d->point[k].measured;
+        if (d->intervals && fit_is_first(f, k))
+            continue;
+        if (d->intervals) /* the random errors of n gaps add up to sqrt(n) times the error of one gap */
+            left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
+                   sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
+        gsl_vector_set(residual, n++, left / fit_error(f, k));
+    }
+    gsl_blas_ddot(residual, residual, &squares);
+    return squares;
+}
+
+/* Fills in all unknowns from *x. Returns the start times of the runs, which follow the free unknowns
+ * in *x. */
+static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
+{
+    for (int i = 0; i < f->unknowns; i++)
+        value[i] = f->unknown[i].value;
+    for (size_t n = 0; n < f->free_count; n++)
+        value[f->free[n]] = inside(&f->unknown[f->free[n]], x->data[n]);
+    return x->data + f->free_count;
+}
+
+/* Fills in the residuals. Returns false if the model has no answer, or after an interrupt. */
+static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
+{
+    double value[FIT_UNKNOWNS];
+    const double *clock = values_of(f, x, value);
+    bool done = !is_interrupted(f) && fit_compute(f, value, clock, f->computed);
+    if (done)
+        residuals_fill(f, residual);
+    else
+        gsl_vector_set_all(residual, 1e12); /* so large that the search does not move to x */
+    return done;
+}
+
+static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *residual)
+{
+    residuals_at(context, x, residual);
+    return GSL_SUCCESS;
+}
+
+/* Returns the step h of the difference quotients. The error of such a quotient is of the order h^2 + tol / h:
+ * a large step is inexact, and a small step amplifies the errors of the model. */
+static double step_of(const struct fit *f, size_t i, double x)
+{
+    /* The engine's answers are accurate to about three digits. */
+    const bool engine = scene_has_engine(f->query->scene);
+    const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
+    if (i >= f->free_count) {
+        const struct fit_run *run = &f->data.run[i - f->free_count];
+        return relative * (f->data.point[run->first + run->count - 1].time - f->data.point[run->first].time);
+    }
+    const struct fit_unknown *u = &f->unknown[f->free[i]];
+    return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
+}
+
+/* Fills in the derivatives of the residuals, by central differences if possible. */
+static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
+{
+    struct fit *f = context;
+    gsl_vector *at = gsl_vector_alloc(x->size), *left = gsl_vector_alloc(J->size1),
+               *right = gsl_vector_alloc(J->size1);
+    for (size_t i = 0; i < x->size && at && left && right; i++) {
+        const double here = gsl_vector_get(x, i), step = step_of(f, i, here);
+        gsl_vector_memcpy(at, x);
+        gsl_vector_set(at, i, here - step);
+        double width = residuals_at(f, at, left) ? step : 0;
+        gsl_vector_set(at, i, here + step);
+        const bool above = residuals_at(f, at, right);
+        /* If the model has an answer on only one side, the difference is one-sided. */
+        if (!above || width == 0)
+            residuals_at(f, x, above ? left : right);
+        width += above ? step : 0;
+        gsl_vector_sub(right, left);
+        gsl_vector_scale(right, width > 0 ? 1 / width : 0);
+        gsl_matrix_set_col(J, i, right);
+    }
+    const bool done = at && left && right;
+    gsl_vector_free(at);
+    gsl_vector_free(left);
+    gsl_vector_free(right);
+    return done ? GSL_SUCCESS : GSL_ENOMEM;
+}
+
+/* ---- Where the search begins ---- */
+
+/* Returns starting value k of an unknown, or NaN after the last one. Value 0 is the current value. If the
+ * unknown is an effect that is off, value 0 is instead just above the lower end of the unknown's range. The
+ * other values are spread over the range. */
+static double start_of(const struct fit *f, int i, int k)
+{
+    static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
+    const struct fit_unknown *u = &f->unknown[i];
+    const int count = f->unknowns > 2 ? 3 : 6;
+    const domq_real now = parameter_get(f->query->state, u->parameter);
+    if (k == 0)
+        return now == EFFECT_OFF ? u->lowest + (u->highest - u->lowest) / 100 : (double)now;
+    return k > count ? (double)NAN
+                     : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
+}
+
+/* Tries all combinations of starting values and finds the one with the smallest sum of squares. Stores these
+ * values in the unknowns, and the start times of the runs in *clock. Fails if the model has no answer for any
+ * combination. */
+static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
+{
+    int k[FIT_UNKNOWNS] = {0};
+    double least = HUGE_VAL, value[FIT_UNKNOWNS] = {0};
+    double *at = calloc(f->data.runs, sizeof *at);
+    struct problem first = {.kind = PROBLEM_NONE};
+    for (int i = 0; at && i < f->unknowns && !is_interrupted(f);) {
+        double squares = HUGE_VAL;
+        for (i = 0; i < f->unknowns; i++)
+            value[i] = start_of(f, i, k[i]);
+        if (fit_clocks(f, value, at) && fit_compute(f, value, at, f->computed))
+            squares = residuals_fill(f, residual);
+        else if (first.kind == PROBLEM_NONE)
+            first = f->problem;
+        if (squares < least) {
+            least = squares;
+            memcpy(clock, at, f->data.runs * sizeof *at);
+            for (i = 0; i < f->unknowns; i++)
+                f->unknown[i].value = value[i];
+        }
+        for (i = 0; i < f->unknowns && isnan(start_of(f, i, ++k[i])); i++)
+            k[i] = 0;
+    }
+    free(at);
+    if (!(least < HUGE_VAL))
+        f->problem = first;
+    return least < HUGE_VAL;
+}
+
+/* ---- The search ---- */
+
+/* Finds the standard deviations and the correlations of the unknowns from the derivatives at the minimum. If
+ * the measurements do not determine an unknown, its deviation is infinite. */
+static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
+{
+    const size_t n = derivatives->size2;
+    gsl_matrix *J = gsl_matrix_alloc(derivatives->size1, n), *covariance = gsl_matrix_calloc(n, n);
+    gsl_vector *size = gsl_vector_alloc(n);
+    const bool done = J && covariance && size;
+    if (done) {
+        gsl_matrix_memcpy(J, derivatives);
+        /* The columns are scaled to the same length, so that all unknowns matter equally. */
+        for (size_t i = 0; i < n; i++) {
+            gsl_vector_view column = gsl_matrix_column(J, i);
+            const double norm = gsl_blas_dnrm2(&column.vector);
+            gsl_vector_set(size, i, norm);
+            if (norm > 0)
+                gsl_vector_scale(&column.vector, 1 / norm);
+        }
+        gsl_multifit_nlinear_covar(J, 1e-7, covariance);
+    }
+    /* The covariance assumes the errors that fit_error returns. If the user gave no errors, or if the
+     * residuals are too large for the given errors, the size of the errors is taken from the residuals
+     * instead. */
+    const double factor = f->data.has_errors ? fmax(f->reduced_chi_squared, 1) : f->reduced_chi_squared;
+    for (size_t a = 0; a < f->free_count && done; a++) {
+        const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
+        f->unknown[f->free[a]].deviation =
+            variance > 0 && norm > 0 ? sqrt(factor * variance) / norm : HUGE_VAL;
+        for (size_t b = 0; b < a; b++)
+            f->correlation[f->free[b]][f->free[a]] =
+                gsl_matrix_get(covariance, a, b) / sqrt(variance * gsl_matrix_get(covariance, b, b));
+    }
+    gsl_matrix_free(J);
+    gsl_matrix_free(covariance);
+    gsl_vector_free(size);
+    return done;
+}
+
+/* Moves the unknowns and *clock to a local minimum of the sum of squares. Returns a GSL status. */
+static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
+{
+    enum { STEPS_MOST = 50 };
+    const gsl_multifit_nlinear_parameters usual = gsl_multifit_nlinear_default_parameters();
+    gsl_vector *x = gsl_vector_alloc(numbers_of(f));
+    gsl_multifit_nlinear_fdf problem = {.f = residuals_of_gsl,
+                                        .df = derivatives_of_gsl,
+                                        .n = residual->size,
+                                        .p = numbers_of(f),
+                                        .params = f};
+    gsl_multifit_nlinear_workspace *w =
+        x ? gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &usual, problem.n, problem.p) : NULL;
+    int info = 0, status = GSL_ENOMEM;
+    if (w) {
+        for (size_t n = 0; n < f->free_count; n++)
+            gsl_vector_set(x, n, f->unknown[f->free[n]].value);
+        memcpy(x->data + f->free_count, clock, (x->size - f->free_count) * sizeof *clock);
+        status = gsl_multifit_nlinear_init(x, &problem, w);
+    }
+    if (status == GSL_SUCCESS)
+        status = gsl_multifit_nlinear_driver(STEPS_MOST, 1e-10, 1e-12, 0, NULL, NULL, &info, w);
+    if (info == GSL_ENOPROG) /* the starting point is already the minimum */
+        status = GSL_SUCCESS;
+    if (w && !is_interrupted(f)) {
+        double value[FIT_UNKNOWNS];
+        gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
+        residuals_at(f, x, residual); /* recomputes f->computed at the minimum */
+        f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
+        memcpy(clock, values_of(f, x, value), (x->size - f->free_count) * sizeof *clock);
+        for (int i = 0; i < f->unknowns; i++)
+            f->unknown[i].value = value[i];
+        if (!deviations_find(f, gsl_multifit_nlinear_jac(w)))
+            status = GSL_ENOMEM;
+    }
+    gsl_multifit_nlinear_free(w);
+    gsl_vector_free(x);
+    return status;
+}
+
+/* Looks for an unknown that is close to a limit of its range. If there is one, sets it to this limit and
+ * returns true. Close means within `near` times the width of the searched range. */
+static bool limit_take(struct fit *f, double near)
+{
+    for (int i = 0; i < f->unknowns; i++) {
+        struct fit_unknown *u = &f->unknown[i];
+        const double lowest = (double)u->parameter->value->lowest,
+                     highest = (double)u->parameter->value->highest;
+        const bool low = u->value - lowest < near * (u->highest - u->lowest),
+                   high = highest - u->value < near * (u->highest - u->lowest);
+        if (!u->is_at_limit && (low || high)) {
+            u->is_at_limit = true;
+            u->value = low ? lowest : highest;
+            u->deviation = (double)NAN;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Finds the minimum. If an unknown is near a limit of its range, the search would jump back and forth across
+ * the limit. Such an unknown is set to the limit, and the others are fitted again. */
+static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
+{
+    int status;
+    do {
+        free_find(f);
+        status = numbers_of(f) > 0 ? minimum_search(f, clock, residual) : GSL_SUCCESS;
+    } while (limit_take(f, status == GSL_SUCCESS ? 1e-6 : 1e-3));
+    if (numbers_of(f) > 0)
+        return status;
+    double value[FIT_UNKNOWNS];
+    for (int i = 0; i < f->unknowns; i++)
+        value[i] = f->unknown[i].value;
+    if (!fit_compute(f, value, clock, f->computed))
+        return GSL_EDOM;
+    f->reduced_chi_squared = residuals_fill(f, residual) / (double)f->freedom;
+    return GSL_SUCCESS;
+}
+
+/* Returns the Durbin-Watson statistic sum (e_k - e_(k-1))^2 / sum e_k^2 of the residuals e_k. It is near 2 if
+ * the residuals are independent. It is near 0 if they change slowly from one to the next, which shows that
+ * the model does not fit. */
+static double drift_of(const struct fit *f, const gsl_vector *residual)
+{
+    double steps = 0, all = 0;
+    for (size_t k = 0; k < f->data.points; k++) {
+        const double here = gsl_vector_get(residual, k);
+        all += here * here;
+        if (!fit_is_first(f, k))
+            steps += pow(here - gsl_vector_get(residual, k - 1), 2);
+    }
+    return steps / all;
+}
+
+static int fit_once(struct fit *f)
+{
+    for (int i = 0; i < f->unknowns; i++)
+        f->unknown[i].is_at_limit = false;
+    free_find(f);
+    const size_t clocks = f->data.kind == FIT_HITS && !f->data.intervals ? f->data.runs : 0;
+    gsl_vector *residual = gsl_vector_alloc(residuals_of(f));
+    double *clock = calloc(f->data.runs, sizeof *clock);
+    f->freedom = residuals_of(f) - numbers_of(f) - clocks;
+    int status = !clock || !residual               ? GSL_ENOMEM
+                 : !start_find(f, clock, residual) ? GSL_EDOM
+                                                   : minimum_find(f, clock, residual);
+    /* If the gaps differ, the times of hits drift away from the times of the model. */
+    const bool drifts = status == GSL_SUCCESS && f->data.kind == FIT_HITS && !f->data.has_errors &&
+                        !f->data.intervals && f->freedom >= 8 && drift_of(f, residual) < 1;
+    gsl_vector_free(residual);
+    free(clock);
+    f->data.intervals = f->data.intervals || drifts;
+    return drifts ? GSL_CONTINUE : status;
+}
+
+bool fit_solve(struct fit *f, struct problem *problem)
+{
+    const size_t fitted = (size_t)f->unknowns + (f->data.kind == FIT_SPEEDS ? 0 : f->data.runs);
+    if (f->data.points <= fitted)
+        return problem_no_answer(
+            problem,
+            "%zu measurements are too few for %d unknown%s%s; measure more, or name fewer "
+            "unknowns",
+            f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
+            f->data.kind == FIT_SPEEDS ? "" : " and the start time of each run");
+    f->computed = malloc(f->data.points * sizeof *f->computed);
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    int status = f->computed ? fit_once(f) : GSL_ENOMEM;
+    if (status == GSL_CONTINUE)
+        status = fit_once(f);
+    gsl_set_error_handler(handler);
+    if (is_interrupted(f))
+        return problem_status(problem, f->query->scene, DOM_INTERRUPTED);
+    if (status == GSL_ENOMEM)
+        return problem_status(problem, f->query->scene, DOM_NO_MEMORY);
+    if (status == GSL_EDOM)
+        *problem = f->problem;
+    else if (status != GSL_SUCCESS)
+        problem_no_answer(
+            problem,
+            "the search does not converge: many values explain the measurements equally well; fit fewer "
+            "parameters, or set the parameters that are not fitted closer to their true values");
+    return status == GSL_SUCCESS;
+}

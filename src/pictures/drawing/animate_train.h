@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Films of the train, and the function film_make, which makes the films of the train and of the row. */
+#ifndef SHELL_ANIMATE_TRAIN_H
+#define SHELL_ANIMATE_TRAIN_H
+
+#include "pictures/drawing/draw_words.h"
+#include "pictures/picture/movie.h"
+#include "pictures/picture/play.h"
+
+/* 'animate slow' is this many times slower. */
+enum { SLOWER = 4 };
+
+struct film {
+    const struct query *query;
+    struct problem *problem;
+    struct answer *out;
+    bool is_data; /* the frames are written as data, rather than drawn */
+    const struct draw_options *options;
+    struct player *player; /* shows the frames at the terminal; NULL for a file */
+    struct movie movie;
+    size_t frames;
+    int delay; /* time between two frames, in hundredths of a second */
+};
+
+/* Makes the film. `stage` gives the size of the frames, as in movie_begin. `watch` passes each frame to
+ * film_frame, or adds it to film->out. On failure, `watch` sets film->problem. */
+bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
+
+/* Draws a frame. Returns false if the user has ended the film. */
+bool film_frame(struct film *film, const struct stage *stage);
+
+bool animate_train(const struct film *film);
+
+#endif

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'draw', which shows the row or the train at a given moment, to scale. */
+#include "commands/tables.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "pictures/drawing/draw_words.h"
+#include "pictures/drawing/falling_row.h"
+#include "pictures/drawing/tower.h"
+#include "pictures/picture/show.h"
+#include "train/falling.h"
+#include "train/walk.h"
+#include <float.h>
+#include <string.h>
+
+static const struct column draw_columns[] = {
+    {"i", "", "number of the domino: in a train 0 is the head, and -1 the next domino", 5},
+    {"height", "h", "height of the domino; h is the height of the head", 0},
+    {"x", "h", "horizontal position of the hinge, which is the lower front edge", 0},
+    {"theta", "rad", "tilt of the domino", 0},
+    {"top_front_x", "h", "horizontal position of the upper front corner", 0},
+    {"top_front_z", "h", "height of the upper front corner", 0},
+    {"top_back_x", "h", "horizontal position of the upper back corner", 0},
+    {"top_back_z", "h", "height of the upper back corner", 0},
+    {"foot_back_x", "h", "horizontal position of the lower back corner", 0},
+    {"foot_back_z", "h", "height of the lower back corner", 0},
+    {"contact_x", "h", "horizontal position where the follower touches the back face", 0},
+    {"contact_z", "h", "height at which the follower touches the back face", 0},
+    {"force", "m g", "push at the contact, perpendicular to the face; m is the mass of the head", 0},
+    {"of_own", "m g", "the same push, but m is the mass of this domino", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static struct cell cell_double(double value)
+{
+    return cell_real((domq_real)value);
+}
+
+/* Rounding errors become 0. */
+static struct cell cell_place(double value, const struct drawn *k)
+{
+    double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
+    return cell_double(fabs(value) < least ? 0 : value);
+}
+
+/* Writes a line of data for each domino. `forces` is the status of the computation of the forces. */
+static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
+{
+    a->style.errors = 0; /* a picture shows no errors */
+    for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
+        const struct drawn *k = &stage->domino[n];
+        const struct point *p = k->corner;
+        answer_row(a,
+                   ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
+                       cell_double(k->theta), cell_place(p[1].x, k), cell_place(p[1].y, k),
+                       cell_place(p[2].x, k), cell_place(p[2].y, k), cell_place(p[3].x, k),
+                       cell_place(p[3].y, k), cell_place(k->contact.x, k), cell_place(k->contact.y, k),
+                       cell_double(k->force), cell_double(k->of_own)),
+                   !drawn_locked(k) ? NULL
+                   : forces == DOM_OK
+                       ? "the contact is at the hinge: no push, however large, turns this domino"
+                       : dom_status_text(forces));
+    }
+    return true;
+}
+
+/* ---- The row ---- */
+
+/* Fails if there is no such domino, or if it is never hit. */
+static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
+                        domq_real *time)
+{
+    size_t count = row->stage.count, end = row->run.verdict.domino;
+    if (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino))
+        return problem_no_answer(
+            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last one",
+            quad_text(domino, 10), count, count);
+    size_t number = (size_t)domino;
+    *time = (domq_real)falling_row_hit(row, number - 1);
+    return !isnan(*time) || number <= end ||
+           problem_no_answer(problem,
+                             "domino %zu is never hit: the fall ends at domino %zu; 'draw at end' shows how "
+                             "far the row falls",
+                             number, end);
+}
+
+/* Fails if the row has no such moment. */
+static bool moment_time(struct problem *problem, const struct draw_options *options,
+                        const struct falling_row *row, domq_real *time)
+{
+    problem->place = options->column;
+    if (options->has[DRAW_DOMINO])
+        return domino_time(problem, options->value[DRAW_DOMINO], row, time);
+    *time = options->end ? (domq_real)HUGE_VAL : options->value[DRAW_TIME];
+    if (*time < 0 && !row_run_tipped(&row->run, 0))
+        return problem_no_answer(
+            problem,
+            "times count from the push and cannot be negative; 'draw at 0' shows the row at the push");
+    /* An end time that the user copied from an answer may have been rounded up. */
+    return options->end || !((double)*time > row->end * 1.005) ||
+           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows the row at this time",
+                             measured((domq_real)row->end, "s", 4).text);
+}
+
+/* Draws a moment of the fall or, if `moment` is NULL, the row before it falls. */
+static bool moment_show(const struct domq_moment *moment, void *context)
+{
+    struct falling_row *row = context;
+    const struct domq_row *r = &row->run.scene.row;
+    char *const caption = row->stage.caption, first[SENTENCE], verdict[SENTENCE], weakest[SENTENCE];
+    falling_row_verdict(row, verdict);
+    falling_row_weakest(row, weakest);
+    if (moment) {
+        falling_row_pose(row, moment);
+        falling_row_reach(row, true);
+        falling_row_moment(row, moment, first);
+    } else {
+        falling_row_summary(row, first);
+    }
+    snprintf(caption, CAPTION, "%s", first);
+    if (!moment && r->rho != 0)
+        text_add(caption, CAPTION, ", edges rounded by %.4g of the height", (double)r->rho);
+    if (!moment)
+        text_add(caption, CAPTION, ", on %s of floor%s.", measured((domq_real)row->stage.right, "m", 3).text,
+                 r->alpha != 0 ? " that slopes (drawn level)" : "");
+    text_add(caption, CAPTION, "\n%s%s%s", verdict, *weakest ? "\n" : "", weakest);
+    return true;
+}
+
+static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
+                     const struct draw_options *options)
+{
+    struct falling_row row;
+    domq_real time = 0;
+    a->note = NULL; /* no TRAIN_NOTE, because the picture shows the row */
+    if (!falling_row_make(query, problem, picture_marks(a), options->tower && answer_for_people(a), &row))
+        return false;
+    bool good = draw_at(options) ? moment_time(problem, options, &row, &time) : moment_show(NULL, &row);
+    enum dom_status status = DOM_OK;
+    if (good && draw_at(options))
+        status = falling_row_watch(&row, &time, 1, moment_show, &row);
+    problem->place = 0;
+    if (good && row.has_tower && !tower_zoom(&row))
+        status = DOM_NO_MEMORY;
+    if (status != DOM_OK) {
+        good = row_status(query, problem, status);
+    } else if (good && answer_for_people(a)) {
+        good = stage_show(&row.stage, a, query->scene->compute.interrupt, problem);
+    } else if (good) {
+        for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+            c->unit = strcmp(c->unit, "h") == 0 ? "m" : c->unit;
+        answer_leave_out(a, "contact_x contact_z force of_own");
+        good = stage_rows(&row.stage, DOM_OK, a);
+    }
+    falling_row_free(&row);
+    return good;
+}
+
+/* ---- The train ---- */
+
+/* The maximum number of forces in a caption. Dominoes farther back can hardly be seen. */
+enum { FORCES_MOST = 6 };
+
+/* Lists the forces if no arrows show them. */
+static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
+{
+    const struct domq_train *t = &query->scene->train;
+    const struct walk *walk = walk_now(query);
+    struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
+    snprintf(stage->caption, CAPTION, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, ",
+             mark.theta, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r,
+             (double)t->d, (double)(1000 * units.height));
+    if (t->rho != 0)
+        text_add(stage->caption, CAPTION, "edges %.4g h", (double)t->rho);
+    text_add(stage->caption, CAPTION, "%s\n0: head; 1, 2, ...: its followers%s",
+             t->rho != 0 ? "" : "to scale", mark.contacts);
+    if (stage->domino[0].height > stage->top)
+        text_add(stage->caption, CAPTION, "; the next domino is %.4g h tall", stage->domino[0].height);
+    if (!stage->forces)
+        return;
+    text_add(stage->caption, CAPTION, "\n%s",
+             mark.forces ? mark.forces : "contact forces, divided by the pushed domino's weight:");
+    for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
+         k++) {
+        const struct drawn *d = &stage->domino[k];
+        text_add(stage->caption, CAPTION, drawn_locked(d) ? "%s %d: no force is enough" : "%s %d: %.3g",
+                 k > 1 ? "," : "", d->number, d->of_own);
+    }
+}
+
+static bool draw_train(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct draw_options *options)
+{
+    struct stage stage;
+    /* If the user typed no tilt, the train is drawn at the current position of the walk, with the walk's
+     * tolerance. Without a walk it is drawn at the launch. */
+    const struct walk *walk = options->has[DRAW_TILT] ? NULL : walk_now(query);
+    const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
+    const struct domq_train *train = &query->scene->train;
+    domq_real theta = walk ? walk->theta : options->value[DRAW_TILT];
+    if (options->train)
+        a->note = NULL; /* a user who asked for the train needs no note that the picture shows the train */
+    if (!walk && !train_comes_to(query, problem, theta))
+        return false;
+    bool people = answer_for_people(a), good = false;
+    enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
+    /* Output for programs always includes the forces, unless the margin is too small to compute them. */
+    if (status == DOM_OK && (options->forces || !people))
+        forces = stage_forces(&stage, train, compute, theta);
+    if (status == DOM_OK && options->forces)
+        status = forces;
+    if (status != DOM_OK) {
+        good = problem_status(problem, query->scene, status);
+    } else if (people) {
+        stage.forces = options->forces;
+        train_caption(query, &stage, theta, picture_marks(a));
+        good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
+    } else {
+        good = stage_rows(&stage, forces, a);
+    }
+    stage_free(&stage);
+    return good;
+}
+
+static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct draw_options *options = draw_options_of(query);
+    bool row = query->scene->effect[DOM_EFFECT_row].on,
+         train = options->train || options->forces || options->has[DRAW_TILT];
+    if (draw_at(options) && !row) {
+        problem->place = query->given->column[0];
+        return problem_error(
+            problem,
+            "'draw at' shows a row at a given time; first enter 'set row N', for example 'set row 10'");
+    }
+    if (!picture_ready(a, problem))
+        return false;
+    if (options->tower) {
+        struct tower tower;
+        const bool good = tower_make(query, &tower, problem) && draw_row(&tower.query, a, problem, options);
+        tower_free(&tower);
+        return good;
+    }
+    return row && !train ? draw_row(query, a, problem, options) : draw_train(query, a, problem, options);
+}
+
+const struct command draw_commands[] = {
+    {.name = "draw",
+     .synonyms = "picture image drawing figure svg png pdf show",
+     .train = true,
+     .argument =
+         {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
+     .summary = "a picture of the row or the train, to scale",
+     .help =
+         "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
+         "'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row as it "
+         "falls. A domino that has detached keeps the tilt at which it detached. Without a row, or with "
+         "'draw train', the endless train is drawn. 'draw 0.3' shows the train when its head has this tilt. "
+         "Without a tilt, the train is shown at the tilt that 'step' has reached, or at the "
+         "launch. 'draw 0.3 forces' and 'draw forces' add the contact forces. 'draw tower' after 'count 112 "
+         "m' shows the row of that answer with a tower of 112 m at its end. Dominoes that are too small to "
+         "see are drawn a second time, enlarged. In the terminal the picture is made of characters. 'draw > "
+         "row.svg' makes a file. The name of the file can also end in .png or .pdf (with gnuplot), in .gp (a "
+         "script for gnuplot), or in .txt. csv and json have the corners of all dominoes (in m for a row). "
+         "For a train they also have the contacts and forces.",
+     .equation = "(12; b8) (27; A2)",
+     .example = "draw 0.3",
+     .see = "chain animate plot row fall",
+     .sweep.refusal = "it draws",
+     .writes = WRITES_PICTURES,
+     .rows = true,
+     ANSWER(draw)},
+    {.name = "animate",
+     .synonyms = "picture image film movie video gif",
+     .train = true,
+     .argument =
+         {{.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
+     .summary = "a film of the falling row or of the train, at the terminal or in a file",
+     .help =
+         "'animate' shows the whole fall of the row at the terminal, in characters, with a clock. The space "
+         "bar "
+         "stops and continues it, the arrow keys show the frame before or after, and 'q' ends it. 'animate "
+         "slow' "
+         "is four times slower than the fall, and 'animate speed 0.5' twice. 'animate > row.gif' makes a "
+         "file. "
+         "The name of the file must end in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws "
+         "the "
+         "frames. A film in a file is faster than the fall if the fall takes more than 9 s. 'rate 20' makes "
+         "a film "
+         "of 20 frames per second. 'animate tower' after 'count 112 m' shows how the row of that answer "
+         "topples a "
+         "tower of 112 m. If the largest domino or the tower is more than 30 times as tall as the smallest "
+         "domino, the view follows the front and grows with it. Without a row, or with 'animate train', the "
+         "film "
+         "shows cycles of the endless train. 'animate train 4' shows four cycles. Each cycle is r times as "
+         "large "
+         "as the one before and lasts sqrt(r) times as long. At r = 1.5 one film can show at most 9 cycles. "
+         "csv "
+         "and json have the times and tilts of the frames instead.",
+     .example = NULL,
+     .see = "draw duration",
+     .sweep.refusal = "it draws",
+     .writes = WRITES_FILMS,
+     .rows = true,
+     ANSWER(animate)},
+    {.name = NULL},
+};

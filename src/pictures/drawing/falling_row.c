@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/drawing/falling_row.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "train/falling.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The row on its stage ---- */
+
+static bool end_seen(const struct domq_moment *moment, void *context)
+{
+    *(double *)context = (double)moment->time;
+    return true;
+}
+
+/* Returns how to draw domino k, counted from 0. `head` is the number of the last domino that was hit, counted
+ * from 1, or 0 before the fall. */
+static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool has_moved)
+{
+    const struct domq_verdict *v = &row->run.verdict;
+    if (v->end != DOM_ROW_FALLS && k + 1 == v->domino)
+        return ENDS;
+    if (row->dominoes > 1 && k + 1 == v->weakest && isfinite(v->spare))
+        return WEAKEST;
+    return !has_moved ? STANDS : k + 1 == head ? HEAD : FALLS;
+}
+
+void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
+{
+    const struct domq_row *r = &row->run.scene.row;
+    double at = 0, rho = (double)r->rho;
+    for (size_t k = 0; k < row->stage.count; k++) {
+        const struct domq_domino *domino = &row->run.scene.domino[k];
+        struct drawn *d = &row->stage.domino[k];
+        double lean = (double)domino->lean, tilt = moment ? (double)moment->tilt[k] : lean;
+        bool head = moment && k + 1 == moment->head;
+        *d = (struct drawn){.number = (int)k + 1,
+                            .part = part_of(row, k, moment ? moment->head : 0, tilt > lean || head),
+                            .height = (double)domino->height,
+                            .thickness = (double)domino->thickness,
+                            .theta = tilt};
+        d->radius = rho != 0 && domino->radius > 0 ? (double)domino->radius : rho * d->height;
+        at += k > 0 ? (double)domino->gap : 0;
+        d->foot = at + (moment ? row->slid[k] : 0) + d->thickness;
+        at += d->thickness;
+        if (k >= row->dominoes)
+            d->number = NUMBER_TOWER;
+        drawn_corners(d);
+    }
+    row->stage.row = moment || row->has_tower ? NULL : row->run.scene.domino;
+}
+
+void falling_row_reach(struct falling_row *row, bool lying)
+{
+    row->stage.right = 0;
+    for (size_t k = 0; k < row->stage.count; k++) {
+        const struct drawn *d = &row->stage.domino[k];
+        row->stage.right = fmax(row->stage.right, d->foot + (lying ? d->height : 0));
+    }
+}
+
+double falling_row_smallest(const struct falling_row *row)
+{
+    double smallest = HUGE_VAL;
+    for (size_t k = 0; k < row->dominoes; k++)
+        smallest = fmin(smallest, row->stage.domino[k].height);
+    return smallest;
+}
+
+static double tallest(const struct falling_row *row, size_t count)
+{
+    double most = 0;
+    for (size_t k = 0; k < count; k++)
+        most = fmax(most, row->stage.domino[k].height);
+    return most;
+}
+
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
+                      struct falling_row *row)
+{
+    const domq_real ever = (domq_real)HUGE_VAL;
+    *row = (struct falling_row){.marks = marks, .end = (double)NAN, .has_tower = has_tower};
+    if (!row_run(query, problem, true, &row->run))
+        return false;
+    size_t count = row->run.scene.row.count;
+    row->slid = calloc(count, sizeof *row->slid);
+    enum dom_status status = stage_make(&row->stage, count) && row->slid ? DOM_OK : DOM_NO_MEMORY;
+    row->stage.count = count;
+    row->dominoes = count - has_tower;
+    row->stage.ruler = "tape measure from the back of domino 1";
+    if (status == DOM_OK && !row->run.timeless)
+        status = falling_row_watch(row, &ever, 1, end_seen, &row->end);
+    if (status != DOM_OK && status != DOM_NO_MARGIN) {
+        falling_row_free(row);
+        return row_status(query, problem, status);
+    }
+    falling_row_pose(row, NULL);
+    falling_row_reach(row, false);
+    row->stage.top = tallest(row, count);
+    return true;
+}
+
+void falling_row_free(struct falling_row *row)
+{
+    row_run_free(&row->run);
+    stage_free(&row->stage);
+    free(row->slid);
+}
+
+double falling_row_hit(const struct falling_row *row, size_t k)
+{
+    const struct domq_domino *d = &row->run.scene.domino[0];
+    domq_real flat = d->thickness / d->height;
+    /* While the tilt is still close to the balance point, its distance from this point grows exponentially.
+     * `growth` is the time in s in which the distance grows by a factor of e. */
+    domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
+    return row_run_tipped(&row->run, k) ? -3 * (double)growth
+           : k < row->run.hits          ? (double)row->run.fall[k].time
+                                        : (double)NAN;
+}
+
+enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
+                                  domq_moment_visit *visit, void *context)
+{
+    const struct scene_row *scene = &row->run.scene;
+    struct domq_verdict verdict;
+    if (scene->row.engine)
+        return scene_engine_watch(&scene->row, &scene->compute, times, count, visit, context, row->slid);
+    return domq_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
+}
+
+/* ---- Sentences ---- */
+
+/* Returns the event at which the clock starts. */
+static const char *start_of(const struct falling_row *row)
+{
+    return row_run_tipped(&row->run, 0) ? "first hit" : "push";
+}
+
+static struct words domino_words(const struct falling_row *row, size_t number)
+{
+    struct words words;
+    if (number > row->dominoes)
+        snprintf(words.text, sizeof words.text, "the tower");
+    else
+        snprintf(words.text, sizeof words.text, "domino %zu", number);
+    return words;
+}
+
+void falling_row_summary(const struct falling_row *row, char text[SENTENCE])
+{
+    struct measured least = measured((domq_real)falling_row_smallest(row), "m", 3),
+                    most = measured((domq_real)tallest(row, row->dominoes), "m", 3);
+    bool equal = strcmp(least.text, most.text) == 0;
+    snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->dominoes, row->dominoes == 1 ? "" : "es",
+             least.text, equal ? "" : " to ", equal ? "" : most.text);
+    if (row->has_tower)
+        text_add(text, SENTENCE, "; a tower of %.40s",
+                 measured(row->run.scene.domino[row->dominoes].height, "m", 4).text);
+}
+
+void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
+{
+    const struct domq_verdict *v = &row->run.verdict;
+    const size_t end = v->domino;
+    double share = v->end == DOM_ROW_STOPS && end <= row->run.hits
+                       ? (double)fall_share(&row->run.fall[end - 1])
+                       : (double)NAN;
+    if (v->end == DOM_ROW_FALLS && isfinite(row->end) && row->stage.count > 1)
+        snprintf(text, SENTENCE, "%.40s%s lies flat %.40s after the %s.", all_fall_words(row->dominoes).text,
+                 row->has_tower ? ", and so does the tower: it" : ": the last one",
+                 measured((domq_real)row->end, "s", 3).text, start_of(row));
+    else if (v->end == DOM_ROW_FALLS)
+        snprintf(text, SENTENCE, "%.40s.", all_fall_words(row->dominoes).text);
+    else if (share < 1)
+        snprintf(text, SENTENCE, "%.40s (%s) stops the row: it %.150s.", domino_words(row, end).text,
+                 row->marks.ends, energy_words((domq_real)share).text);
+    else
+        snprintf(text, SENTENCE, "The fall ends at %.40s (%s): %s.", domino_words(row, end).text,
+                 row->marks.ends, dom_row_end_text(v->end));
+    *text = (char)toupper((unsigned char)*text);
+}
+
+void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
+{
+    const struct domq_verdict *v = &row->run.verdict;
+    text[0] = '\0';
+    if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
+        snprintf(text, SENTENCE, "Weakest%s: %.40s (%s), which %.150s.",
+                 v->end == DOM_ROW_FALLS ? "" : " of the dominoes that fall",
+                 domino_words(row, v->weakest).text, row->marks.weakest, energy_words(v->spare + 1).text);
+}
+
+/* Writes what happens at a moment before the end. */
+static void moment_words(const struct falling_row *row, const struct domq_moment *m, char *what, size_t size)
+{
+    if (m->head >= row->dominoes) {
+        snprintf(what, size, "%.40s%s falls%s", domino_words(row, m->head).text,
+                 row->has_tower ? "" : ", the last,",
+                 m->head == row->dominoes && row->has_tower ? " towards the tower" : "");
+        return;
+    }
+    const size_t after = row->dominoes - m->head;
+    if (row->has_tower)
+        snprintf(what, size, "domino %zu falls; %zu and the tower still stand", m->head, after);
+    else
+        snprintf(what, size, "domino %zu falls; %zu domino%s still stand%s", m->head, after,
+                 after == 1 ? "" : "es", after == 1 ? "s" : "");
+}
+
+void falling_row_moment(const struct falling_row *row, const struct domq_moment *m, char text[SENTENCE])
+{
+    char what[SENTENCE / 2];
+    const double time = (double)m->time;
+    const size_t after = row->dominoes > m->head ? row->dominoes - m->head : 0;
+    if (!(time >= row->end))
+        moment_words(row, m, what, sizeof what);
+    else if (row->run.verdict.end == DOM_ROW_FALLS)
+        snprintf(what, sizeof what, "%s",
+                 row->has_tower      ? "all have fallen, and so has the tower"
+                 : row->dominoes > 1 ? "all dominoes have fallen"
+                                     : "the domino has fallen");
+    else
+        snprintf(what, sizeof what, "the fall ends at %.40s; %zu domino%s stand%s",
+                 domino_words(row, m->head).text, after, after == 1 ? "" : "es", after == 1 ? "s" : "");
+    snprintf(text, SENTENCE, "%.3f s %s the %s: %s.", time < 0 ? -time : time, time < 0 ? "before" : "after",
+             start_of(row), what);
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws the row of the scene on a stage, before or while it falls, and describes it in sentences. */
+#ifndef SHELL_FALLING_ROW_H
+#define SHELL_FALLING_ROW_H
+
+#include "pictures/picture/stage.h"
+#include "train/falling.h"
+
+/* A row that has been run, and the stage on which it is drawn. Lengths are in m. Times are in s, as in struct
+ * domq_fall. */
+struct falling_row {
+    struct row_run run;
+    struct stage stage;
+    double *slid;       /* how far each foot has slid at the moment that is shown */
+    double end;         /* the time when the motion ends, or NaN if it cannot be computed */
+    bool has_tower;     /* the last domino of the run is drawn as a tower */
+    size_t dominoes;    /* the number of dominoes, not counting the tower */
+    struct marks marks; /* words for captions, which explain the marks in the drawing */
+};
+
+/* Runs the row and draws it as it stands before the fall. With `has_tower`, the last domino is a tower (see
+ * tower.h). After a failure nothing needs to be freed. */
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks, bool has_tower,
+                      struct falling_row *row);
+void falling_row_free(struct falling_row *row);
+
+/*
+ * Returns the time when domino k, counted from 0, is hit, or NaN if this never happens or cannot be computed.
+ *
+ * Without a push, domino 0 is not hit. For k = 0, the function then returns the negative time at which domino
+ * 0 visibly begins to move.
+ */
+double falling_row_hit(const struct falling_row *row, size_t k);
+
+/* Runs the row again and calls `visit` at each of the times, which must not decrease. Infinity stands for the
+ * end of the motion. */
+enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
+                                  domq_moment_visit *visit, void *context);
+
+/* Draws the dominoes at a moment or, if `moment` is NULL, before the fall. */
+void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
+
+/* Sets the right end of the stage to the right end of the standing row or, if `lying` is true, of the fallen
+ * row. */
+void falling_row_reach(struct falling_row *row, bool lying);
+
+/* Returns the height of the smallest domino. */
+double falling_row_smallest(const struct falling_row *row);
+
+/* ---- Sentences ---- */
+
+enum { SENTENCE = 256 };
+
+/* Writes the number of dominoes and their heights, for example "7 dominoes, 4.8 cm to 54.7 cm tall". */
+void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
+
+/* Writes how the fall ends. */
+void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
+
+/* Writes which domino is the weakest, and how much energy it has. Writes "" if the drawing marks no domino as
+ * the weakest. */
+void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
+
+/* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls; 7 dominoes still
+ * stand." */
+void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
+
+#endif

@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/picture/chart.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The data ---- */
+
+struct chart chart_make(void)
+{
+    const struct chart_axis axis = {.low = (double)NAN, .high = (double)NAN};
+    return (struct chart){.x = axis, .y = axis};
+}
+
+void chart_free(struct chart *c)
+{
+    for (int k = 0; k < c->curves; k++)
+        free(c->curve[k].point);
+    free(c->map.value);
+    c->curves = 0;
+    c->map.value = NULL;
+}
+
+struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink ink, int dash,
+                                const char *format, ...)
+{
+    va_list arguments;
+    /* No caller adds more curves than there is room for. */
+    c->curves -= c->curves == CHART_CURVES;
+    struct chart_curve *curve = &c->curve[c->curves++];
+    *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
+    va_start(arguments, format);
+    vsnprintf(curve->title, sizeof curve->title, format, arguments);
+    va_end(arguments);
+    return curve;
+}
+
+void chart_range(struct chart *c, struct chart_curve *curve, double x, double y, double low, double high)
+{
+    if (curve->count == curve->room) {
+        size_t room = 2 * curve->room + 16;
+        struct chart_point *more = realloc(curve->point, room * sizeof *more);
+        c->failed = c->failed || !more;
+        if (!more)
+            return;
+        curve->point = more;
+        curve->room = room;
+    }
+    curve->point[curve->count++] = (struct chart_point){x, y, low, high};
+}
+
+void chart_point(struct chart *c, struct chart_curve *curve, double x, double y)
+{
+    chart_range(c, curve, x, y, (double)NAN, (double)NAN);
+}
+
+void chart_event(struct chart *c, double x, const char *name)
+{
+    if (c->events == CHART_EVENTS)
+        return;
+    struct chart_event *e = &c->event[c->events++];
+    e->x = x;
+    snprintf(e->name, sizeof e->name, "%s", name);
+}
+
+void chart_level(struct chart *c, double y, const char *title)
+{
+    struct chart_curve *level = chart_curve(c, CHART_LINE, INK_GREY, 2, "%s", title);
+    chart_point(c, level, -HUGE_VAL, y);
+    chart_point(c, level, HUGE_VAL, y);
+}
+
+void chart_convert(struct chart *c, double x, double y)
+{
+    for (int k = 0; k < c->curves; k++)
+        for (size_t i = 0; i < c->curve[k].count; i++) {
+            struct chart_point *p = &c->curve[k].point[i];
+            *p = (struct chart_point){p->x / x, p->y / y, p->low / y, p->high / y};
+        }
+    for (int k = 0; k < c->events; k++)
+        c->event[k].x /= x;
+    c->x.low /= x;
+    c->x.high /= x;
+    c->y.low /= y;
+    c->y.high /= y;
+}
+
+/* ---- What the user chooses ---- */
+
+/* Applies the user's scale to an axis and checks the range. Returns NULL, or a message. */
+static const char *axis_dress(struct chart *c, int k)
+{
+    const struct chart_look *look = &c->look;
+    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
+    if (look->scale[k] != CHART_SCALE_USUAL && c->map.value &&
+        axis->logarithmic != (look->scale[k] == CHART_LOG))
+        return "the axes of a map have the scales of its grid; instead of xscale or yscale, write 'log' in "
+               "the grid, as in 'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax'";
+    if (look->scale[k] != CHART_SCALE_USUAL)
+        axis->logarithmic = look->scale[k] == CHART_LOG;
+    if (axis->logarithmic && axis->low <= 0)
+        axis->low = (double)NAN; /* lets chart_prepare choose where the axis begins */
+    if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
+        return k == 0 ? "xrange must begin above 0, because the x axis is logarithmic; 'xscale linear' "
+                        "changes that"
+                      : "yrange must begin above 0, because the y axis is logarithmic; 'yscale linear' "
+                        "changes that";
+    return NULL;
+}
+
+const char *chart_dress(struct chart *c)
+{
+    const struct chart_look *look = &c->look;
+    const char *wrong = axis_dress(c, 0);
+    if (look->title) {
+        snprintf(c->title, sizeof c->title, "%s", look->title);
+        c->note[0] = '\0';
+    }
+    if (look->x)
+        snprintf(c->x.label, sizeof c->x.label, "%s", look->x);
+    if (look->y && c->map.value)
+        snprintf(c->map.label, sizeof c->map.label, "%s", look->y);
+    else if (look->y)
+        snprintf(c->y.label, sizeof c->y.label, "%s", look->y);
+    return wrong ? wrong : axis_dress(c, 1);
+}
+
+/* ---- Axes ---- */
+
+static void axis_include(const struct chart_axis *axis, double value, double *low, double *high)
+{
+    if (!isfinite(value) || (axis->logarithmic && value <= 0))
+        return;
+    *low = fmin(*low, value);
+    *high = fmax(*high, value);
+}
+
+/* Chooses the ends of an axis that are still NaN. The data reach from `low` to `high`. At each end, the axis
+ * extends beyond the data by about `pad` times the range of the data. If `pad` is positive and the data begin
+ * a little above 0, a linear axis begins at 0. */
+static void axis_fit(struct chart_axis *a, double low, double high, double pad)
+{
+    if (!(low <= high)) { /* there is no data */
+        low = a->logarithmic ? 0.1 : 0;
+        high = 1;
+    }
+    if (a->logarithmic) {
+        double more = fmax(pow(high / low, pad), 1.05);
+        low /= more;
+        high *= more;
+    } else {
+        /* Labels cannot show a very narrow range, so such a range is treated as a single value. */
+        bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
+        double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
+        low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
+        high += more;
+    }
+    a->low = isnan(a->low) ? low : a->low;
+    a->high = isnan(a->high) ? high : a->high;
+    if (!(a->high > a->low))
+        a->high = a->low + (a->logarithmic ? a->low : 1);
+}
+
+/* Infinite values have no place on an axis, and neither has 0 on a logarithmic axis. Returns the end of the
+ * axis where such a value is drawn. Returns other values unchanged. */
+static double axis_within(const struct chart_axis *a, double value)
+{
+    return value == HUGE_VAL                                      ? a->high
+           : value == -HUGE_VAL || (a->logarithmic && value == 0) ? a->low
+                                                                  : value;
+}
+
+/* Lengthens the axis of a map from the centres of the outermost cells to their outer edges, so that whole
+ * cells are visible. */
+static void cells_fit(struct chart_axis *a, int cells)
+{
+    double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
+    a->low = low;
+    a->high = high;
+}
+
+static void curve_fit(const struct chart *c, struct chart_curve *curve)
+{
+    for (size_t i = 0; i < curve->count; i++) {
+        struct chart_point *p = &curve->point[i];
+        if (curve->kind == CHART_STEPS && isnan(p->y) && i > 0)
+            p->y = p[-1].y;
+        p->x = axis_within(&c->x, p->x);
+        p->y = axis_within(&c->y, p->y);
+        p->low = axis_within(&c->y, p->low);
+    }
+}
+
+/* Applies the range that the user has chosen, if any, to axis k. If the chart has a map and no part of the
+ * map is in the range, returns false. */
+static bool range_choose(struct chart *c, int k)
+{
+    const struct chart_look *look = &c->look;
+    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
+    bool overlaps = !(look->low[k] >= axis->high) && !(look->high[k] <= axis->low);
+    if (!look->has_range[k])
+        return true;
+    axis->low = look->low[k];
+    axis->high = look->high[k];
+    return overlaps || !c->map.value;
+}
+
+/* Returns true if a value can be shown on axis k (0 for x, 1 for y). If the user has chosen a range for the
+ * axis, the value must be in the range, or infinite. */
+static bool is_within(const struct chart *c, int k, double value)
+{
+    const struct chart_look *look = &c->look;
+    return !look->has_range[k] || isinf(value) || (value >= look->low[k] && value <= look->high[k]);
+}
+
+/* Removes the events beyond the ends of the x axis. */
+static void events_fit(struct chart *c)
+{
+    int kept = 0;
+    for (int k = 0; k < c->events; k++) {
+        double place = axis_place(&c->x, c->event[k].x);
+        if (place > -1e-9 && place < 1 + 1e-9)
+            c->event[kept++] = c->event[k];
+    }
+    c->events = kept;
+}
+
+bool chart_prepare(struct chart *c)
+{
+    double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
+    int kept = 0;
+    bool shown = c->map.value;
+    if (c->map.value) {
+        cells_fit(&c->x, c->map.across);
+        cells_fit(&c->y, c->map.down);
+    }
+    for (int k = 0; k < 2; k++)
+        shown = range_choose(c, k) && shown;
+    for (int k = 0; k < c->curves; k++) {
+        for (size_t i = 0; i < c->curve[k].count; i++) {
+            const struct chart_point *p = &c->curve[k].point[i];
+            if (!is_within(c, 0, p->x))
+                continue;
+            shown = shown || (isfinite(p->y + p->x) && is_within(c, 1, p->y)) || isfinite(p->low + p->high);
+            axis_include(&c->x, p->x, &x0, &x1);
+            axis_include(&c->y, p->y, &y0, &y1);
+            axis_include(&c->y, p->low, &y0, &y1);
+            axis_include(&c->y, p->high, &y0, &y1);
+            aside = c->curve[k].kind == CHART_RANGES ? 0.6 : aside;
+        }
+        if (c->curve[k].count > 0)
+            c->curve[kept++] = c->curve[k];
+    }
+    c->curves = kept;
+    axis_fit(&c->x, x0 - aside, x1 + aside, 0);
+    axis_fit(&c->y, y0, y1, 0.06);
+    for (int k = 0; k < c->curves; k++)
+        curve_fit(c, &c->curve[k]);
+    events_fit(c);
+    return shown;
+}
+
+double axis_place(const struct chart_axis *a, double value)
+{
+    if (a->logarithmic)
+        return value > 0 ? log(value / a->low) / log(a->high / a->low) : value == 0 ? -1 : (double)NAN;
+    return (value - a->low) / (a->high - a->low);
+}
+
+double axis_number(const struct chart_axis *a, double place)
+{
+    return a->logarithmic ? a->low * pow(a->high / a->low, place) : a->low + place * (a->high - a->low);
+}
+
+/* ---- Ticks ---- */
+
+static void tick_add(struct ticks *t, double tick)
+{
+    if (t->count == TICKS)
+        return;
+    char *text = t->text[t->count];
+    int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
+    if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
+        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* six digits are too few if the range is narrow */
+    t->widest = wide > t->widest ? wide : t->widest;
+    t->at[t->count++] = tick;
+}
+
+struct ticks axis_ticks(const struct chart_axis *a, int most)
+{
+    /* The ticks within a decade, for an axis that has room for few, some or many ticks. */
+    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
+    struct ticks t = {.count = 0};
+    double decades = a->logarithmic ? log10(a->high / a->low) : 0;
+    most = most < TICKS ? most : TICKS;
+    if (decades < 0.8) { /* a short section of a logarithmic axis is nearly linear */
+        double step = ruler_step((a->high - a->low) / most * (1 - 1e-9));
+        step = a->whole ? fmax(step, 1) : step;
+        for (double k = ceil(a->low / step - 1e-9); k * step <= a->high + 1e-9 * step; k++)
+            tick_add(&t, k == 0 ? 0 : k * step);
+        return t;
+    }
+    int low = (int)floor(log10(a->low)), high = (int)ceil(log10(a->high));
+    int fine = 2, step = 1 + (int)(decades / most);
+    while (fine > 0 && (fine + 1) * decades > fmax(most, 4))
+        fine--;
+    for (int ten = low; ten <= high; ten += step)
+        for (int k = 0; k <= fine; k++) {
+            double value = parts[fine][k] * pow(10, ten);
+            if (value >= a->low * (1 - 1e-9) && value <= a->high * (1 + 1e-9))
+                tick_add(&t, value);
+        }
+    return t;
+}
+
+/* ---- Events ---- */
+
+struct event_spot event_spot(const struct chart *c, int event, double letter)
+{
+    double end[CHART_EVENTS] = {0}; /* for each row, the position where the next name may begin */
+    struct event_spot spot = {0, 0};
+    for (int k = 0; k <= event; k++) {
+        double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);
+        spot.from = fmax(fmin(place - wide / 2, 1 - wide), 0);
+        for (spot.row = 0; spot.row + 1 < CHART_EVENTS && spot.from < end[spot.row];)
+            spot.row++;
+        end[spot.row] = spot.from + wide + letter;
+    }
+    return spot;
+}
+
+int event_rows(const struct chart *c, double letter)
+{
+    int rows = 0;
+    for (int k = 0; k < c->events; k++) {
+        struct event_spot spot = event_spot(c, k, letter);
+        rows = spot.row >= rows ? spot.row + 1 : rows;
+    }
+    return rows;
+}

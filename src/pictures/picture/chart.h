@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Charts with two axes. They show curves, points, ranges or a map. A command fills a chart with data, and
+ * chart_show (show.h) then draws the chart to the destination of the answer. */
+#ifndef SHELL_CHART_H
+#define SHELL_CHART_H
+
+#include "pictures/picture/canvas.h"
+
+enum chart_kind {
+    CHART_LINE,
+    CHART_POINTS,
+    CHART_MARKED, /* a line through points */
+    CHART_STEPS,  /* y is constant from each x to the next; a NaN repeats the previous y */
+    CHART_RANGES, /* a vertical line from low to high at each x */
+    CHART_BOTH    /* points with their ranges, connected by a line */
+};
+
+struct chart_point {
+    double x, y, low, high; /* y is NaN at a gap in a line; `low` and `high` are NaN if there is no range */
+};
+
+struct chart_curve {
+    char title[96]; /* the title in the legend, or "" for a curve that is not in the legend */
+    enum chart_kind kind;
+    enum ink ink;
+    int dash; /* the dash pattern (see DASHES in canvas.h), or 0 for an unbroken line */
+    struct chart_point *point;
+    size_t count, room;
+};
+
+struct chart_axis {
+    char label[128]; /* label, including the unit */
+    bool logarithmic;
+    bool whole;       /* only whole numbers get ticks */
+    double low, high; /* the ends of the axis; if an end is NaN, chart_prepare chooses it from the data */
+};
+
+/* The values of a map, one for each cell. The cells are listed row by row, beginning with the lowest row. At
+ * first, the axes end at the centres of the outermost cells. chart_prepare moves the ends to the outer edges
+ * of these cells. */
+struct chart_map {
+    double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
+    int across, down;
+    char label[96]; /* label of the values */
+};
+
+struct chart_event {
+    double x;
+    char name[32];
+};
+
+enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
+enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
+
+/* The user's choices for a chart. NULL or 0 means no choice. Element 0 of an array is for the x axis, and
+ * element 1 for the y axis. */
+struct chart_look {
+    const char *title, *x, *y; /* strings that replace the title and the labels of the axes */
+    enum chart_scale scale[2];
+    bool has_range[2];
+    double low[2], high[2]; /* the ends of the axes, in the units of the axis labels */
+    enum chart_legend legend;
+    /* Only for files: */
+    double width, height; /* in cm */
+    double font;          /* in points */
+    const char *family;   /* the name of a font */
+};
+
+/* The default sizes of a picture in a file, and of its font. */
+#define CHART_WIDTH  16.0 /* cm */
+#define CHART_HEIGHT 12.0
+#define CHART_FONT   11.0 /* points */
+
+enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
+
+/* A chart has either curves or a map. */
+struct chart {
+    char title[192];
+    char note[256]; /* a sentence below the title, or "" if there is none */
+    struct chart_axis x, y;
+    struct chart_curve curve[CHART_CURVES];
+    int curves;
+    struct chart_event event[CHART_EVENTS]; /* vertical lines with names at their upper ends */
+    int events;
+    struct chart_map map;
+    struct chart_look look;
+    bool tex;    /* TeX processes the labels, so characters that are commands in TeX have to be escaped */
+    bool failed; /* there was no memory for the data */
+};
+
+struct chart chart_make(void);
+void chart_free(struct chart *chart);
+
+/* Adds a curve without points. The title is formatted as by printf. */
+struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum ink ink, int dash,
+                                const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/* chart_point adds a point without a range to a curve, and chart_range adds a point with a range. */
+void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
+void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
+
+/* Adds a grey horizontal line across the whole chart. */
+void chart_level(struct chart *chart, double y, const char *title);
+
+/* Adds a vertical line at x, with a name at its upper end. */
+void chart_event(struct chart *chart, double x, const char *name);
+
+/* Converts the data and the ends of the axes to the displayed units. `x` and `y` are the sizes of these
+ * units, for example 0.01 for a cm if the data are in m. */
+void chart_convert(struct chart *chart, double x, double y);
+
+/*
+ * Makes a chart ready to be drawn:
+ * - If an end of an axis is NaN, it is chosen so that the data fit.
+ * - Points at infinity, or at 0 on a logarithmic axis, are moved to an end of the axis.
+ * - Curves without points, and events outside the x axis, are removed.
+ * Returns false if nothing is left to show.
+ */
+bool chart_prepare(struct chart *chart);
+
+/* ---- For the functions that draw charts ---- */
+
+/* Applies the user's title, labels and scales. Returns NULL, or a message if this is not possible. */
+const char *chart_dress(struct chart *chart);
+
+/* Returns the sizes of the picture and of its font. If the user has not chosen a height, the picture is tall
+ * enough for the axes and the text around them. If the user has not chosen a font size, a narrow picture gets
+ * a smaller font. */
+struct chart_look chart_size(const struct chart *chart);
+
+/* axis_place returns the position of a value on its axis: 0 is the lower end, and 1 is the upper end.
+ * axis_number returns the value at a position. */
+double axis_place(const struct chart_axis *axis, double value);
+double axis_number(const struct chart_axis *axis, double place);
+
+enum { TICKS = 24, TICK_TEXT = 24 };
+
+struct ticks {
+    int count, widest; /* the number of ticks, and the length of the longest label */
+    double at[TICKS];
+    char text[TICKS][TICK_TEXT];
+};
+
+/* Chooses up to about `most` ticks for an axis. */
+struct ticks axis_ticks(const struct chart_axis *axis, int most);
+
+/* Returns where to write the name of an event. Names that would overlap are put into different rows. `letter`
+ * is the width of a character, as a fraction of the x axis. */
+struct event_spot {
+    double from; /* where the name begins, as a fraction of the x axis */
+    int row;     /* the row above the chart, counted from 0 */
+};
+struct event_spot event_spot(const struct chart *chart, int event, double letter);
+
+/* Returns how many rows the names of the events need. */
+int event_rows(const struct chart *chart, double letter);
+
+/* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
+bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out);
+
+/* Writes a gnuplot script that draws a chart. */
+void chart_script(const struct chart *chart, FILE *script);
+
+#endif

@@ -1,0 +1,337 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws charts with characters. */
+#include "answer/wrap.h"
+#include "io/terminal.h"
+#include "pictures/picture/chart.h"
+#include <math.h>
+#include <string.h>
+
+/* AXIS_USUAL is the assumed width of the y axis with its labels, in columns. It is used until the labels are
+ * known. */
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_USUAL = 7 };
+
+/* The part of the canvas between the axes, in cells. `bottom` is the row of the x axis. */
+struct frame {
+    struct canvas *canvas;
+    const struct chart *chart;
+    int left, top, right, bottom;
+    int most; /* the maximum number of rows for each text */
+};
+
+/* ---- From values to dots ---- */
+
+static double dot_x(const struct frame *f, double x)
+{
+    int across = f->canvas->across;
+    return f->left * across + axis_place(&f->chart->x, x) * ((f->right - f->left) * across - 1) + 0.5;
+}
+
+static double dot_y(const struct frame *f, double y)
+{
+    int down = f->canvas->down;
+    return f->top * down + (1 - axis_place(&f->chart->y, y)) * ((f->bottom - f->top) * down - 1) + 0.5;
+}
+
+static double clamp(double value, double low, double high)
+{
+    return fmin(fmax(value, low), high);
+}
+
+/* Clips a line to a strip of the canvas. A point of the line has the coordinate start + f * change, where f
+ * goes from 0 at one end of the line to 1 at the other end. Narrows the interval [*from, *to] of f to the
+ * points whose coordinate is in [low, high]. */
+static void clip(double start, double change, double low, double high, double *from, double *to)
+{
+    double first = (low - start) / change, last = (high - start) / change;
+    if (change == 0) {
+        *to = start >= low && start <= high ? *to : -1;
+        return;
+    }
+    *from = fmax(*from, fmin(first, last));
+    *to = fmin(*to, fmax(first, last));
+}
+
+/* Draws the part of a line that is inside the frame of the chart. */
+static void line_draw(const struct frame *f, double x0, double y0, double x1, double y1,
+                      const struct chart_curve *curve, int *phase)
+{
+    const struct canvas *c = f->canvas;
+    double from = 0, to = 1, dx = x1 - x0, dy = y1 - y0;
+    clip(x0, dx, f->left * c->across, f->right * c->across - 0.01, &from, &to);
+    clip(y0, dy, f->top * c->down, f->bottom * c->down - 0.01, &from, &to);
+    if (from <= to)
+        canvas_line(f->canvas, x0 + from * dx, y0 + from * dy, x0 + to * dx, y0 + to * dy, curve->ink,
+                    curve->dash, phase);
+}
+
+static void points_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    for (const struct chart_point *p = curve->point; p < curve->point + curve->count; p++) {
+        double px = axis_place(&f->chart->x, p->x), py = axis_place(&f->chart->y, p->y);
+        if (!(px >= -1e-9 && px <= 1 + 1e-9 && py >= -1e-9 && py <= 1 + 1e-9))
+            continue;
+        int x = (int)dot_x(f, p->x), y = (int)dot_y(f, p->y);
+        if (f->canvas->display.braille)
+            canvas_text(f->canvas, x / f->canvas->across, y / f->canvas->down, "●", curve->ink);
+        else
+            canvas_dot(f->canvas, x, y, curve->ink);
+    }
+}
+
+static void curve_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    int phase = 0;
+    for (size_t i = 0; i + 1 < curve->count; i++) {
+        const struct chart_point *a = &curve->point[i], *b = a + 1;
+        double x0 = dot_x(f, a->x), y0 = dot_y(f, a->y), x1 = dot_x(f, b->x), y1 = dot_y(f, b->y);
+        bool steps = curve->kind == CHART_STEPS;
+        if (isnan(x0 + y0 + x1 + y1))
+            continue;
+        line_draw(f, x0, y0, x1, steps ? y0 : y1, curve, &phase);
+        if (steps)
+            line_draw(f, x1, y0, x1, y1, curve, &phase);
+    }
+}
+
+static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    const struct canvas *c = f->canvas;
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct chart_point *p = &curve->point[i];
+        double x = dot_x(f, p->x), low = f->top * c->down, high = f->bottom * c->down - 1;
+        double y0 = clamp(dot_y(f, p->low), low, high), y1 = clamp(dot_y(f, p->high), low, high);
+        int phase = 0;
+        if (isnan(p->low) || isnan(p->high) || isnan(x))
+            continue;
+        for (int row = (int)y1; row <= (int)y0 && !c->display.braille; row++)
+            canvas_text(f->canvas, (int)x, row, "|", curve->ink);
+        if (!c->display.braille)
+            continue;
+        canvas_line(f->canvas, x, y0, x, y1, curve->ink, 0, &phase);
+        for (int k = -1; k <= 1; k++) {
+            canvas_dot(f->canvas, (int)x + k, (int)y0, curve->ink);
+            canvas_dot(f->canvas, (int)x + k, (int)y1, curve->ink);
+        }
+    }
+}
+
+/* ---- Maps ---- */
+
+static void map_ends(const struct chart_map *m, double *low, double *high)
+{
+    *low = HUGE_VAL;
+    *high = -HUGE_VAL;
+    for (int i = 0; i < m->across * m->down; i++)
+        if (isfinite(m->value[i])) {
+            *low = fmin(*low, m->value[i]);
+            *high = fmax(*high, m->value[i]);
+        }
+}
+
+/* Returns the shade of a map at the point (x, y), or NaN if the map has no value there. x and y are fractions
+ * of the axes. */
+static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
+{
+    int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
+    double value = m->value[k * m->across + i];
+    return isfinite(value) ? (high > low ? (value - low) / (high - low) : 0.5) : (double)NAN;
+}
+
+static void map_draw(const struct frame *f)
+{
+    const struct chart_map *m = &f->chart->map;
+    double low, high;
+    int wide = f->right - f->left, tall = f->bottom - f->top;
+    map_ends(m, &low, &high);
+    for (int row = 0; row < tall; row++)
+        for (int column = 0; column < wide; column++) {
+            double x = (column + 0.5) / wide;
+            canvas_shade(f->canvas, f->left + column, f->top + row,
+                         map_shade(m, x, 1 - (row + 0.25) / tall, low, high),
+                         map_shade(m, x, 1 - (row + 0.75) / tall, low, high));
+        }
+}
+
+/* ---- Texts and axes ---- */
+
+/* Writes a text between the columns `left` and `right`, in several rows if necessary. After `most` rows, the
+ * text is cut off. Returns the number of rows. If the canvas is NULL, writes nothing and only counts the
+ * rows. */
+static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
+{
+    int rows = 0;
+    for (size_t n; *text && rows < most; rows++, text += n + (text[n] == ' ')) {
+        char line[CHART_TEXT];
+        n = rows + 1 < most ? line_break(text, right - left) : strlen(text);
+        snprintf(line, sizeof line, "%.*s", (int)n, text);
+        int at = centred ? (right - left - utf8_columns(line)) / 2 : 0;
+        if (c)
+            canvas_text(c, left + (at > 0 ? at : 0), row + rows, line, INK_TEXT);
+    }
+    return rows;
+}
+
+static void axis_y_draw(const struct frame *f, const struct ticks *ticks)
+{
+    bool boxes = f->canvas->display.braille;
+    for (int row = f->top; row < f->bottom; row++)
+        canvas_text(f->canvas, f->left - 1, row, boxes ? "│" : "|", INK_TEXT);
+    for (int k = 0; k < ticks->count; k++) {
+        int row = (int)dot_y(f, ticks->at[k]) / f->canvas->down;
+        row = row >= f->bottom ? f->bottom - 1 : row;
+        canvas_text(f->canvas, f->left - 2 - (int)strlen(ticks->text[k]), row, ticks->text[k], INK_TEXT);
+        canvas_text(f->canvas, f->left - 1, row, boxes ? "┤" : "+", INK_TEXT);
+    }
+}
+
+static void axis_x_draw(const struct frame *f)
+{
+    struct canvas *c = f->canvas;
+    bool boxes = c->display.braille;
+    const struct ticks ticks = axis_ticks(&f->chart->x, (f->right - f->left) / 9);
+    int free_from = 0;
+    canvas_text(c, f->left - 1, f->bottom, boxes ? "└" : "+", INK_TEXT);
+    for (int column = f->left; column < f->right; column++)
+        canvas_text(c, column, f->bottom, boxes ? "─" : "-", INK_TEXT);
+    for (int k = 0; k < ticks.count; k++) {
+        int wide = (int)strlen(ticks.text[k]), column = (int)dot_x(f, ticks.at[k]) / c->across;
+        int at = column - wide / 2;
+        at = at + wide > c->width ? c->width - wide : at;
+        if (at < free_from)
+            continue;
+        free_from = at + wide + 1;
+        canvas_text(c, column, f->bottom, boxes ? "┴" : "+", INK_TEXT);
+        canvas_text(c, at, f->bottom + 1, ticks.text[k], INK_TEXT);
+    }
+    text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
+}
+
+static void events_draw(const struct frame *f)
+{
+    const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
+    double wide = f->right - f->left, across = f->canvas->across;
+    for (int k = 0; k < f->chart->events; k++) {
+        const struct event_spot spot = event_spot(f->chart, k, 1 / wide);
+        double x = clamp(dot_x(f, f->chart->event[k].x), f->left * across, f->right * across - 1);
+        int phase = 0;
+        line_draw(f, x, f->bottom * f->canvas->down - 1, x, f->top * f->canvas->down, &line, &phase);
+        canvas_text(f->canvas, f->left + (int)floor(spot.from * wide), f->top - 1 - spot.row,
+                    f->chart->event[k].name, INK_TEXT);
+    }
+}
+
+/* ---- The legend ---- */
+
+static bool has_points(enum chart_kind kind)
+{
+    return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
+}
+
+/* Writes the legend: the titles of the curves. `row` is its first row. If `row` is negative, writes nothing
+ * and only counts the rows. Returns the number of rows. */
+static int legend(const struct frame *f, int row)
+{
+    struct canvas *c = f->canvas;
+    int column = 2, rows = 0;
+    for (int k = 0; k < f->chart->curves; k++) {
+        const struct chart_curve *curve = &f->chart->curve[k];
+        char sample[4 * GLYPH], text[160];
+        if (!*curve->title)
+            continue;
+        bool braille = c->display.braille;
+        canvas_sample(c, curve->ink, curve->dash, sample);
+        if (braille && has_points(curve->kind))
+            snprintf(sample, sizeof sample, "●");
+        else if (curve->kind == CHART_RANGES)
+            snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
+        snprintf(text, sizeof text, " %s", curve->title);
+        int first = utf8_columns(sample), wide = first + utf8_columns(text);
+        if (rows == 0 || column + wide > c->width) {
+            column = 2;
+            rows++;
+        }
+        if (row >= 0) {
+            canvas_text(c, column, row + rows - 1, sample, curve->ink);
+            canvas_text(c, column + first, row + rows - 1, text, INK_TEXT);
+        }
+        column += wide + LEGEND_APART;
+    }
+    return rows;
+}
+
+/* Like legend, but for a map: writes a bar of shades between the lowest and the highest value. */
+static int map_legend(const struct frame *f, int row)
+{
+    enum { SHADES = 24 };
+    struct canvas *c = row < 0 ? NULL : f->canvas;
+    const char *label = f->chart->map.label;
+    double low, high;
+    char text[CHART_TEXT + 32], last[32];
+    map_ends(&f->chart->map, &low, &high);
+    snprintf(last, sizeof last, " %.4g", high);
+    int rows = 0, at = snprintf(text, sizeof text, "%s: %.4g ", label, low), width = f->canvas->width;
+    /* the label goes above the bar if there is no room beside it */
+    if (at + SHADES + (int)strlen(last) + 2 > width) {
+        rows = text_put(c, 2, width, row, f->most, false, label);
+        at = snprintf(text, sizeof text, "%.4g ", low);
+    }
+    if (c) {
+        canvas_text(c, 2, row + rows, text, INK_TEXT);
+        for (int k = 0; k < SHADES; k++)
+            canvas_shade(c, 2 + at + k, row + rows, (double)k / (SHADES - 1), (double)k / (SHADES - 1));
+        canvas_text(c, 2 + at + SHADES, row + rows, last, INK_TEXT);
+    }
+    return rows + 1;
+}
+
+/* ---- The whole chart ---- */
+
+static void data_draw(const struct frame *f)
+{
+    const struct chart *chart = f->chart;
+    if (chart->map.value)
+        map_draw(f);
+    events_draw(f);
+    for (int k = 0; k < chart->curves; k++) {
+        const struct chart_curve *curve = &chart->curve[k];
+        if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
+            ranges_draw(f, curve);
+        if (curve->kind != CHART_RANGES && curve->kind != CHART_POINTS)
+            curve_draw(f, curve);
+        if (has_points(curve->kind))
+            points_draw(f, curve);
+    }
+}
+
+bool chart_text(const struct chart *chart, struct display display, int width, int height, FILE *out)
+{
+    struct canvas canvas;
+    int (*const legend_put)(const struct frame *f, int row) = chart->map.value ? map_legend : legend;
+    int note_rows = *chart->note ? 1 + utf8_columns(chart->note) / (width - 4) : 0;
+    if (!canvas_make(&canvas, display, width, height - note_rows))
+        return false;
+    struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_USUAL, .right = width};
+    f.most = height / 10 > 0 ? height / 10 : 1;
+    int title_rows = text_put(&canvas, 0, width, 0, f.most, true, chart->title);
+    f.top = title_rows + text_put(&canvas, 0, width, title_rows, f.most, false, chart->y.label) +
+            event_rows(chart, 1.0 / (width - AXIS_USUAL));
+    int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
+    f.bottom = canvas.height - 2 - label_rows;
+    int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
+    /* Rows of the legend that do not fit are not drawn. */
+    f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0;
+    const int rows = f.bottom - f.top;
+    const struct ticks ticks = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3);
+    f.left = ticks.widest + 3;
+    data_draw(&f);
+    axis_y_draw(&f, &ticks);
+    axis_x_draw(&f);
+    legend_put(&f, f.bottom + 2 + label_rows);
+    canvas_write(&canvas, 0, out);
+    canvas_free(&canvas);
+    if (*chart->note) {
+        write_wrapped(out, chart->note, 0, width);
+        putc('\n', out);
+    }
+    return true;
+}

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/picture/picture.h"
+#include "domino_quad.h"
+#include "io/escape.h"
+#include "io/io.h"
+#include "io/system.h"
+#include "io/terminal.h"
+#include "language/names.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ---- Programs ---- */
+
+bool program_exists(const char *name)
+{
+    const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
+    char path[4096];
+    for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
+        n = strcspn(folder, ":");
+        snprintf(path, sizeof path, "%.*s/%s", (int)n, n ? folder : ".", name);
+        if (access(path, X_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Waits for a program and kills it after an interrupt. Returns true if the program was successful. */
+static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
+{
+    const struct timespec moment = {.tv_nsec = 5000000};
+    int status = 0;
+    pid_t ended;
+    while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+        if (dom_raised(interrupt))
+            kill(-child, SIGKILL); /* ^C does not reach the program's process group */
+        nanosleep(&moment, NULL);
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* Makes the child process run the program. */
+static void program_become(char *const argv[], pid_t parent, const int file[3])
+{
+    /* ^Z stops a whole process group, but at the prompt, this program catches ^Z. If the child were in the
+     * same group, only the child would stop, and this program would wait for the child forever. */
+    setpgid(0, 0);
+    /* The program must end when its parent ends. The parent may already have ended. */
+    system_end_with_parent();
+    if (getppid() != parent)
+        _exit(127);
+    for (int i = 0; i < 3; i++)
+        dup2(file[i], i);
+    execvp(argv[0], argv);
+    dprintf(STDERR_FILENO, "%s\n", strerror(errno));
+    _exit(127);
+}
+
+/* Reports the first line of text that a failed program wrote to standard error. */
+static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
+{
+    char line[256] = "";
+    rewind(errors);
+    while (fgets(line, sizeof line, errors) && strspn(line, " \t\n^") == strlen(line))
+        ;
+    line[strcspn(line, "\n")] = '\0';
+    return problem_error(problem, "%s did not %s: %s", name, what, *line ? line : "it was stopped");
+}
+
+FILE *temporary_open(struct problem *problem)
+{
+    FILE *file = io_temporary(NULL);
+    const int error = errno;
+    if (!file)
+        problem_error(problem, "cannot make a temporary file in '%s': %s", names_shown(io_temporary_folder()),
+                      strerror(error));
+    return file;
+}
+
+bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    FILE *errors = temporary_open(problem);
+    if (!errors)
+        return false;
+    const int file[] = {fileno(in), fileno(out), fileno(errors)};
+    pid_t parent = getpid();
+    fflush(in);
+    rewind(in);
+    lseek(file[0], 0, SEEK_SET);
+    pid_t child = fork();
+    if (child == 0)
+        program_become(argv, parent, file);
+    bool done = child > 0 && program_wait(child, interrupt);
+    if (child < 0)
+        problem_error(problem, "cannot run %s: %s", argv[0], strerror(errno));
+    else if (!done && dom_raised(interrupt))
+        problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
+    else if (!done)
+        program_failed(argv[0], what, errors, problem);
+    fclose(errors);
+    return done;
+}
+
+/* ---- gnuplot ---- */
+
+bool gnuplot_ready(struct problem *problem)
+{
+    return program_exists("gnuplot") ||
+           problem_error(problem, "pictures need gnuplot, which is not installed; run 'apt install "
+                                  "gnuplot-nox', or enter 'set output csv' for the data");
+}
+
+/* A quote is written as "\047", in a string of its own. Within single quotes, gnuplot reads '' as a quote,
+ * but not at the beginning of a string; and after "'" it would expand macros such as @NAME in the next
+ * string. */
+static void quoted(FILE *script, const char *text, size_t length, bool escapes)
+{
+    char piece[ESCAPE_PIECE];
+    putc('\'', script);
+    for (const char *end = text + length; text < end;) {
+        if (*text == '\n' || *text == '\'') {
+            fputs(*text++ == '\n' ? "'.\"\\n\".'" : "'.\"\\047\".'", script);
+        } else if (escapes) {
+            text += escape_next(text, piece);
+            fputs(piece, script);
+        } else {
+            putc(*text++, script);
+        }
+    }
+    putc('\'', script);
+}
+
+void gnuplot_text_part(FILE *script, const char *text, size_t length)
+{
+    quoted(script, text, length, true);
+}
+
+void gnuplot_text(FILE *script, const char *text)
+{
+    quoted(script, text, strlen(text), true);
+}
+
+void gnuplot_output(FILE *script, const char *name)
+{
+    fputs("set output './'.", script);
+    quoted(script, name, strlen(name), false); /* a control character belongs to the name */
+    putc('\n', script);
+}
+
+bool picture_begin(struct picture *p, FILE *out, const char *terminal, const volatile sig_atomic_t *interrupt,
+                   struct problem *problem)
+{
+    if (!gnuplot_ready(problem))
+        return false;
+    *p = (struct picture){.script = temporary_open(problem), .out = out, .interrupt = interrupt};
+    if (!p->script)
+        return false;
+    fprintf(p->script, "set encoding utf8\nset terminal %s\n", terminal);
+    return true;
+}
+
+/* Returns an error number if the disk was too full for the drawing, and 0 otherwise. */
+static int drawing_error(FILE *drawing, long size)
+{
+    /* gnuplot does not report that the disk is full. If the file has no room for another block, the drawing
+     * is probably incomplete. */
+    int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
+    return ftruncate(fileno(drawing), size) != 0 ? errno : error;
+}
+
+static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
+{
+    /* gnuplot would read a script named "-" byte by byte. It reads /dev/stdin in blocks. */
+    char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
+    errno = 0;
+    if (fflush(p->script) != 0 || ferror(p->script))
+        return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
+    /* gnuplot first tries the terminal type in GNUTERM, and exits if it cannot use this type. */
+    setenv("GNUTERM", "unknown", 1);
+    if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))
+        return false;
+    fseek(drawing, 0, SEEK_END);
+    long size = ftell(drawing);
+    int error = size > 0 ? drawing_error(drawing, size) : 0;
+    if (size <= 0)
+        return problem_error(problem, "gnuplot drew nothing");
+    if (error)
+        return problem_error(problem, "cannot draw: %s", strerror(error));
+    progress_end();
+    io_copy(drawing, p->out);
+    return true;
+}
+
+bool picture_end(struct picture *p, bool whole, struct problem *problem)
+{
+    FILE *drawing = whole ? temporary_open(problem) : NULL;
+    bool drawn = drawing && draw(p, drawing, problem);
+    if (drawing)
+        fclose(drawing);
+    fclose(p->script);
+    return drawn;
+}

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/picture/play.h"
+#include "io/io.h"
+#include "io/terminal.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+enum { LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
+
+struct frame {
+    char *text;
+    size_t size;
+};
+
+struct player {
+    FILE *out, *screen; /* the stream of the answer, and the terminal itself */
+    int terminal;
+    struct termios before;
+    double delay, next; /* in s: the time between two frames, and when the next frame is due */
+    const volatile sig_atomic_t *interrupt;
+    struct frame *frame; /* all frames so far */
+    size_t count, room, at;
+    int escaped; /* how many bytes of an arrow key have been read */
+    bool is_stopped, has_ended, failed;
+};
+
+struct player *player_begin(FILE *out, int delay, const volatile sig_atomic_t *interrupt,
+                            struct problem *problem)
+{
+    const int terminal = terminal_shows(out) ? open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
+    struct player *p = calloc(1, sizeof *p);
+    FILE *screen = terminal >= 0 ? fdopen(terminal, "w") : NULL;
+    if (!p || !screen || tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &p->before) != 0) {
+        if (screen)
+            fclose(screen);
+        free(p);
+        problem_error(problem,
+                      "an animation can be shown only on a terminal; enter 'animate > film.gif' for a "
+                      "file");
+        return NULL;
+    }
+    *p = (struct player){.out = out,
+                         .screen = screen,
+                         .terminal = terminal,
+                         .before = p->before,
+                         .delay = delay / 100.0,
+                         .interrupt = interrupt};
+    struct termios quiet = p->before;
+    quiet.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+    quiet.c_cc[VMIN] = 1;
+    quiet.c_cc[VTIME] = 0;
+    tcsetattr(terminal, TCSANOW, &quiet);
+    progress_end();
+    fputs("\033[?1049h\033[?25l", screen); /* a second screen, without a cursor */
+    p->next = terminal_clock();
+    return p;
+}
+
+static void screen_show(struct player *p)
+{
+    const char *line = p->frame[p->at].text;
+    fputs("\033[H", p->screen);
+    for (size_t n; *line; line += n + (line[n] == '\n')) {
+        n = strcspn(line, "\n");
+        fprintf(p->screen, "%.*s\033[K\r\n", (int)n, line);
+    }
+    fprintf(p->screen, "%s\033[J",
+            p->is_stopped ? "(stopped: space goes on, arrows go frame by frame, q ends)"
+                          : "(space stops, q ends)");
+    fflush(p->screen);
+}
+
+/* Moves by one frame in either direction. Returns true if the next frame has yet to be made. */
+static bool frame_move(struct player *p, bool forwards)
+{
+    p->is_stopped = true;
+    if (forwards && p->at + 1 == p->count)
+        return true;
+    p->at += forwards ? 1 : p->at > 0 ? (size_t)-1 : 0;
+    screen_show(p);
+    return false;
+}
+
+/* Reads a byte of a key. Returns true if the next frame must be made. */
+static bool key_read(struct player *p)
+{
+    char key;
+    if (read(p->terminal, &key, 1) != 1)
+        return false;
+    /* An arrow is "ESC [ C", or "ESC O C" on some terminals. */
+    const bool is_arrow = p->escaped == 2 && (key == 'C' || key == 'D');
+    const bool is_inside = p->escaped == 1 && (key == '[' || key == 'O');
+    p->escaped = key == '\033' ? 1 : is_inside ? 2 : 0;
+    if (is_arrow)
+        return frame_move(p, key == 'C');
+    p->has_ended = key == 'q' || key == '\004';
+    if (key != ' ')
+        return p->has_ended;
+    p->is_stopped = !p->is_stopped;
+    p->next = terminal_clock();
+    screen_show(p);
+    return !p->is_stopped && p->at + 1 == p->count;
+}
+
+/* Waits for the time of the next frame, and handles keys. Returns when the next frame must be made. */
+static void frames_play(struct player *p)
+{
+    for (;;) {
+        const double left = p->next - terminal_clock();
+        struct pollfd typed = {.fd = p->terminal, .events = POLLIN};
+        /* An interrupt can come just before poll, so poll does not wait for ever. */
+        const int wait = p->is_stopped || left > 0.2 ? 200 : left > 0 ? (int)(1000 * left) + 1 : 0;
+        const int ready = poll(&typed, 1, wait);
+        p->has_ended = p->has_ended || dom_raised(p->interrupt) || ready < 0 ||
+                       (typed.revents & (POLLHUP | POLLERR)) != 0;
+        if (p->has_ended || (ready > 0 && key_read(p)))
+            return;
+        if (p->is_stopped || terminal_clock() < p->next)
+            continue;
+        if (p->at + 1 == p->count)
+            return;
+        p->at++;
+        p->next += p->delay;
+        screen_show(p);
+    }
+}
+
+static bool frame_add(struct player *p, const struct stage *stage)
+{
+    int width, height;
+    if (p->count == p->room) {
+        const size_t room = 2 * p->room + 64;
+        struct frame *more = realloc(p->frame, room * sizeof *more);
+        if (!more)
+            return false;
+        p->frame = more;
+        p->room = room;
+    }
+    struct frame *f = &p->frame[p->count];
+    *f = (struct frame){.text = NULL};
+    FILE *text = io_memory(&f->text, &f->size);
+    if (!text)
+        return false;
+    terminal_size(p->out, &width, &height);
+    width = width > LEAST_WIDTH ? width - 1 : LEAST_WIDTH;
+    height = height > LEAST_HEIGHT ? height - 1 : LEAST_HEIGHT;
+    const bool is_drawn = stage_text(stage, display_of(p->out), width, height, text);
+    if (fclose(text) != 0 || !is_drawn) {
+        free(f->text);
+        return false;
+    }
+    p->at = p->count++;
+    return true;
+}
+
+bool player_frame(struct player *p, const struct stage *stage)
+{
+    p->failed = !frame_add(p, stage);
+    if (p->failed)
+        return false;
+    const double now = terminal_clock();
+    p->next = (p->next > now - p->delay ? p->next : now) + p->delay; /* after a slow frame, a new start */
+    screen_show(p);
+    frames_play(p);
+    return !p->has_ended;
+}
+
+bool player_end(struct player *p, struct problem *problem)
+{
+    const bool done = !p->failed && !dom_raised(p->interrupt);
+    fputs("\033[?25h\033[?1049l", p->screen);
+    fflush(p->screen);
+    tcsetattr(p->terminal, TCSADRAIN, &p->before);
+    fclose(p->screen);
+    if (done && p->count > 0)
+        fputs(p->frame[p->at].text, p->out);
+    for (size_t k = 0; k < p->count; k++)
+        free(p->frame[k].text);
+    const bool failed = p->failed;
+    free(p->frame);
+    free(p);
+    return done || problem_error(problem, "%s", dom_status_text(failed ? DOM_NO_MEMORY : DOM_INTERRUPTED));
+}

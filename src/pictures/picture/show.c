@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pictures/picture/show.h"
+#include "io/terminal.h"
+#include "language/names.h"
+#include "pictures/picture/picture.h"
+#include <limits.h>
+#include <string.h>
+#include <strings.h>
+
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
+enum { TERMINAL_TEXT = 256 };
+enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height of a sheet, in dots */
+
+/* ---- File extensions ---- */
+
+#define EXTENSION_OF_FORMAT(name) {.text = "." #name, .kind = EXTENSION_DATA, .format = &format_##name},
+static const struct extension extensions[] = {
+    FORMATS(EXTENSION_OF_FORMAT){.text = ".txt", .kind = EXTENSION_TEXT},
+    {.text = ".svg", .kind = EXTENSION_SHEET, .terminal = "svg"},
+    {.text = ".png", .kind = EXTENSION_SHEET, .terminal = "pngcairo"},
+    {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo"},
+    {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
+    {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
+    {.text = ".gif", .kind = EXTENSION_FILM},
+    {.text = ".webm", .kind = EXTENSION_FILM},
+    {.text = ".mp4", .kind = EXTENSION_FILM},
+};
+
+const struct extension *extension_of(const char *path)
+{
+    static const struct extension none = {.kind = EXTENSION_NONE}, other = {.kind = EXTENSION_OTHER};
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' has no extension */
+        return &none;
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
+        if (strcasecmp(extensions[i].text, dot) == 0)
+            return &extensions[i];
+    return &other;
+}
+
+/* ---- Before a picture is drawn ---- */
+
+/* Returns true if the answer goes to a picture file, such as .png. */
+static bool is_filed(const struct answer *a)
+{
+    return a->path && extension_of(a->path)->terminal;
+}
+
+bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
+{
+    int width, height;
+    terminal_size(a->out, &width, &height);
+    return width == 0 || height == 0 || (width >= LEAST_WIDTH && height >= LEAST_HEIGHT) ||
+           problem_error(problem,
+                         "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge the "
+                         "terminal, or enter '%s > %s.txt'",
+                         width, height, LEAST_WIDTH, LEAST_HEIGHT, command, command);
+}
+
+bool picture_ready(const struct answer *a, struct problem *problem)
+{
+    if (is_filed(a) && a->appended)
+        return problem_error(problem, "'%s' can hold only one picture; '>' replaces it",
+                             names_shown(a->path));
+    return !is_filed(a) || extension_of(a->path)->is_script || gnuplot_ready(problem);
+}
+
+struct marks picture_marks(const struct answer *a)
+{
+    return is_filed(a) ? script_marks : text_marks(display_of(a->out));
+}
+
+/* ---- Drawing a chart, or a stage if chart is NULL ---- */
+
+static bool show_text(const struct answer *a, const struct chart *chart, const struct stage *stage)
+{
+    int width, height;
+    struct display display = display_of(a->out);
+    progress_end();
+    terminal_size(a->out, &width, &height);
+    width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
+    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
+    /* The height is at most half of the usual width, because characters are twice as tall as wide. */
+    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
+    return chart ? chart_text(chart, display, width, height, a->out)
+                 : stage_text(stage, display, width, height, a->out);
+}
+
+#define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
+
+/* Writes the gnuplot terminal setting for a chart that is drawn into the file `path`. */
+static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
+{
+    const struct chart_look *chosen = &chart->look;
+    struct chart_look look = chart_size(chart);
+    /* the font 'sans' exists even on a minimal Debian system */
+    const char *name = extension_of(path)->terminal, *family = look.family ? look.family : "sans";
+    const bool svg = strcmp(name, "svg") == 0;
+    const double dots = svg ? 45 : 60; /* dots per cm */
+    if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
+        look.height = CHART_HEIGHT;
+    if (chart->tex)
+        snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", name, look.width, look.height,
+                 look.font / TEX_FONT);
+    else if (strcmp(name, "pdfcairo") == 0)
+        snprintf(terminal, size, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
+                 look.height, family, look.font);
+    else /* the font is large, since a phone shrinks the picture */
+        snprintf(terminal, size, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
+                 dots * look.height, svg ? " dynamic" : "", family, look.font * 17 / CHART_FONT,
+                 svg ? " background rgb 'white'" : "");
+}
+
+void script_head(const struct answer *a, const char *terminal)
+{
+    const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
+    char pdf[NAME_MAX + 1];
+    snprintf(pdf, sizeof pdf, "%.*s.pdf", (int)(strrchr(name, '.') - name), name);
+    fprintf(
+        a->out,
+        "# A picture and its data, written by the program domino. gnuplot draws it into a .pdf file of the "
+        "same name.\nset encoding utf8\nset terminal %s\n",
+        terminal);
+    gnuplot_output(a->out, pdf);
+}
+
+/* Draws a picture with gnuplot. If the file is a gnuplot script, writes only the script. */
+static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
+                       const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    struct picture picture = {.script = a->out};
+    struct sheet sheet;
+    char terminal[TERMINAL_TEXT];
+    const bool is_script = extension_of(a->path)->is_script;
+    if (chart)
+        chart_terminal(chart, a->path, terminal, sizeof terminal);
+    else {
+        sheet = sheet_of(stage, STAGE_LEAST, STAGE_MOST);
+        sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
+    }
+    if (is_script)
+        script_head(a, terminal);
+    bool drawn = is_script || picture_begin(&picture, a->out, terminal, interrupt, problem);
+    if (drawn && !chart)
+        stage_script(stage, &sheet, picture.script);
+    else if (drawn)
+        chart_script(chart, picture.script);
+    return drawn && (is_script || picture_end(&picture, true, problem));
+}
+
+static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    if (is_filed(a))
+        return show_drawn(a, chart, stage, interrupt, problem);
+    return show_text(a, chart, stage) || problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));
+}
+
+bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
+                struct problem *problem)
+{
+    chart->tex = is_filed(a) && strcmp(extension_of(a->path)->text, ".tex") == 0;
+    const char *wrong = chart->failed ? dom_status_text(DOM_NO_MEMORY) : chart_dress(chart);
+    const bool chosen = chart->look.has_range[0] || chart->look.has_range[1] ||
+                        chart->look.scale[0] != CHART_SCALE_USUAL ||
+                        chart->look.scale[1] != CHART_SCALE_USUAL;
+    if (!wrong && !chart_prepare(chart) && chosen)
+        wrong =
+            "no point of the chart is within the ranges of its axes; change xrange, yrange, xscale or yscale";
+    bool shown = wrong ? problem_error(problem, "%s", wrong) : show(a, chart, NULL, interrupt, problem);
+    chart_free(chart);
+    return shown;
+}
+
+bool stage_show(const struct stage *stage, const struct answer *a, const volatile sig_atomic_t *interrupt,
+                struct problem *problem)
+{
+    return show(a, NULL, stage, interrupt, problem);
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A stage is a picture of dominoes at one moment, with a caption and a ruler. If it shows a row, lengths are
+ * in m. If it shows the endless train, the unit of length is the height of the head, which is domino 0. A
+ * stage can be drawn with characters, or written as a gnuplot script. */
+#ifndef SHELL_STAGE_H
+#define SHELL_STAGE_H
+
+#include "answer/measure.h"
+#include "domino_quad.h"
+#include "pictures/picture/canvas.h"
+
+enum {
+    CORNERS = 4,
+    ARC = 5, /* the number of points on a rounded edge */
+    /* The maximum number of points of an outline. Three edges of a domino can be rounded, and an arc has ARC
+     * points. The lower back edge is always sharp. */
+    OUTLINE = 3 * ARC + 1,
+};
+
+struct point {
+    double x, y;
+};
+
+/* The state of a domino, which determines its colour. */
+enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
+
+/* Special values of drawn.number. */
+enum {
+    NUMBER_NEXT = -1,  /* the domino in front of the head of a train */
+    NUMBER_NONE = -2,  /* a domino without a label */
+    NUMBER_TOWER = -3, /* the silhouette of a tower */
+    NUMBER_PERSON = -4 /* the silhouette of a person */
+};
+
+struct drawn {
+    /* the number of the domino; the first domino of a row is 1, and the head of a train is 0 */
+    int number;
+    enum part part;
+    double height, thickness, theta;
+    double foot;   /* the position of the hinge, the lower front edge of the upright domino */
+    double radius; /* the radius of the rounded edges, or 0 for sharp edges */
+    /* The corners without rounding: front foot, front top, back top and back foot. */
+    struct point corner[CORNERS];
+    bool touched;         /* the follower of this domino touches it */
+    struct point contact; /* where the follower touches the domino; valid only if `touched` is true */
+    /* In a train: the push at the contact, in units of the weight of the head (`force`) and of this domino
+     * (`of_own`). NaN if the push is not known. */
+    double force, of_own;
+};
+
+enum { CAPTION = 1024 };
+
+struct stage {
+    struct drawn *domino; /* a row begins with domino 1, and a train with the foremost domino */
+    size_t count;
+    double left, right, top; /* the limits of the visible part */
+    /* The unit of all lengths. For a train, it is "h". For a row, the pointer is NULL: lengths are in m, and
+     * the ruler shows them in mm, cm or m. */
+    const char *unit;
+    const char *ruler; /* what the ruler measures */
+    /* the dominoes whose sizes are written where there is room; may be NULL */
+    const struct domq_domino *row;
+    bool forces;           /* the picture shows the forces that are known */
+    char caption[CAPTION]; /* caption of one or more lines */
+};
+
+/* The words with which a caption explains how a picture marks dominoes. */
+struct marks {
+    const char *theta, *weakest, *ends;
+    const char *contacts; /* explains the marks at contacts in a picture of a train */
+    /* explains the arrows for forces, or NULL if the caption lists the forces instead */
+    const char *forces;
+};
+
+/* Returns the point at a given distance from a point in the direction (x, y). */
+static inline struct point along(struct point from, double distance, double x, double y)
+{
+    return (struct point){from.x + distance * x, from.y + distance * y};
+}
+
+/* Computes the corners of a domino from its size, foot and tilt. A rounded domino rolls as it tilts. */
+void drawn_corners(struct drawn *domino);
+
+/* Writes the points of the outline of a domino. Returns the number of points. */
+int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
+
+/* Returns true if a given point in the rectangle of a domino is covered. A domino covers its whole rectangle,
+ * but a silhouette that is drawn in its place does not. The point is at the distance `up` from the base, as a
+ * fraction of the height, and at the distance `back` from the front, as a fraction of the thickness. */
+bool drawn_covers(const struct drawn *domino, double up, double back);
+
+/* Stores the label of a domino: its number, "next", "tower", "person" or "". Returns the label's length. */
+enum { DRAWN_NAME = 16 };
+int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
+
+/* Returns true if a domino is touched at its hinge, which happens if r s = 1. No push can turn such a domino.
+ * Valid only after stage_forces. */
+bool drawn_locked(const struct drawn *domino);
+
+/* Returns true for the weakest domino, and for the domino at which the fall ends. */
+static inline bool drawn_marked(const struct drawn *domino)
+{
+    return domino->part == WEAKEST || domino->part == ENDS;
+}
+
+/* Returns domino k, counted from 0 at the end towards which the dominoes fall. */
+const struct drawn *stage_front(const struct stage *stage, size_t k);
+
+/* Makes a stage that shows the train when its head is at the tilt `theta`, 0 <= theta <= theta_c. The caller
+ * can add 32 more dominoes. `behind` is the visible length behind the head, in heights of the head. If it is
+ * 0, all followers that fit are visible. Even after an error, the caller must free the stage. */
+enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
+                            const struct domq_compute *compute, domq_real theta, double behind);
+
+/* Adds the contact forces to a train on a stage. Returns the status of domq_cycle_forces. */
+enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
+                             const struct domq_compute *compute, domq_real theta);
+
+/* Makes an empty stage for up to `room` dominoes. Returns false if memory runs out. */
+bool stage_make(struct stage *stage, size_t room);
+void stage_free(struct stage *stage);
+
+/* Returns the unit that the ruler shows. For a train, this is h, the height of its head, with the size 1. For
+ * a row, it is a metric unit that suits `across`, the width of the visible part of the stage. */
+struct axis_unit stage_unit(const struct stage *stage, double across);
+
+/* ---- In characters ---- */
+
+struct marks text_marks(struct display display);
+
+/* Draws a stage with its caption in at most `width` columns and `height` rows. Returns false if memory runs
+ * out. */
+bool stage_text(const struct stage *stage, struct display display, int width, int height, FILE *out);
+
+/* ---- By gnuplot ---- */
+
+enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
+
+/* The part of the stage that a picture shows, and the picture's size in dots. */
+struct sheet {
+    double width, height, below, above; /* `below` and `above` are margins outside the axes */
+    double head, indent;                /* the space above the caption, and the space to its left */
+    /* The visible part of the stage. `low` is negative, so that the labels of the dominoes fit below the
+     * ground. */
+    double left, right, low, high;
+    double dot; /* the size of a dot, in the unit of the stage */
+};
+
+extern const struct marks script_marks;
+
+/* Returns the sheet for a stage, with a height between `least` and `most` dots. */
+struct sheet sheet_of(const struct stage *stage, double least, double most);
+
+/* Moves the sheet to another part of the stage, with position `at` near its middle. The visible height
+ * becomes `tall`, which includes the strip for labels below the ground. */
+void sheet_follow(struct sheet *sheet, double at, double tall);
+
+/* Writes the gnuplot terminal setting for a file with this extension. */
+void sheet_terminal(const struct sheet *sheet, const char *path, char *terminal, size_t size);
+
+/* Draws a dot in each colour into a frame. A gif has only the colours of its first frame, so this frame
+ * must contain all colours. The last dot is white and covers the others. `shift` changes this white slightly.
+ * It must alternate between 0 and 1, because gnuplot omits a frame that equals the previous one. */
+void sheet_palette(const struct sheet *sheet, int shift, FILE *script);
+
+/* Writes the commands with which gnuplot draws a stage on a sheet. */
+void stage_script(const struct stage *stage, const struct sheet *sheet, FILE *script);
+
+#endif

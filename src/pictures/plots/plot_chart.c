@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Makes the chart of a plot from its rows. */
+#include "pictures/plots/plots.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The rows as numbers ---- */
+
+static void keys_keep(struct plot_rows *rows, const struct answer *a)
+{
+    for (int i = 0; a->columns[i].key; i++) {
+        const struct column *c = &a->columns[i];
+        const bool angle = column_is_angle(c);
+        snprintf(rows->key[i], sizeof rows->key[i], "%s", c->key);
+        snprintf(rows->unit[i], sizeof rows->unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+                 c->unit + (angle ? strlen("rad") : 0));
+    }
+}
+
+static bool rows_grow(struct plot_rows *rows, size_t room)
+{
+    struct plot_row *more = realloc(rows->row, room * sizeof *more);
+    rows->failed = rows->failed || !more;
+    if (!more)
+        return false;
+    rows->row = more;
+    rows->room = room;
+    return true;
+}
+
+void plot_rows_by_point(struct plot_rows *rows, size_t points)
+{
+    rows->is_by_point = true;
+    rows->count = rows_grow(rows, points) ? points : 0;
+    for (size_t k = 0; k < rows->count; k++)
+        for (int i = 0; i < ANSWER_COLUMNS; i++)
+            rows->row[k].number[i] = (double)NAN;
+}
+
+/* A callback that receives the rows of a plot, instead of the output format. The points of a sweep are
+ * computed in several threads. They write to different elements of rows->row, and only point 0 writes the
+ * keys. */
+static void row_keep(struct answer *a, const struct cell *cells, const char *reason)
+{
+    (void)reason;
+    struct plot_rows *rows = a->sink.context;
+    const size_t at = rows->is_by_point ? a->sink.point : rows->count;
+    char text[CELL_TEXT];
+    if (rows->is_by_point ? at >= rows->count : at == rows->room && !rows_grow(rows, 2 * at + 64))
+        return;
+    if (at == 0)
+        keys_keep(rows, a);
+    struct plot_row *row = &rows->row[at];
+    *row = (struct plot_row){.word = ""};
+    for (int i = 0; a->columns[i].key; i++) {
+        const bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        const domq_real value =
+            column_is_angle(&a->columns[i]) ? style_angle(&a->style, cells[i].number) : cells[i].number;
+        row->number[i] = number ? (double)value : (double)NAN;
+    }
+    if (cells[0].kind != CELL_NONE)
+        snprintf(row->word, sizeof row->word, "%s", cell_plain(&a->style, cells[0], text));
+    rows->count += !rows->is_by_point;
+}
+
+int plot_column(const struct plot_rows *rows, const char *key)
+{
+    for (int i = 0; key && i < ANSWER_COLUMNS && *rows->key[i]; i++)
+        if (strcmp(rows->key[i], key) == 0)
+            return i;
+    return -1;
+}
+
+/* Runs a plot and collects its rows. */
+static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
+                      struct chart *chart, struct problem *problem, struct plot_rows *rows)
+{
+    struct answer answer = *a;
+    answer.sink.take = row_keep;
+    answer.sink.context = rows;
+    return plot->run(query, &answer, chart, problem) &&
+           (!rows->failed || problem_status(problem, query->scene, DOM_NO_MEMORY));
+}
+
+/* ---- Axes and curves ---- */
+
+/* Chooses a unit that suits the largest number of an axis. Returns this unit as a multiple of the column's
+ * own unit. Writes the label of the axis, unless the plot has already written it. */
+static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
+                         double largest)
+{
+    const struct column *c = a->columns;
+    while (axis->key && c->key && strcmp(c->key, axis->key) != 0)
+        c++;
+    const char *unit = axis->key && c->key ? c->unit : "", *over = "";
+    double size = 1;
+    if (axis->percent || strcmp(unit, "m") == 0) {
+        struct axis_unit chosen = axis->percent ? (struct axis_unit){"%", 0.01} : measure_axis(largest);
+        unit = chosen.name;
+        size = chosen.size;
+    } else if (*unit && column_is_angle(c)) { /* the numbers are already in the session's unit of angles */
+        over = unit + strlen("rad");
+        unit = style_angle_unit(&a->style);
+    }
+    if (!*to->label)
+        snprintf(to->label, sizeof to->label, "%s%s%s%s", axis->label, *unit ? " in " : "", unit, over);
+    return size;
+}
+
+/* Adds the points of the rows to the curves that the table of the plot defines. */
+static void curves_fill(const struct plot *plot, const struct plot_rows *rows, struct chart *chart)
+{
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *from = &plot->curve[k];
+        bool ranges = from->kind == CHART_RANGES || from->kind == CHART_BOTH;
+        int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
+        int low = ranges ? plot_column(rows, "low") : -1, high = ranges ? plot_column(rows, "high") : -1;
+        for (size_t i = 0; i < rows->count && (y >= 0 || ranges); i++) {
+            const double *n = rows->row[i].number;
+            if (from->series == 0 || n[0] == from->series - 1)
+                chart_range(chart, &chart->curve[k], n[x], y < 0 ? (double)NAN : n[y],
+                            low < 0 ? (double)NAN : n[low], high < 0 ? (double)NAN : n[high]);
+        }
+    }
+}
+
+static void chart_finish(const struct plot *plot, const struct answer *a, struct chart *chart)
+{
+    double x = 0, y = 0;
+    for (int k = 0; k < chart->curves; k++)
+        for (size_t i = 0; i < chart->curve[k].count; i++) {
+            const struct chart_point *p = &chart->curve[k].point[i];
+            x = fmax(x, isfinite(p->x) ? p->x : 0);
+            y = fmax(fmax(y, p->y), p->high);
+        }
+    chart_convert(chart, axis_label(&chart->x, &plot->x, a, x), axis_label(&chart->y, &plot->y, a, y));
+}
+
+bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
+                struct answer *a, struct problem *problem)
+{
+    if (!answer_for_people(a))
+        return plot->run(query, a, NULL, problem);
+    if (!picture_ready(a, problem))
+        return false;
+    struct plot_rows rows = {.count = 0};
+    struct chart chart = chart_make();
+    snprintf(chart.title, sizeof chart.title, "%s", plot->title);
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *c = &plot->curve[k];
+        chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
+    }
+    bool done = rows_read(plot, query, a, &chart, problem, &rows);
+    if (done && plot->draw) {
+        done = plot->draw(query, &rows, &chart, problem);
+    } else if (done && plot->x.key) {
+        curves_fill(plot, &rows, &chart);
+        chart_finish(plot, a, &chart);
+    }
+    free(rows.row);
+    chart.look = *look;
+    if (done)
+        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart_free(&chart);
+    return false;
+}

@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The plots 'energy', 'omega', 'inertia' and 'chain': one cycle of a train, plotted against the tilt of its
+ * head. */
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "pictures/plots/plots.h"
+#include "train/walk.h"
+#include <string.h>
+
+enum { STEPS = 160 };
+
+/* If the train stops, the barrier lies beyond the tilt at which it stops. To show the barrier, the chart
+ * extends to this multiple of that tilt, but not beyond theta_c. */
+#define BEYOND_STOP 4
+
+/* 'plot climb' extends to this multiple of the tilt at the top of the barrier. */
+#define ABOUT_BARRIER 2.2
+
+/* The lines of distant dominoes would lie too close to the line for theta_f. A line is drawn for domino i
+ * only if theta_f - theta_i > LINES_APART theta_f at the launch. */
+#define LINES_APART ((domq_real)2 / 100)
+
+struct cycle {
+    const struct query *query;
+    struct domq_event event[DOM_EVENTS_MAX];
+    int events;
+    struct domq_angles angles;
+    domq_real end;  /* the largest tilt of the head in the chart */
+    domq_real most; /* `end` is not larger than this, unless this is 0 */
+};
+
+/* The tilts of the head and its first followers at one moment. */
+struct tilts {
+    domq_real theta[PLOT_CURVES];
+    int count;
+};
+
+static double angle_shown(const struct cycle *c, domq_real theta)
+{
+    return (double)style_angle(&c->query->state->settings.style, theta);
+}
+
+static bool cycle_find(struct cycle *c, struct problem *problem)
+{
+    const struct scene *scene = c->query->scene;
+    bool stops;
+    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &c->angles);
+    if (status != DOM_OK)
+        return problem_status(problem, scene, status);
+    if (!cycle_events(c->query, &scene->compute, c->event, &c->events, &stops, problem))
+        return false;
+    c->end = c->angles.theta_c;
+    if (stops)
+        c->end = quad_smaller(c->end, BEYOND_STOP * c->event[c->events - 1].theta);
+    if (c->most > 0)
+        c->end = quad_smaller(c->angles.theta_c, c->most);
+    return true;
+}
+
+static bool tilts_link(const struct domq_link *link, void *context)
+{
+    struct tilts *t = context;
+    t->theta[t->count++] = link->theta;
+    return t->count < PLOT_CURVES;
+}
+
+/* Finds the tilts of the first dominoes. A detached or negligibly light domino has the tilt theta_f. */
+static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct tilts *t)
+{
+    const struct scene *scene = c->query->scene;
+    t->count = 0;
+    enum dom_status status = domq_chain_walk(&scene->train, &scene->compute, theta, tilts_link, t);
+    while (t->count < PLOT_CURVES)
+        t->theta[t->count++] = c->angles.theta_f;
+    return status;
+}
+
+/* Counts the lines to draw: see LINES_APART. */
+static enum dom_status lines_count(const struct cycle *c, int *lines)
+{
+    struct tilts start;
+    domq_real theta_f = c->angles.theta_f;
+    enum dom_status status = tilts_find(c, 0, &start);
+    *lines = 1;
+    while (*lines < PLOT_CURVES && theta_f - start.theta[*lines] > LINES_APART * theta_f)
+        ++*lines;
+    return status;
+}
+
+struct keyed {
+    const char *key;
+    struct cell cell;
+};
+
+/* Writes a row with a cell for each column of the plot. Ignores cells for which the plot has no column. */
+static void keyed_write(struct answer *a, const struct keyed *cells, int count)
+{
+    struct cell row[ANSWER_COLUMNS] = {{0}};
+    for (int n = 0; a->columns[n].key; n++)
+        for (int i = 0; i < count; i++)
+            if (strcmp(a->columns[n].key, cells[i].key) == 0)
+                row[n] = cells[i].cell;
+    answer_row(a, row, NULL);
+}
+
+/* Writes a row for each line of the chart at one tilt of the head. `event` is the event at this tilt, or
+ * NULL. */
+static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
+                                    int lines, struct answer *a)
+{
+    const struct scene *scene = c->query->scene;
+    struct tilts tilts = {.theta = {0}};
+    struct domq_energy energy = {.dH = DOMQ_NAN};
+    domq_real omegasq = DOMQ_NAN;
+    enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
+    if (status == DOM_OK)
+        status = tilts_find(c, theta, &tilts);
+    if (event && event->kind == DOM_EVENT_STOP)
+        omegasq = 0;
+    else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
+        status = domq_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
+    status = status == DOM_STOPS ? DOM_OK : status;
+    domq_real omega = quad(sqrt)(omegasq) / domq_scale_tau(&scene->scale, &scene->train);
+    for (int i = 0; i < lines && status == DOM_OK; i++) {
+        const struct keyed cells[] = {{"theta", cell_real(theta)},
+                                      {"i", cell_count(i)},
+                                      {"theta_i", cell_real(tilts.theta[i])},
+                                      {"dH", cell_real(energy.dH)},
+                                      {"J", cell_real(energy.J)},
+                                      {"kinetic", cell_real(energy.J * omegasq)},
+                                      {"omegasq", cell_real(omegasq)},
+                                      {"omega", cell_real(omega)},
+                                      {"event", cell_word(event ? dom_event_text(event->kind) : NULL)}};
+        keyed_write(a, cells, sizeof cells / sizeof *cells);
+    }
+    return status;
+}
+
+/* Writes the rows at evenly spaced tilts of the head, and at the events between them. */
+static enum dom_status samples_write(const struct cycle *c, int lines, struct answer *a)
+{
+    enum dom_status status = DOM_OK;
+    int event = 0;
+    for (int k = 0; k <= STEPS && status == DOM_OK && !answer_lost(a);) {
+        domq_real theta = k == STEPS ? c->end : c->end * k / STEPS;
+        const struct domq_event *at =
+            event < c->events && c->event[event].theta <= theta ? &c->event[event++] : NULL;
+        k += !at || at->theta == theta;
+        status = sample_write(c, at, at ? at->theta : theta, lines, a);
+        progress_show((k + 1.0) / (STEPS + 2));
+    }
+    return status;
+}
+
+/* Writes the rows of a plot and adds the parameters and the events to the chart, if there is one. */
+static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    const struct domq_train *t = &c->query->scene->train;
+    int lines = 1;
+    if (!cycle_find(c, problem))
+        return false;
+    enum dom_status status = chain ? lines_count(c, &lines) : DOM_OK;
+    if (status == DOM_OK)
+        status = samples_write(c, lines, a);
+    if (status != DOM_OK)
+        return problem_status(problem, c->query->scene, status);
+    if (!chart)
+        return true;
+    text_add(chart->title, sizeof chart->title, ": s = %.4g, r = %.4g, d = %.4g, q = %.4g", (double)t->s,
+             (double)t->r, (double)t->d, (double)t->q);
+    chart->x.low = 0;
+    chart->x.high = angle_shown(c, c->end);
+    for (int k = 0; k < c->events; k++)
+        chart_event(chart, angle_shown(c, c->event[k].theta), dom_event_text(c->event[k].kind));
+    return true;
+}
+
+static bool plot_energy(const struct query *query, struct answer *a, struct chart *chart,
+                        struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    if (chart)
+        chart_level(chart, 0, "");
+    return cycle_plot(&c, false, a, chart, problem);
+}
+
+/* The part of the cycle in which the train climbs its barrier, with the energy that the launch gives it. */
+static bool plot_climb(const struct query *query, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    struct domq_barrier b;
+    enum dom_status status = domq_barrier_find(&query->scene->train, query_compute(query), &b);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return problem_status(problem, query->scene, status);
+    if (!(b.theta_m > 0))
+        return problem_no_answer(
+            problem, "there is no barrier to climb: the train releases energy from the launch on");
+    c.most = b.theta_m * (domq_real)ABOUT_BARRIER;
+    if (!cycle_plot(&c, false, a, chart, problem) || !chart)
+        return chart == NULL;
+    const double barrier = (double)b.barrier, kinetic = (double)b.kinetic;
+    const bool is_near = kinetic < 10 * barrier;
+    chart->y.low = -0.1 * barrier;
+    chart->y.high = 1.15 * (is_near ? fmax(kinetic, barrier) : barrier);
+    snprintf(chart->note, sizeof chart->note,
+             "The train needs %.3g to climb its barrier. The launch gives it %.3g%s.", barrier, kinetic,
+             is_near ? "" : ", which is above the chart");
+    if (is_near) {
+        struct chart_curve *launch = chart_curve(chart, CHART_LINE, INK_RED, 1, "energy of the launch");
+        chart_point(chart, launch, 0, kinetic);
+        chart_point(chart, launch, chart->x.high, kinetic);
+    }
+    return true;
+}
+
+static bool plot_inertia(const struct query *query, struct answer *a, struct chart *chart,
+                         struct problem *problem)
+{
+    return cycle_plot(&(struct cycle){.query = query}, false, a, chart, problem);
+}
+
+static bool plot_omega(const struct query *query, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    if (chart) {
+        chart->y.low = 0;
+        snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
+                 "the head, %.4g mm tall; the next head is sqrt(r) times slower",
+                 (double)(1000 * query->scene->scale.h));
+    }
+    return cycle_plot(&c, false, a, chart, problem);
+}
+
+static bool plot_chain(const struct query *query, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    bool done = cycle_plot(&c, true, a, chart, problem);
+    if (done && chart) {
+        double theta_f = angle_shown(&c, c.angles.theta_f);
+        chart->y.low = 0;
+        chart->y.high = 1.04 * theta_f;
+        chart_level(chart, theta_f, "the last");
+    }
+    return done;
+}
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+#define THETA                                                                                                \
+    {                                                                                                        \
+        "theta", "rad", "tilt of the head", 0                                                                \
+    }
+#define DH                                                                                                   \
+    {                                                                                                        \
+        "dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0                          \
+    }
+#define KINETIC                                                                                              \
+    {                                                                                                        \
+        "kinetic", "mgh/2", "J tau^2 omega^2 (21; c3)", 0                                                    \
+    }
+#define INERTIA                                                                                              \
+    {                                                                                                        \
+        "J", "", "inertia of the train (20; c2)", 0                                                          \
+    }
+#define EVENT                                                                                                \
+    {                                                                                                        \
+        "event", "", "the event at this tilt (launch, top, fall, stop or hit), if any", 6                    \
+    }
+static const struct column energy_columns[] = {THETA, DH, KINETIC, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
+static const struct column climb_columns[] = {THETA, DH, KINETIC, EVENT, {NULL, NULL, NULL, 0}};
+static const struct column inertia_columns[] = {THETA, INERTIA, EVENT, {NULL, NULL, NULL, 0}};
+static const struct column omega_columns[] = {
+    THETA,
+    {"omegasq", "", "tau^2 omega(theta)^2 (21; c3)", 0},
+    {"omega", "rad/s", "angular velocity of the head", 0},
+    EVENT,
+    {NULL, NULL, NULL, 0},
+};
+static const struct column chain_columns[] = {
+    {"i", "", "number of the domino, where 0 is the head", 5},
+    THETA,
+    {"theta_i", "rad", "tilt of the domino (27; A2)", 0},
+    EVENT,
+    {NULL, NULL, NULL, 0},
+};
+
+const struct plot cycle_plots[] = {
+    {"energy", plot_energy, "the energies of one cycle of the train", energy_columns,
+     .title = "Energy over a cycle", .x = {"theta", "tilt of the head"},
+     .y = {NULL, "energy, in units of m g h/2 of the head"},
+     .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0},
+               {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
+    {"climb", plot_climb, "the barrier of a cycle, with the energy that the launch gives the train",
+     climb_columns, .title = "The climb over the barrier", .x = {"theta", "tilt of the head"},
+     .y = {NULL, "energy, in units of m g h/2 of the head"},
+     .curve = {{"dH", "rise in potential energy since the launch", CHART_LINE, INK_BLUE, 0}}},
+    {"omega", plot_omega, "the angular velocity of the head over one cycle", omega_columns,
+     .title = "Angular velocity over a cycle", .x = {"theta", "tilt of the head"},
+     .y = {"omega", "angular velocity"}, .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
+    {"inertia", plot_inertia, "the inertia of the train over one cycle", inertia_columns,
+     .title = "Inertia over a cycle", .x = {"theta", "tilt of the head"},
+     .y = {NULL, "inertia J of the moving dominoes, 1 for the head alone"},
+     .curve = {{"J", "J (20; c2)", CHART_LINE, INK_BLUE, 0}}},
+    {"chain", plot_chain, "the tilts of the first dominoes over one cycle", chain_columns,
+     .title = "Tilts over a cycle", .x = {"theta", "tilt of the head"}, .y = {"theta_i", "tilt of domino i"},
+     .curve = {{"theta_i", "i = 0, the head", CHART_LINE, INK_BLUE, 0, 1},
+               {"theta_i", "i = 1", CHART_LINE, INK_RED, 1, 2},
+               {"theta_i", "i = 2", CHART_LINE, INK_GREEN, 2, 3},
+               {"theta_i", "i = 3", CHART_LINE, INK_PURPLE, 3, 4},
+               {"theta_i", "i = 4", CHART_LINE, INK_ORANGE, 4, 5}}},
+    {.name = NULL},
+};

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The plots 'fall', 'speed' and 'gaps': energies, speeds and windows of gaps along the row. */
+#include "io/terminal.h"
+#include "language/text.h"
+#include "pictures/plots/plots.h"
+#include "train/falling.h"
+#include "train/walk.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Writes into the chart's note how the fall ends. */
+static void end_note(const struct row_run *run, struct chart *chart)
+{
+    const struct domq_verdict *v = &run->verdict;
+    const struct domq_fall *last = &run->fall[run->hits - 1];
+    if (v->end == DOM_ROW_FALLS)
+        snprintf(chart->note, sizeof chart->note, "%.40s", all_fall_words(run->scene.row.count).text);
+    else if (v->end == DOM_ROW_STOPS && last->barrier > 0 && isfinite(last->barrier))
+        snprintf(chart->note, sizeof chart->note,
+                 "Domino %zu stops: it has %.40s of the energy that it needs.", v->domino,
+                 measured(fall_share(last), "share", 3).text);
+    else
+        snprintf(chart->note, sizeof chart->note, "The fall ends at domino %zu: %s.", v->domino,
+                 dom_row_end_text(v->end));
+}
+
+/* ---- Energy to spare ---- */
+
+/* Returns the energy that the domino of run->fall[i] has to spare, divided by the energy that it needs.
+ * Returns NaN if the domino needs no energy, if friction locks it whatever its energy, or if it was tilted
+ * until it tipped over. */
+static double spare_of(const struct row_run *run, size_t i)
+{
+    const struct domq_fall *f = &run->fall[i];
+    return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
+}
+
+/* Sets the limits of both axes. The logarithmic energy axis begins below the smallest spare energy. */
+static void fall_axes(const struct row_run *run, struct chart *chart)
+{
+    double least = HUGE_VAL, most = 0;
+    for (size_t i = 0; i < run->hits; i++) {
+        double spare = spare_of(run, i);
+        least = spare > 0 ? fmin(least, spare) : least;
+        most = isfinite(spare) ? fmax(most, spare) : most;
+    }
+    chart->x.whole = chart->y.logarithmic = true;
+    chart->x.low = 0.4;
+    chart->x.high = (double)run->scene.row.count + 0.6;
+    chart->y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 0.01;
+    chart->y.high = fmax(1.6 * most, 100 * chart->y.low);
+}
+
+/* Marks three kinds of dominoes: those that need no energy to fall, the weakest one, and the one at which the
+ * fall ends. */
+static void fall_marks(const struct row_run *run, struct chart *chart)
+{
+    const struct domq_verdict *v = &run->verdict;
+    struct chart_curve *idle = chart_curve(chart, CHART_POINTS, INK_GREY, 0, "needs no energy");
+    for (size_t i = 0; i < run->hits; i++)
+        if (run->fall[i].domino > 1 && !(run->fall[i].barrier > 0))
+            chart_point(chart, idle, (double)run->fall[i].domino, chart->y.high);
+    if (v->weakest && v->weakest <= run->hits && v->spare >= 0 && isfinite(v->spare)) {
+        struct chart_curve *weakest =
+            chart_curve(chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
+        chart_point(chart, weakest, (double)v->weakest, fmax((double)v->spare, chart->y.low));
+    }
+    if (v->end != DOM_ROW_FALLS) {
+        struct chart_curve *end =
+            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "the fall ends at domino %zu", v->domino);
+        chart_point(chart, end, (double)v->domino, chart->y.low);
+    }
+}
+
+static void fall_chart(const struct row_run *run, struct chart *chart)
+{
+    const struct domq_verdict *v = &run->verdict;
+    end_note(run, chart);
+    if (v->end == DOM_ROW_FALLS && v->weakest && isfinite(v->spare))
+        text_add(chart->note, sizeof chart->note,
+                 ". Domino %zu is the weakest: it has %.40s more than it needs.", v->weakest,
+                 measured(v->spare, "share", 3).text);
+    else if (v->end == DOM_ROW_FALLS)
+        text_add(chart->note, sizeof chart->note, ".");
+    fall_axes(run, chart);
+    fall_marks(run, chart);
+}
+
+static bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem)
+{
+    struct row_run run;
+    if (scene_has_engine(query->scene))
+        return problem_no_answer(
+            problem,
+            "the rigid-body engine runs this row because %s, and the engine does not compute the energy that "
+            "a domino needs; 'plot speed' shows how the row falls",
+            scene_engine_why(query->scene));
+    if (!row_run(query, problem, false, &run))
+        return false;
+    if (scene_has_masses(query->scene))
+        columns_in_joules(a);
+    for (size_t i = 0; i < run.hits; i++) {
+        const struct domq_fall *f = &run.fall[i];
+        bool known = isfinite(f->barrier);
+        answer_cells(a, cell_count((domq_real)f->domino), cell_real(f->kinetic),
+                     cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
+                     cell_real((domq_real)spare_of(&run, i)));
+    }
+    bool idle = chart && run.scene.row.count == 1 && isnan(spare_of(&run, 0));
+    if (idle)
+        problem_no_answer(problem, "the only domino of this row starts past its tipping point, so it needs "
+                                   "no energy to fall; 'set row 5' sets up five dominoes");
+    else if (chart)
+        fall_chart(&run, chart);
+    row_run_free(&run);
+    return !idle;
+}
+
+/* ---- Speed of the front ---- */
+
+/* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
+static double speed_of(const struct row_run *run, size_t i)
+{
+    /* Dominoes are numbered from 1 but indexed from 0, so the number of this domino is the index of the next
+     * one. */
+    size_t next = run->fall[i].domino;
+    if (next >= run->scene.row.count || i + 1 >= run->hits)
+        return (double)NAN;
+    const struct domq_domino *d = &run->scene.domino[next];
+    return (double)((d->gap + d->thickness) / run->fall[i].duration);
+}
+
+static void speed_chart(const struct row_run *run, struct chart *chart)
+{
+    end_note(run, chart);
+    if (run->verdict.end == DOM_ROW_FALLS && isfinite(run->verdict.seconds))
+        text_add(chart->note, sizeof chart->note, "; the last one lies flat after %.40s.",
+                 measured(run->verdict.seconds, "s", 4).text);
+    chart->x.low = chart->y.low = 0;
+}
+
+static bool plot_speed(const struct query *query, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    /* A dot marks each hit, unless there are so many dots that they would hide the curve. */
+    enum { DOTS = 120 };
+    struct row_run run;
+    if (!row_run(query, problem, true, &run))
+        return false;
+    struct chart_curve *hits =
+        chart && run.hits <= DOTS ? chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
+    domq_real place = 0;
+    size_t at = 1;
+    bool runs = false;
+    for (size_t i = 0; i < run.hits && !run.timeless; i++) {
+        double speed = speed_of(&run, i);
+        for (; at < run.fall[i].domino; at++)
+            place += run.scene.domino[at].gap + run.scene.domino[at].thickness;
+        runs = runs || !isnan(speed);
+        answer_cells(a, cell_count((domq_real)run.fall[i].domino), cell_real(place),
+                     cell_real((domq_real)speed));
+        if (hits)
+            chart_point(chart, hits, (double)place, speed);
+    }
+    bool done = !run.timeless && (!chart || runs);
+    if (run.timeless)
+        row_status(query, problem, DOM_NO_MARGIN);
+    else if (!done)
+        problem_no_answer(problem, run.scene.row.count == 1
+                                       ? "this plot needs at least two dominoes; 'set row 5' sets up five"
+                                       : "the front has no speed, because the fall ends before domino 2 is "
+                                         "hit; 'mend' looks for a change that saves the row");
+    else if (chart)
+        speed_chart(&run, chart);
+    row_run_free(&run);
+    return done;
+}
+
+/* ---- Windows of the gaps ---- */
+
+/* Returns by how much a gap must change to reach the nearer end of its window. The window is the range of
+ * sizes of this gap at which the row falls if no other gap changes. Returns infinity if the gap has no
+ * window. */
+static double window_room(const struct domq_window *w)
+{
+    double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
+    return isnan(room) ? HUGE_VAL : room;
+}
+
+/* Writes the note below the chart: which gap has the tightest limits or, if the row does not fall, which gap
+ * needs the smallest change to save the row. */
+static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
+{
+    const struct domq_window *t = w;
+    for (size_t i = 1; i < count; i++)
+        t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
+    if (window_room(t) == HUGE_VAL)
+        snprintf(chart->note, sizeof chart->note,
+                 "The row does not fall, and the search found no change of a single gap that saves it.");
+    else if (falls)
+        snprintf(chart->note, sizeof chart->note,
+                 "The gap before domino %zu has the tightest limits: it is %.30s, and may be %.30s narrower "
+                 "or %.30s wider.",
+                 t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
+                 measured(t->high - t->now, "m", 3).text);
+    else
+        snprintf(chart->note, sizeof chart->note,
+                 "The row does not fall, but it would fall with a gap of %.30s to %.30s before domino %zu.",
+                 measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
+}
+
+static void gaps_chart(const struct domq_window *w, size_t count, struct chart *chart)
+{
+    double widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL;
+    bool falls = false;
+    for (size_t i = 0; i < count; i++) {
+        double gap = (double)w[i].now;
+        widest = fmax(widest, gap);
+        narrowest = gap > 0 ? fmin(narrowest, gap) : narrowest;
+        lowest = w[i].low > 0 ? fmin(lowest, (double)w[i].low) : lowest;
+        falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
+    }
+    gaps_note(w, count, falls, chart);
+    chart->x.whole = true;
+    chart->y.logarithmic = widest > 3 * narrowest;
+    chart->y.low = chart->y.logarithmic ? fmin(lowest, narrowest) / 1.5 : 0;
+}
+
+static bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem)
+{
+    struct scene_row scene;
+    if (!scene_row_make(query->scene, &scene, problem))
+        return false;
+    size_t count = scene.row.count - 1;
+    struct domq_window *w = calloc(count ? count : 1, sizeof *w);
+    enum dom_status status =
+        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, progress_count, NULL, w)
+          : DOM_NO_MEMORY;
+    bool done = status == DOM_OK && count > 0;
+    if (status != DOM_OK)
+        row_status(query, problem, status);
+    else if (!done)
+        problem_no_answer(problem, "a row of one domino has no gap");
+    else if (chart)
+        gaps_chart(w, count, chart);
+    for (size_t i = 0; i < count && done; i++)
+        answer_cells(a, cell_count((domq_real)w[i].domino), cell_real(w[i].now), cell_real(w[i].low),
+                     cell_real(w[i].high), cell_flag(w[i].others));
+    free(scene.domino);
+    free(w);
+    return done;
+}
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+#define DOMINO                                                                                               \
+    {                                                                                                        \
+        "domino", "", "number of the domino, from 1", 6                                                      \
+    }
+static const struct column fall_columns[] = {
+    DOMINO,
+    {"kinetic", "mgh/2", "kinetic energy of all moving dominoes just after the hit", 0},
+    {"barrier", "mgh/2", "energy that is needed to tip this domino over", 0},
+    {"margin", "mgh/2", "kinetic - barrier", 0},
+    {"spare", "",
+     "margin / barrier; empty for a domino that needs no energy, and for domino 1 without a push", 0},
+    {NULL, NULL, NULL, 0},
+};
+static const struct column speed_columns[] = {
+    DOMINO,
+    {"place", "m", "distance of this domino from domino 1, front foot to front foot", 0},
+    {"speed", "m/s", "speed of the front from this domino to the next one", 0},
+    {NULL, NULL, NULL, 0},
+};
+static const struct column gaps_columns[] = {
+    DOMINO,
+    {"gap", "m", "gap before the domino, as planned", 0},
+    {"low", "m", "lower end of the range of gaps at which all dominoes fall", 0},
+    {"high", "m", "upper end of the range of gaps at which all dominoes fall", 0},
+    {"others", "", "yes if all dominoes also fall at some gap outside low .. high", 6},
+    {NULL, NULL, NULL, 0},
+};
+
+const struct plot row_plots[] = {
+    {"fall", plot_fall, "how much energy each domino of the row has to spare", fall_columns,
+     .title = "Energy to spare, domino by domino", .x = {"domino", "domino"},
+     .y = {NULL, "spare energy / energy needed,", .percent = true},
+     .curve = {{"spare", "", CHART_POINTS, INK_BLUE}}},
+    {"speed", plot_speed, "how fast the fall runs along the row", speed_columns,
+     .title = "Speed of the front along the row", .x = {"place", "distance from the first domino"},
+     .y = {"speed", "speed"}, .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
+    {"gaps", plot_gaps, "how far each gap may be off", gaps_columns,
+     .title = "How far each gap may be off if all others are as planned",
+     .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
+     .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
+    {.name = NULL},
+};

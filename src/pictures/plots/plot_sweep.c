@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The plot 'sweep': a number from any answer against one or two parameters, as curves or as a map. */
+#include "pictures/plots/plots.h"
+#include "sweeps/sweep.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    FAMILY = 6,  /* the maximum number of curves in a chart */
+    MARKED = 24, /* curves with more points have no markers */
+    AXES = 2     /* the maximum number of parameters */
+};
+
+static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
+
+struct points {
+    const struct plot_rows *rows;
+    struct sweep_shape shape;
+    int column;  /* index of the first plotted column */
+    size_t none; /* the number of points where a value is missing */
+};
+
+static double value_at(const struct points *p, size_t k)
+{
+    return p->rows->row[k].number[p->column];
+}
+
+/* Returns how many of the answers have no value at point k. */
+static size_t missing_at(const struct points *p, size_t k)
+{
+    size_t missing = 0;
+    for (size_t i = 0; i < p->shape.answers; i++)
+        missing += isnan(p->rows->row[k].number[p->column + (int)i]) != 0;
+    return missing;
+}
+
+/* Returns the index of the principal column of the answer or, if there is none, of the first column. */
+static int column_find(const struct points *p)
+{
+    const struct command *c = p->shape.command;
+    const char *key = c->principal ? c->principal : c->columns[0].key;
+    char renamed[64];
+    snprintf(renamed, sizeof renamed, "%s.%s", c->name, key);
+    for (int i = p->shape.grid->axes; i < ANSWER_COLUMNS && *p->rows->key[i]; i++)
+        if (strcmp(p->rows->key[i], key) == 0 || strcmp(p->rows->key[i], renamed) == 0)
+            return i;
+    return p->shape.grid->axes;
+}
+
+static void axis_label(const struct axis *a, struct chart_axis *to)
+{
+    const char *unit = a->parameter->value->unit;
+    /* The unit h is left out, because the label says that the parameter is divided by the height. */
+    bool shown = *unit && strcmp(unit, "h") != 0;
+    snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
+             shown ? ", in " : "", shown ? unit : "");
+    to->logarithmic = a->logarithmic;
+}
+
+/* Returns true if the values of an axis, or their logarithms on a logarithmic axis, are evenly spaced. */
+static bool is_even(const struct points *p, int axis)
+{
+    const struct axis *a = &p->shape.grid->axis[axis];
+    size_t stride = axis == 0 ? p->shape.grid->axis[1].count : 1;
+    double before = (double)NAN;
+    for (size_t i = 1; i < a->count; i++) {
+        double from = p->rows->row[(i - 1) * stride].number[axis], to = p->rows->row[i * stride].number[axis];
+        double step = a->logarithmic ? log(to / from) : to - from;
+        if (!isfinite(step) || fabs(step - before) > 1e-6 * fabs(step))
+            return false;
+        before = step;
+    }
+    return a->count > 1;
+}
+
+/* Returns the name of the plotted number in a sweep of one answer: its expression, or the key of its column.
+ */
+static const char *value_name(const struct points *p)
+{
+    const struct command *c = p->shape.command;
+    return command_is_print(c) ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
+}
+
+static void label(char *to, size_t size, const char *name, const char *unit)
+{
+    snprintf(to, size, "%s%s%s%s", name, *name && *unit ? " " : "", *unit ? "in " : "", unit);
+}
+
+/* Draws curves along the axis with index `over`, one for each answer or each value of the other axis. */
+static void curves_draw(struct chart *chart, const struct points *p, int over)
+{
+    const struct plot_rows *rows = p->rows;
+    const struct grid *grid = p->shape.grid;
+    size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
+    size_t values = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
+    bool several = p->shape.answers > 1, is_one = true;
+    for (size_t k = 1; k < p->shape.answers; k++)
+        is_one = is_one && strcmp(rows->unit[p->column + (int)k], rows->unit[p->column]) == 0;
+    axis_label(&grid->axis[over], &chart->x);
+    label(chart->y.label, sizeof chart->y.label, several ? "" : value_name(p),
+          is_one ? rows->unit[p->column] : "");
+    for (size_t k = 0; k < values * p->shape.answers; k++) {
+        const int column = p->column + (several ? (int)k : 0);
+        const struct plot_row *row = &rows->row[several ? 0 : k * turn];
+        const char *name = rows->key[column] + (strncmp(rows->key[column], "print ", 6) == 0 ? 6 : 0);
+        char word[64 + 24] = "";
+        if (several)
+            label(word, sizeof word, name, is_one ? "" : rows->unit[column]);
+        else if (grid->axes > 1 && over == 1)
+            snprintf(word, sizeof word, "%s = %s", grid->axis[0].parameter->name, row->word);
+        else if (grid->axes > 1)
+            snprintf(word, sizeof word, "%s = %.6g", grid->axis[1].parameter->name, row->number[1]);
+        struct chart_curve *curve =
+            chart_curve(chart, along <= MARKED ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
+        for (size_t i = 0; i < along; i++)
+            chart_point(chart, curve, row[i * step].number[over], row[i * step].number[column]);
+    }
+}
+
+static void map_draw(struct chart *chart, const struct points *p)
+{
+    const struct grid *grid = p->shape.grid;
+    const struct plot_row *first = p->rows->row, *last = first + p->rows->count - 1;
+    struct chart_axis *axis[AXES] = {&chart->x, &chart->y};
+    size_t cells[AXES] = {grid->axis[0].count, grid->axis[1].count};
+    double *value = chart->map.value = malloc(p->rows->count * sizeof *value);
+    chart->failed = chart->failed || !value;
+    for (size_t k = 0; k < p->rows->count && value; k++) {
+        size_t i = k / cells[1], j = k % cells[1];
+        i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* values may descend */
+        j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
+        value[j * cells[0] + i] = value_at(p, k);
+    }
+    label(chart->map.label, sizeof chart->map.label, value_name(p), p->rows->unit[p->column]);
+    chart->map.across = (int)cells[0];
+    chart->map.down = (int)cells[1];
+    for (int k = 0; k < AXES; k++) {
+        axis_label(&grid->axis[k], axis[k]);
+        axis[k]->low = fmin(first->number[k], last->number[k]);
+        axis[k]->high = fmax(first->number[k], last->number[k]);
+    }
+}
+
+static bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                            struct problem *problem)
+{
+    struct points p = {.rows = rows, .shape = sweep_shape(query->given)};
+    const struct grid *grid = p.shape.grid;
+    const struct axis *axis = grid->axis;
+    if (rows->count == 0)
+        return problem_no_answer(problem, "the sweep has no points to draw");
+    const bool several = p.shape.answers > 1;
+    size_t missing = 0;
+    p.column = several ? grid->axes : column_find(&p);
+    for (size_t k = 0; k < rows->count; k++) {
+        missing += missing_at(&p, k);
+        p.none += missing_at(&p, k) > 0;
+    }
+    bool two = grid->axes > 1, numbers = isfinite(rows->row[0].number[0]);
+    int over = !two                                                          ? 0
+               : isfinite(rows->row[0].number[1]) && axis[0].count <= FAMILY ? 1
+               : numbers && axis[1].count <= FAMILY                          ? 0
+                                                                             : -1;
+    if (!two && !numbers)
+        return problem_error(problem,
+                             "the values of '%s' are words, but a curve needs numbers along its axis",
+                             axis[0].parameter->name);
+    if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
+        return problem_error(
+            problem,
+            "a map needs evenly spaced numbers on both axes; to get curves instead, enter at "
+            "most %d values for one of the parameters",
+            FAMILY);
+    if (missing == rows->count * p.shape.answers)
+        return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
+                                 rows->count);
+    snprintf(chart->title, sizeof chart->title, "%.95s against %s%s%s", p.shape.typed,
+             axis[0].parameter->name, two ? " and " : "", two ? axis[1].parameter->name : "");
+    if (p.none > 0)
+        snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
+                 several       ? p.none == 1 ? "lacks an answer" : "lack an answer"
+                 : p.none == 1 ? "has no answer"
+                               : "have no answer");
+    if (over >= 0)
+        curves_draw(chart, &p, over);
+    else
+        map_draw(chart, &p);
+    return true;
+}
+
+static bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *chart,
+                            struct problem *problem)
+{
+    if (query->given->count < 2 || !query->given->bound)
+        return problem_error(problem,
+                             "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : "
+                             "rmax'");
+    const struct sweep_shape shape = sweep_shape(query->given);
+    if (chart && shape.grid->axes > AXES)
+        return problem_error(problem, "a picture can show one or two parameters, but this grid has %d",
+                             shape.grid->axes);
+    if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
+        return problem_error(
+            problem, "a picture can show up to %d answers against one parameter, or one answer against two",
+            FAMILY);
+    if (chart && shape.command->rows)
+        return problem_error(problem,
+                             "'%s' answers with a table, but a picture needs one number for each point; use "
+                             "a command such as 'verdict', or 'print EXPRESSION'",
+                             shape.command->name);
+    if (chart)
+        plot_rows_by_point(a->sink.context, shape.grid->points);
+    return run_sweep(query, a, problem);
+}
+
+/* The warning about missing initializers is off, because the entries leave out members. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+static const struct column sweep_columns[] = {{NULL, NULL, NULL, 0}};
+static const struct argument grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
+
+const struct plot sweep_plots[] = {
+    {"sweep", plot_sweep_rows,
+     "any sweep over one or two parameters, as in 'plot sweep s 0.1 0.9 33 : rmax'; 'plot sweep s 0.1 0.9 33 "
+     ": "
+     "rmax, pair' shows the curves of several answers; the columns are those of the sweep",
+     sweep_columns, .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
+    {.name = NULL},
+};
+
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct chart_look usual = {.title = NULL};
+    return plot_write(sweep_plots, &usual, query, a, problem);
+}

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The plots of the command 'plot'. A plot computes rows. They are written as csv or json, or drawn as a
+ * chart.
+ *
+ * To add a plot, write its plot_run and its columns, and add an entry to the table at the end of its file.
+ */
+#ifndef SHELL_PLOTS_H
+#define SHELL_PLOTS_H
+
+#include "interpreter/question.h"
+#include "pictures/picture/show.h"
+
+/* Computes the rows of a plot and writes them to the answer `a`. For csv and json, nothing else is needed,
+ * and `chart` is NULL. Otherwise the function also adds notes and marks to the chart. Unless plot.x.key is
+ * NULL, plot_write then adds the curves that struct plot lists. On failure, plot_run sets *problem and
+ * returns false. */
+typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem);
+
+/* The rows of a plot as numbers. */
+struct plot_rows {
+    char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
+    char unit[ANSWER_COLUMNS][24];
+    struct plot_row {
+        /* Angles are in the session's unit. Words and missing numbers are NaN. */
+        double number[ANSWER_COLUMNS];
+        char word[32]; /* the first cell as text, in the form that csv uses */
+    } * row;
+    size_t count, room;
+    bool is_by_point; /* there is one row for each point of a sweep, in any order */
+    bool failed;      /* there was no memory */
+};
+
+/* Makes room for one row for each point of a sweep. */
+void plot_rows_by_point(struct plot_rows *rows, size_t points);
+
+/* Returns the index of the column with this key, or -1. */
+int plot_column(const struct plot_rows *rows, const char *key);
+
+struct plot_axis {
+    /* Key of the column that belongs to the axis. It gives the unit of the axis, and for an x axis also the
+     * values. NULL for a y axis that has no unit. */
+    const char *key;
+    const char *label; /* without a unit; if the axis has a unit, " in m" or the like is appended */
+    bool percent;      /* show the numbers as percentages */
+};
+
+/* A curve that shows the column `key`. Ranges extend from the column "low" to the column "high". */
+struct plot_curve {
+    const char *key, *title;
+    enum chart_kind kind;
+    enum ink ink;
+    int dash;
+    int series; /* if not 0, only rows whose first number is series - 1 are shown */
+};
+
+enum { PLOT_CURVES = 5 };
+
+struct plot {
+    const char *name;
+    plot_run *run;
+    const char *summary; /* for 'help plot' */
+    const struct column *columns;
+    const char *title;
+    struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
+    struct plot_curve curve[PLOT_CURVES]; /* if there are fewer curves, a NULL title ends the list */
+    /* If not NULL, draws the rows instead of the axes and curves above. */
+    bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                 struct problem *problem);
+    const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
+};
+
+/* The plots by the files that compute them. The name of the last element is NULL. */
+extern const struct plot row_plots[], placement_plots[], limit_plots[], sweep_plots[], cycle_plots[],
+    cost_plots[], fit_plots[];
+
+/* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
+bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
+                struct answer *a, struct problem *problem);
+
+/* The keywords for the look of a chart. In pairs of keywords for the two axes, the keyword for y comes
+ * directly after the keyword for x. */
+enum look_word {
+    LOOK_WIDTH,
+    LOOK_HEIGHT,
+    LOOK_FONT,
+    LOOK_FAMILY,
+    LOOK_TITLE,
+    LOOK_XLABEL,
+    LOOK_YLABEL,
+    LOOK_XRANGE,
+    LOOK_YRANGE,
+    LOOK_XSCALE,
+    LOOK_YSCALE,
+    LOOK_LEGEND,
+    LOOK_WORDS
+};
+
+/* The values after each keyword. If a keyword was not typed, its items are zero and its text is NULL. */
+struct look_parsed {
+    struct item item[LOOK_WORDS][2];
+    const char *text[LOOK_WORDS];
+};
+
+/* Parses keywords for the look of a chart with their values, such as 'title "..." width 8 cm'. Stops before
+ * the first word that is not such a keyword. */
+bool look_parse(struct reader *reader, struct look_parsed *parsed);
+bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
+               struct chart_look *look, struct problem *problem);
+
+/* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */
+bool plot_fit_parse(struct reader *reader, struct question *q);
+
+/* Draws the answer of the command 'sweep', for output to a picture file. */
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
+
+#endif

@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'design', which finds a row with a given safety and a last domino of a given height. */
+#include "answer/format.h"
+#include "language/quad.h"
+#include "planning/designs.h"
+#include "planning/planning.h"
+#include "train/falling.h"
+#include <stdlib.h>
+
+/* ---- What would make a wish possible ---- */
+
+/* Returns the largest safety that equal dominoes with the friction mu can have. The safety is the ratio of
+ * kinetic energy to barrier. It depends on the separation, so several separations are tried. */
+static domq_real equal_ratio(const struct query *query, domq_real mu)
+{
+    struct domq_train train = query->scene->train;
+    struct domq_barrier b;
+    domq_real most = 0;
+    train.mu = mu;
+    train.r = 1;
+    for (int k = 1; k <= 100; k++) {
+        train.s = (domq_real)k / 100;
+        enum dom_status status = domq_barrier_find(&train, &query->scene->compute, &b);
+        if ((status == DOM_OK || status == DOM_STOPS) && b.kinetic / b.barrier > most)
+            most = b.kinetic / b.barrier;
+    }
+    return most;
+}
+
+/* Returns the largest friction coefficient, up to that of the scene, with which equal dominoes can have this
+ * safety. Returns 0 if there is none. */
+static domq_real friction_most(const struct query *query, domq_real safety)
+{
+    domq_real low = 0, high = query->scene->train.mu;
+    if (!(high > 0) || equal_ratio(query, 0) < safety)
+        return 0;
+    while (high - low > high / 2000) {
+        domq_real middle = (low + high) / 2;
+        *(equal_ratio(query, middle) >= safety ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Returns the push in rad/s above which the first domino is thrown off the floor. */
+static domq_real push_most(const struct domq_wish *wish)
+{
+    return quad(sqrt)(2 * wish->g / wish->first);
+}
+
+/* Returns a stronger push that does not throw the first domino off the floor. Returns NaN if the push is
+ * already almost the largest possible one. */
+static domq_real push_stronger(const struct domq_wish *wish)
+{
+    const domq_real most = push_most(wish) * 9 / 10;
+    return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
+}
+
+/* Converts a push to the speed of the first domino's upper edge, which is easier to imagine. */
+static struct measured push_speed(const struct domq_wish *wish, domq_real push)
+{
+    return measured(push * wish->first, "m/s", 2);
+}
+
+/* Reports that the search failed, and what may help. Returns false. */
+static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
+{
+    const struct domq_train *t = &scene->train;
+    const char *with = t->rho > 0 && t->mu > 0 ? "with friction and rounded edges "
+                       : t->rho > 0            ? "with rounded edges "
+                       : t->mu > 0             ? "with friction "
+                                               : "";
+    const char *off = t->rho > 0 ? ", or 'set edges off'" : t->mu > 0 ? ", or 'set friction off'" : "";
+    return problem_no_answer(problem,
+                             "no row was found: %sthe search failed at s = %.2g; try another thickness%s",
+                             with, (double)d->needs, off);
+}
+
+/* Explains why no row fulfils the wish and says what the user can change. */
+static void infeasible_text(const struct query *query, const struct domq_wish *wish,
+                            const struct domq_design *d, char *text, size_t size)
+{
+    const struct measured safety = measured(wish->safety, "", 6);
+    char more[192] = "";
+    if (d->limit == DOM_DESIGN_HALL) {
+        snprintf(text, size,
+                 "infeasible: the shortest row with a safety of %s is %s m long, including its fallen last "
+                 "domino; 'hall %s m' is long enough",
+                 safety.text, measured(d->needs, "", 4).text,
+                 measured(round_digits(d->needs, 4, true), "", 4).text);
+    } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
+        snprintf(
+            text, size,
+            "infeasible: a safety of %s at the second domino needs a push of %s at the top of domino 1, but "
+            "a push above %s lifts this domino off the floor; enter a smaller safety",
+            safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
+    } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
+        const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
+        snprintf(text, size,
+                 "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
+                 "a push of %.40s rad/s (%.40s at its top); first enter 'set row 2; set push %.40s'",
+                 safety.text, push.text, push_speed(wish, d->needs).text, push.text);
+    } else if (d->limit == DOM_DESIGN_START) {
+        snprintf(
+            text, size,
+            "infeasible: the start is too weak for a safety of %s, and no push that was tried is enough; try "
+            "a smaller safety",
+            safety.text);
+    } else if (d->limit == DOM_DESIGN_ENGINE) {
+        domq_real push = push_stronger(wish);
+        if (isfinite(push))
+            snprintf(more, sizeof more, "a stronger push may help: first enter 'set push %.40s'",
+                     measured(round_digits(push, 2, false), "", 2).text);
+        else
+            snprintf(more, sizeof more, "another thickness may help");
+        snprintf(
+            text, size,
+            "infeasible: rows with a safety of %s fall in the model with hinged feet, but no row that was "
+            "tried falls in the rigid-body engine (used because %s); %s",
+            safety.text, scene_engine_why(query->scene), more);
+    } else {
+        domq_real mu = friction_most(query, wish->safety);
+        if (mu > 0)
+            snprintf(more, sizeof more, "; with friction of up to %.40s, a safety of %.40s is possible",
+                     measured(round_digits(mu, 3, false), "", 3).text, safety.text);
+        if (d->needs > 1)
+            snprintf(text, size,
+                     "infeasible: no growth gives a safety of %s here; a safety below %s is possible%s",
+                     safety.text, measured(round_digits(d->needs, 4, false), "", 4).text, more);
+        else
+            snprintf(text, size, "infeasible: not even equal dominoes keep falling here, whatever the gap%s",
+                     more);
+    }
+}
+
+/* If no design was found, the boards and the grid may be the reason. Returns true if a design is possible
+ * without them, and writes a message that says so into `reason`. */
+static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
+{
+    struct domq_design d;
+    const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
+                       d.limit == DOM_DESIGN_FITS;
+    if (found)
+        snprintf(
+            reason, REASON,
+            "infeasible: rows with a safety of %s are possible, but no row with these boards and this grid "
+            "was found; enter other boards or a finer grid, or leave them out",
+            measured(wish->safety, "", 6).text);
+    return found;
+}
+
+/* ---- The answer ---- */
+
+static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
+{
+    if (!grid_check(grid, w->first, problem))
+        return false;
+    if (!(w->height > w->first))
+        return problem_no_answer(problem,
+                                 "H = %s is not more than the height of the first domino, h = %s; enter a "
+                                 "larger H, or a smaller h with 'set h'",
+                                 measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
+    if (!(w->safety > 1))
+        return problem_no_answer(problem,
+                                 "the safety must be more than 1, not %s: at a safety of 1 a domino barely "
+                                 "falls; 'safety 2' is usual",
+                                 quad_text(w->safety, 10));
+    return w->hall > w->height ||
+           problem_no_answer(problem,
+                             "a hall of %s has no room for the last domino, which is %s long when it has "
+                             "fallen; enter a longer hall or a smaller H",
+                             measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
+}
+
+/* If the scene runs rows in the rigid-body engine, the design must also fall there. */
+static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
+                        struct scene_engine *engine, struct domq_design *d, struct problem *problem)
+{
+    struct scene with_row = *query->scene;
+    with_row.effect[DOM_EFFECT_row].on = true;
+    if (scene_has_engine(&with_row)) {
+        if (!scene_engine_make(&with_row, 1, engine, problem))
+            return false;
+        wish->engine = &engine->engine;
+    }
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_compute *compute = &query->scene->compute;
+    enum dom_status status =
+        limits ? domq_design_fit(train, wish, limits, compute, d) : domq_design_find(train, wish, compute, d);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    if (d->limit == DOM_DESIGN_FAILED)
+        return search_failed(query->scene, d, problem);
+    /* Check now that the engine can run a row of this length. */
+    return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
+}
+
+/* Prints how safe the design is. Adds a list of its dominoes to the details. */
+static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
+                       const struct domq_design *d, const struct designed_row *plan)
+{
+    char growth[160] = "", weakest[CELL_TEXT + 120] = "";
+    if (d->weakest > 0)
+        snprintf(weakest, sizeof weakest, " The weakest, domino %zu, %s%s.", d->weakest,
+                 energy_words(d->row).text, wish->engine ? " in the model, which treats feet as hinges" : "");
+    if (!plan->is_improved && !plan->limits)
+        snprintf(growth, sizeof growth,
+                 ", each %.4g times as large as the one before, with gaps of %.4g times the height",
+                 (double)d->r, (double)d->s);
+    answer_say(a, "%zu %s%s; the last is %s tall, and the row %s long.%s", plan->count,
+               dominoes_words(query->scene->train.q, "dominoes").text, growth,
+               measured(wish->height, "m", 4).text, measured(d->length, "m", 4).text, weakest);
+    if (wish->engine)
+        answer_detail(a, "All dominoes also fall in the rigid-body engine, which is used because %s.",
+                      scene_engine_why(query->scene));
+    struct answer list = {.out = answer_rest(a), .style = a->style};
+    answer_detail(a, "%s", "");
+    if (list.out)
+        designed_list(&list, plan, false);
+}
+
+static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
+                        const struct designed_row *plan)
+{
+    const domq_real count = (domq_real)d->steps + 1;
+    struct state *next = query->next;
+    return !next ||
+           (parameter_set(next, parameter_find("row"), &count, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("s"), &d->s, 1, NULL, problem) &&
+            parameter_set(next, parameter_find("r"), &d->r, 1, NULL, problem) &&
+            (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
+}
+
+/* Improves the session's row, which is the design, and copies the improved row to the plan. */
+static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
+                           struct designed_row *plan, struct domq_design *d, struct domq_study *study,
+                           struct problem *problem)
+{
+    struct query of_row = *query;
+    struct improved found;
+    struct scene_row row;
+    of_row.scene = &query->next->scene;
+    struct wishes wishes = *w;
+    wishes.sizes = true;
+    if (!improve_row(&of_row, &wishes, a, &found, problem) ||
+        !scene_row_list(&query->next->scene, &row, problem))
+        return false;
+    free(plan->domino);
+    plan->domino = row.domino;
+    d->feet += found.length - d->length;
+    d->length = found.length;
+    if (found.study[1].rows >= study->rows || found.changed > 0)
+        *study = found.study[1];
+    plan->is_improved = found.changed > 0;
+    if (plan->is_improved) { /* these numbers are not known for the improved row */
+        d->row = d->train = d->seconds = DOMQ_NAN;
+        d->weakest = 0;
+    }
+    return true;
+}
+
+static struct domq_limits design_limits(const struct query *query, const struct wishes *w)
+{
+    return (struct domq_limits){.sizes = true,
+                                .q = query->scene->train.q,
+                                .hall = w->hall,
+                                .heaviest = (domq_real)HUGE_VAL,
+                                .grid = w->grid,
+                                .board = w->board,
+                                .boards = w->boards};
+}
+
+/* Writes why there is no design. If the answer should go to a file, this is an error. */
+static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
+                        struct problem *problem)
+{
+    if (file)
+        return problem_no_answer(problem, "%s", reason);
+    answer_say(a, "%s.", reason);
+    if (!answer_for_people(a))
+        design_row(a, NULL, d, NULL, reason);
+    return true;
+}
+
+/* Prints the answer. If the command can change the session, first makes the design the row of the session. If
+ * the user asked for a probability, this row is also improved. */
+static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
+                          const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
+                          struct domq_study *study, struct problem *problem)
+{
+    const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink.take && query->next;
+    if ((keeps && !design_keep(query, problem, d, plan)) ||
+        (keeps && w->probability > 0 && !design_improve(query, w, a, plan, d, study, problem)))
+        return false;
+    if (file)
+        designed_list(a, plan, true);
+    else
+        design_row(a, plan, d, study, NULL);
+    if (answer_for_people(a))
+        design_say(query, a, wish, d, plan);
+    if (keeps)
+        answer_say(a, "The session now has this row: 'row' lists it, 'fall' runs it, 'undo' takes it back.");
+    return true;
+}
+
+bool run_design(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
+    const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
+    const bool file = a->path && !a->style.format->for_people, is_random = w->probability > 0;
+    struct domq_wish wish = {.first = query->scene->scale.h,
+                             .height = query->given->number[0],
+                             .safety = w->safety,
+                             .hall = w->hall,
+                             .g = query->scene->scale.g,
+                             .push = push->on ? push->value[0] : DOMQ_NAN,
+                             .least = w->least,
+                             .walls = scene_walls(query->scene),
+                             .boxes_above = scene_boxes_above(query->scene)};
+    const struct domq_limits sizes = design_limits(query, w),
+                             *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
+    struct domq_design d;
+    struct domq_study study = {.rows = 0};
+    struct designed_row plan;
+    char reason[REASON];
+    struct scene_engine engine;
+    design_columns_choose(a, is_random);
+    if (!wish_check(problem, &wish, w->grid) ||
+        !(is_random ? design_falls(query, a, &wish, limits, w->probability, &d, &study, reason, problem)
+                    : design_find(query, &wish, limits, &engine, &d, problem)))
+        return false;
+    answer_set_verdict(a, d.limit == DOM_DESIGN_FITS);
+    if (d.limit != DOM_DESIGN_FITS && !is_random && !(limits && limits_forbid(query, &wish, reason)))
+        infeasible_text(query, &wish, &d, reason, sizeof reason);
+    if (d.limit != DOM_DESIGN_FITS)
+        return design_none(a, &d, reason, file, problem);
+    if (!designed_make(query, problem, &wish, limits, &d, &plan))
+        return false;
+    const bool good = design_answer(query, w, a, &wish, &plan, &d, &study, problem);
+    free(plan.domino);
+    return good;
+}

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Makes and lists the dominoes of a design, and writes its numbers as a row of the answer. */
+#include "planning/designs.h"
+#include "planning/planning.h"
+#include "train/falling.h"
+#include <stdlib.h>
+
+const struct column design_columns[] = {
+    {"s", "h", "the gap divided by the height", 0},
+    {"r", "", "the growth from domino to domino", 0},
+    {"steps", "", "n, with h r^n = H: the row has n + 1 dominoes", 0},
+    {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
+    {"length", "m", "the length of the row, including its fallen last domino", 0},
+    {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
+    {"surface", "m^2", "the surface area of all dominoes, if q is 3 and their walls are not known", 0},
+    {"volume", "m^3", "the volume of the wood in all dominoes, if 'surface' has no value", 0},
+    {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
+    {"weakest", "", "the number of the weakest domino", 0},
+    {"train", "", "the energy of the endless train, divided by the energy that it needs", 0},
+    {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
+    {"probability", "share", "the share of the random rows that fall", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"rows", "", "the number of random rows that were set up", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+void design_columns_choose(struct answer *a, bool is_random)
+{
+    static const char *const keys[] = {"probability", "low", "rows"};
+    for (size_t i = 0; !is_random && i < sizeof keys / sizeof *keys; i++)
+        answer_leave_out(a, keys[i]);
+}
+
+/* ---- The dominoes of a design ---- */
+
+bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
+                   const struct domq_limits *limits, const struct domq_design *d, struct designed_row *p)
+{
+    const domq_real mass = scene_mass(query->scene);
+    *p = (struct designed_row){.count = d->steps + 1,
+                               .has_masses = mass > 0,
+                               .scene = query->scene,
+                               .walls_unknown = query->scene->train.q == 3 && scene_walls(query->scene) == 0,
+                               .limits = limits};
+    p->domino = malloc(p->count * sizeof *p->domino);
+    if (!p->domino)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    const enum dom_status status = domq_design_dominoes(&query->scene->train, wish, limits, d, p->domino);
+    for (size_t k = 0; k < p->count; k++) {
+        p->domino[k].width = p->domino[k].height / 2;
+        p->domino[k].mass *= p->has_masses ? mass : 1;
+    }
+    if (status == DOM_OK)
+        return true;
+    free(p->domino);
+    return problem_status(problem, query->scene, status);
+}
+
+/* Returns the volume of wood in a domino or, if the thickness of its walls is not known, its surface area. */
+static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
+{
+    return p->walls_unknown ? 2 * (d->height * d->width + d->height * d->thickness + d->width * d->thickness)
+                            : d->height * d->width * d->thickness * scene_filled(p->scene, d);
+}
+
+void designed_list(struct answer *a, const struct designed_row *p, bool file)
+{
+    static const struct column columns[] = {
+        {"domino", "", "", 6},   {"height", "m", "", 9},    {"thickness", "m", "", 9},
+        {"gap", "m", "", 9},     {"at", "m", "", 9},        {"mass", "kg", "", 9},
+        {"relative", "", "", 9}, {"surface", "m^2", "", 9}, {"volume", "m^3", "", 9},
+        {NULL, NULL, NULL, 0},
+    };
+    const struct domq_domino *last = &p->domino[p->count - 1];
+    domq_real at = 0;
+    a->columns = columns;
+    a->rows = true;
+    a->csv.units = file;
+    a->style.errors = false;
+    answer_leave_out(a, p->has_masses ? "relative" : "mass");
+    if (file)
+        answer_leave_out(a, "at");
+    if (file || p->walls_unknown)
+        answer_leave_out(a, "volume");
+    if (file || !p->walls_unknown)
+        answer_leave_out(a, "surface");
+    answer_announce(a, "height", last->height);
+    answer_announce(a, "thickness", last->thickness);
+    answer_announce(a, "gap", last->gap);
+    answer_announce(a, "at", last->height);
+    for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
+        const struct domq_domino *d = &p->domino[k];
+        struct cell cells[] = {cell_count((domq_real)k + 1),
+                               cell_real(d->height),
+                               cell_real(d->thickness),
+                               cell_real(d->gap),
+                               cell_real(at += d->gap),
+                               cell_real(d->mass),
+                               cell_real(d->mass / p->domino[0].mass),
+                               cell_real(plan_material(p, d)),
+                               cell_real(plan_material(p, d))};
+        for (int i = 1; i < 9; i++)
+            cells[i].digits = 4;
+        answer_row(a, cells, NULL);
+        at += d->thickness;
+    }
+}
+
+domq_real designed_mass(const struct designed_row *p)
+{
+    domq_real mass = 0;
+    for (size_t k = 0; k < p->count; k++)
+        mass += p->domino[k].mass;
+    return p->has_masses ? mass : mass / p->domino[0].mass;
+}
+
+void design_row(struct answer *a, const struct designed_row *p, const struct domq_design *d,
+                const struct domq_study *study, const char *reason)
+{
+    const struct cell none = cell_real(DOMQ_NAN);
+    const bool counted = study && study->rows > 0;
+    domq_real material = 0;
+    for (size_t k = 0; p && k < p->count; k++)
+        material += plan_material(p, &p->domino[k]);
+    answer_row(a,
+               ROW(cell_real(d->s), cell_computed(d->r), p ? cell_count((domq_real)d->steps) : none,
+                   cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
+                   p && p->has_masses ? cell_narrow(designed_mass(p), 5) : none,
+                   p && p->walls_unknown ? cell_narrow(material, 5) : none,
+                   p && !p->walls_unknown ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
+                   d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
+                   cell_narrow(d->seconds, 5),
+                   counted ? cell_narrow((domq_real)study->fall / (domq_real)study->rows, 6) : none,
+                   counted ? cell_narrow((domq_real)study->low, 6) : none,
+                   counted ? cell_count((domq_real)study->rows) : none),
+               reason);
+}
+
+bool design_scene(const struct scene *from, const struct domq_design *d, const struct designed_row *plan,
+                  struct scene *scene, struct problem *problem)
+{
+    *scene = *from;
+    scene->listed = (struct listed_row){.domino = NULL};
+    scene->effect[DOM_EFFECT_row].on = true;
+    scene->effect[DOM_EFFECT_row].value[0] = (domq_real)plan->count;
+    scene->train.s = d->s;
+    scene->train.r = d->r;
+    return !plan->limits || dominoes_keep(scene, plan->domino, plan->count, true, problem);
+}

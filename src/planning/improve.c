@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'improve', which changes the session's row to make it more likely to fall. */
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "parallel/workers.h"
+#include "planning/planning.h"
+#include "session/random_errors.h"
+#include "train/falling.h"
+#include <stdlib.h>
+
+const struct column improve_columns[] = {
+    {"before", "share", "the share of the rows that fell before the changes", 0},
+    {"before_low", "share", "the lower end of the 95 % interval before the changes", 0},
+    {"before_high", "share", "the upper end of the 95 % interval before the changes", 0},
+    {"probability", "share", "the share of the rows that fall after the changes", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"high", "share", "the upper end of the 95 % interval of the probability", 0},
+    {"rows", "",
+     "the number of random rows from which each of the two probabilities was computed; the search itself "
+     "used other random rows",
+     0},
+    {"changed", "", "the number of dominoes that have changed", 0},
+    {"length", "m", "the length of the row, including its fallen last domino", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* How many random rows are run to estimate a probability. A row takes hundreds of times as long in the
+ * engine. */
+enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
+
+/* A row and its improvement. Do not copy the struct, because its member `placement` points to its member
+ * `pool`. */
+struct improvement {
+    struct scene_row scene; /* the row before the changes */
+    struct domq_domino *domino;
+    struct domq_limits limits;
+    struct domq_placement placement;
+    struct task_pool pool;
+    struct domq_study study[2];
+    /* the length of the row in m, including its fallen last domino, before and after the changes */
+    domq_real before, after;
+    size_t changed;
+};
+
+static domq_real length_of(const struct domq_domino *d, size_t count)
+{
+    domq_real length = d[count - 1].height;
+    for (size_t k = 0; k < count; k++)
+        length += d[k].thickness + d[k].gap;
+    return length;
+}
+
+static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
+{
+    return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
+}
+
+/* Sets up the row, the limits of the changes and the random errors. The caller frees the memory, even after a
+ * failure. */
+static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
+                             struct improvement *i)
+{
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &i->scene, problem)) {
+        i->scene.domino = NULL;
+        return false;
+    }
+    const size_t count = i->scene.row.count;
+    i->domino = malloc(count * sizeof *i->domino);
+    if (!i->domino)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    i->before = length_of(i->scene.domino, count);
+    i->limits = (struct domq_limits){.sizes = w->sizes,
+                                     .q = query->scene->train.q,
+                                     .hall = w->has_hall ? w->hall : i->before,
+                                     .heaviest = w->mass,
+                                     .grid = w->grid,
+                                     .board = w->board,
+                                     .boards = w->boards};
+    i->pool = (struct task_pool){.threads = query->state->settings.threads,
+                                 .interrupt = query->scene->compute.interrupt};
+    i->placement = (struct domq_placement){.seed = (unsigned long)query->scene->seed,
+                                           .first = 1,
+                                           .rows = i->scene.row.engine ? ROWS_OF_ENGINE : ROWS,
+                                           .parallel = workers_tasks,
+                                           .pool = &i->pool};
+    if (!scene_errors(query->scene, i->placement.error))
+        return problem_error(problem, "this command needs random errors; first enter 'set placement 1 "
+                                      "mm', or another error, such as 'set error_thickness 1 %%'");
+    if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
+        return problem_error(
+            problem,
+            "without 'sizes', only gaps change, not thicknesses or masses; enter 'improve sizes ...'");
+    if (!grid_check(w->grid, i->scene.domino[0].height, problem))
+        return false;
+    if (isfinite(w->mass) && !scene_has_masses(query->scene))
+        return problem_error(problem, "the masses of this row are not known; set the mass of its first "
+                                      "domino with 'set mass', or leave out 'mass'");
+    return true;
+}
+
+/* ---- The new row ---- */
+
+/* Lists all dominoes in the details, with their sizes and gaps before and after the changes. */
+static void changes_list(struct answer *a, const struct improvement *i)
+{
+    static const struct column columns[] = {
+        {"domino", "", "", 6},      {"height", "m", "", 9},    {"to_height", "m", "", 10},
+        {"thickness", "m", "", 10}, {"to_thick", "m", "", 10}, {"gap", "m", "", 9},
+        {"to_gap", "m", "", 9},     {NULL, NULL, NULL, 0},
+    };
+    struct answer list = {.out = answer_rest(a), .style = a->style, .columns = columns, .rows = true};
+    if (!list.out)
+        return;
+    if (!i->limits.sizes)
+        for (int c = 1; c < 5; c++)
+            answer_leave_out(&list, columns[c].key);
+    list.style.errors = false;
+    for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
+        for (size_t k = 0; k < i->scene.row.count && !answer_lost(&list); k++) {
+            const struct domq_domino *from = &i->scene.domino[k], *to = &i->domino[k];
+            struct cell cells[] = {cell_count((domq_real)k + 1),
+                                   cell_real(from->height),
+                                   cell_real(to->height),
+                                   cell_real(from->thickness),
+                                   cell_real(to->thickness),
+                                   cell_real(from->gap),
+                                   cell_real(to->gap)};
+            for (int c = 1; c < 7; c++) {
+                cells[c].digits = 4;
+                if (!writes)
+                    answer_announce(&list, columns[c].key, cells[c].number);
+            }
+            if (writes)
+                answer_row(&list, cells, NULL);
+        }
+}
+
+/* ---- The answer ---- */
+
+/* A phrase such as "1795 of 2000 rows fall (88.3 % to 91 %)". */
+struct phrase {
+    char text[320];
+};
+static struct phrase study_words(const struct domq_study *s)
+{
+    struct phrase phrase;
+    snprintf(phrase.text, sizeof phrase.text, "%zu of %zu rows fall (%s to %s)", s->fall, s->rows,
+             measured((domq_real)s->low, "share", s->low > 0.99 ? 5 : 3).text,
+             measured((domq_real)s->high, "share", s->high > 0.99 ? 5 : 3).text);
+    return phrase;
+}
+
+static void improvement_say(const struct query *query, struct answer *a, const struct improvement *i,
+                            bool interrupted)
+{
+    const size_t count = i->scene.row.count;
+    if (interrupted)
+        answer_say(a, "Interrupted; this is the best row so far.");
+    if (i->study[0].fall == i->study[0].rows && i->changed == 0)
+        answer_say(
+            a, "All %zu random rows fall, so there is nothing to improve; the probability is at least %s.",
+            i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
+    else if (count < 2)
+        answer_say(a, "There is nothing to change in a row of one domino.");
+    else if (i->changed == 0)
+        answer_say(a, "No better row was found. For the present row, %s.%s%s", study_words(&i->study[0]).text,
+                   i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.",
+                   i->study[0].fall > 0 ? "" : " 'mend' looks for a change that makes the row fall.");
+    else
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence.", study_words(&i->study[0]).text,
+                   study_words(&i->study[1]).text);
+    if (i->scene.row.engine)
+        answer_detail(
+            a,
+            "The search used the model, which treats feet as hinges. The probability comes from the "
+            "rigid-body engine, which is used because %s.",
+            scene_engine_why(query->scene));
+    if (i->changed == 0)
+        return;
+    if (i->study[1].fall < i->study[0].fall)
+        answer_say(a, "The old row was outside these limits.");
+    answer_detail(a, "The search itself used other random rows.\n");
+    changes_list(a, i);
+    answer_say(a, "Including the fallen last domino, the row is %s long; before, it was %s.%s",
+               measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
+               query->next ? " 'row' lists the row, and 'undo' reverts the changes." : "");
+}
+
+/* Reports that no row within the limits falls, and names these limits. Returns false. */
+static bool limits_unmet(const struct wishes *w, struct problem *problem)
+{
+    return problem_no_answer(
+        problem, "no row that falls was found within these limits; enter other values of%s%s%s%s%s",
+        w->boards > 0 ? " 'boards'" : "", isfinite(w->mass) ? " 'mass'" : "", w->grid > 0 ? " 'grid'" : "",
+        w->has_hall ? " 'hall'" : "", ", or leave some of them out");
+}
+
+/* Reports why there is no improvement. Returns false. */
+static bool improvement_none(const struct query *query, struct problem *problem, const struct improvement *i,
+                             enum dom_status status)
+{
+    if (status == DOM_BAD_HALL)
+        return problem_no_answer(problem,
+                                 "a hall of %s has no room for %s, even without gaps; enter a longer "
+                                 "hall%s%s",
+                                 measured(i->limits.hall, "m", 6).text,
+                                 i->limits.boards > 0 ? "dominoes of these boards" : "these dominoes",
+                                 i->limits.boards > 0 ? ", or thinner boards" : "",
+                                 i->limits.grid > 0 ? ", or a finer grid" : "");
+    return row_status(query, problem, status);
+}
+
+bool improve_row(const struct query *query, const struct wishes *w, struct answer *a, struct improved *found,
+                 struct problem *problem)
+{
+    struct improvement i = {.domino = NULL};
+    bool good = improvement_make(query, w, problem, &i);
+    enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
+                                                     progress_count, NULL, i.domino, i.study)
+                                  : DOM_OK;
+    const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink.take;
+    if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
+        good = limits_unmet(w, problem);
+    if (good && (status == DOM_OK || interrupted)) {
+        i.after = length_of(i.domino, i.scene.row.count);
+        for (size_t k = 0; k < i.scene.row.count; k++)
+            i.changed += is_changed(&i.scene.domino[k], &i.domino[k]);
+        if (answer_for_people(a))
+            improvement_say(query, a, &i, interrupted);
+        *found = (struct improved){.study = {i.study[0], i.study[1]},
+                                   .changed = i.changed,
+                                   .length = i.after,
+                                   .interrupted = interrupted};
+        good = !query->next || a->sink.take || i.changed == 0 ||
+               dominoes_keep(&query->next->scene, i.domino, i.scene.row.count, i.limits.sizes, problem);
+    }
+    free(i.domino);
+    free(i.scene.domino);
+    return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
+}
+
+bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
+    struct improved i = {.interrupted = false};
+    bool good = improve_row(query, w, a, &i, problem);
+    if (!good && !i.interrupted)
+        return false;
+    const struct domq_study *s = i.study;
+#define SHARE(value) cell_computed((domq_real)(value))
+    answer_row(a,
+               ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
+                   SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
+                   cell_count((domq_real)s[1].rows), cell_count((domq_real)i.changed),
+                   cell_narrow(i.length, 5)),
+               i.interrupted ? "interrupted: the best row so far" : NULL);
+#undef SHARE
+    return good;
+}

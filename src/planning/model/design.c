@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Designs a row whose first and last heights are given. The search finds a separation, a growth and a number
+ * of dominoes. When a domino after the first is hit in the designed row, the moving dominoes have at least
+ * `safety` times the energy that they need. The search uses the same computations as the public functions, so
+ * their results agree. planner.h describes the candidates.
+ */
+#include "planning/model/planner.h"
+#include "planning/model/shape.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* In the first search, k is a multiple of COARSE. A search for a separation takes steps of STEP, or of
+ * STEP_OF_ENGINE with an engine, which is about a thousand times slower than the model. */
+enum { COARSE = 20, STEP = 10, STEP_OF_ENGINE = 100 };
+
+/*
+ * A search begins with the smallest number of dominoes that may suffice. It adds at most MORE dominoes. The
+ * search for the shortest row can end earlier: once it has found a row, it gives up after LONGER successive
+ * attempts that do not find a shorter one, or LONGER_IN_ENGINE with an engine.
+ */
+enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
+
+/* Computes the chosen row with the requested precision and writes the result to *design. */
+static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
+                        struct dom_design *design)
+{
+    p->compute = *compute;
+    dom_real train = planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps));
+    dom_real row = planner_row_ratio(p, c, p->wish->push, true);
+    design->s = choice_separation(c.k);
+    design->r = planner_growth(p, c.steps);
+    design->steps = c.steps;
+    design->feet = planner_feet(p, c);
+    design->length = design->feet + p->wish->height;
+    design->train = train > 0 ? train : DOM_NAN;
+    design->row = row > 0 ? row : DOM_NAN;
+    design->weakest = p->weakest;
+    design->seconds = p->wish->engine ? p->engine_seconds : p->seconds;
+}
+
+/* The result of a search that found no row. */
+static const struct dom_design no_design = {.s = DOM_NAN,
+                                            .r = DOM_NAN,
+                                            .feet = DOM_NAN,
+                                            .length = DOM_NAN,
+                                            .seconds = DOM_NAN,
+                                            .train = DOM_NAN,
+                                            .row = DOM_NAN,
+                                            .needs = DOM_NAN};
+
+/* Prepares a search. If an argument is outside its range, the member `status` of the result tells which. The
+ * caller must free the member `domino` of the result. */
+static struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
+                                   const struct dom_limits *limits, const struct dom_compute *compute)
+{
+    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
+    p.compute.method = DOM_METHOD_OURS;
+    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
+                   ? DOM_BAD_HEIGHT
+               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
+               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
+               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
+               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+               : limits                                        ? limits_check(limits)
+                                                               : DOM_OK;
+    if (p.status != DOM_OK)
+        return p;
+    p.train.s = choice_separation(GRID / 2);
+    p.train.r = 1;
+    if (wish->boxes_above > 0)
+        p.train.walls = 0; /* in a train, walls affect only the times, which are not needed */
+    struct question q = question_make(&p.train, &p.compute);
+    struct dom_angles angles;
+    p.status = ASK(q, angles_find, &angles);
+    p.compute.precision = DOM_DOUBLE;
+    p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
+    return p;
+}
+
+static bool train_enough(struct planner *p, struct choice c)
+{
+    return planner_train_ratio(p, choice_separation(c.k), planner_growth(p, c.steps)) >= p->wish->safety;
+}
+
+static bool enough(struct planner *p, struct choice c)
+{
+    return train_enough(p, c) && planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           (!p->limits || planner_feet(p, c) + p->wish->height <= p->wish->hall);
+}
+
+/* Returns true if the row is safe enough in the model and also falls in the engine. If the engine cannot
+ * decide whether the row falls, returns false. */
+static bool enough_in_engine(struct planner *p, struct choice c)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (!enough(p, c))
+        return false;
+    const struct dom_row row = planner_row(p, c, p->wish->push, p->wish->engine);
+    enum dom_status status = row_verdict(&row, &p->compute, true, NULL, NULL, &verdict);
+    bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    p->engine_seconds = verdict.seconds;
+    p->engine_refused |= !falls;
+    p->status = status == DOM_NOT_CONVERGED ? DOM_OK : status;
+    return falls;
+}
+
+/* ---- The separation ---- */
+
+/* Returns the largest growth r at which a train with the separation s is safe. Its relative error is at most
+ * 1e-7. If the train is not safe at r = 1, returns 0. */
+static dom_real safe_growth(struct planner *p, dom_real s)
+{
+    dom_real lo = 1, hi = 1 / s;
+    if (!(planner_train_ratio(p, s, 1) >= p->wish->safety))
+        return 0;
+    if (planner_train_ratio(p, s, hi) >= p->wish->safety)
+        return hi;
+    while (hi - lo > (dom_real)1e-7 * hi && p->status == DOM_OK) {
+        dom_real middle = (lo + hi) / 2;
+        *(planner_train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
+    }
+    return lo;
+}
+
+/* Finds the separation whose train is safe at the largest growth. Sets *best to this separation and returns
+ * the growth. If no train is safe, returns 0. The search first takes coarse steps and then halves the step
+ * repeatedly. */
+static dom_real separation_find(struct planner *p, int *best)
+{
+    dom_real most = 0;
+    *best = 0;
+    for (int k = COARSE; k <= GRID; k += COARSE) {
+        dom_real r = safe_growth(p, choice_separation(k));
+        if (r > most) {
+            most = r;
+            *best = k;
+        }
+    }
+    for (int step = COARSE / 2, from = *best; step > 0 && most > 0; step = step / 2, from = *best)
+        for (int k = from - step; k <= from + step; k += 2 * step) {
+            dom_real r = k > 0 && k <= GRID ? safe_growth(p, choice_separation(k)) : 0;
+            if (r > most) {
+                most = r;
+                *best = k;
+            }
+        }
+    return most;
+}
+
+typedef bool choice_test(struct planner *p, struct choice c);
+
+/* Searches for a separation at which the row passes the test. Starts at k, or at `most` if k is larger. Moves
+ * away from there in both directions, in steps of `step`, but not beyond `most`. Returns the first separation
+ * at which the row passes, or 0 if there is none. Separations are in units of 1/GRID. */
+static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
+{
+    int from = k < most ? k : most;
+    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += step)
+        for (int side = -1; side <= (away ? 1 : -1); side += 2) {
+            struct choice c = {from + side * away, steps};
+            if (c.k > 0 && c.k <= most && test(p, c))
+                return c.k;
+        }
+    return 0;
+}
+
+/* Narrows the gaps of a safe row. Starts at the separation `good`, at which the row must be safe, and reduces
+ * it as long as the row stays safe. Returns the smallest separation that is reached. Separations are in units
+ * of 1/GRID. */
+static int closest(struct planner *p, size_t steps, int good)
+{
+    int bad = good;
+    while (bad > 0 && enough(p, (struct choice){bad, steps})) {
+        good = bad;
+        bad -= COARSE / 2;
+    }
+    bad = bad > 0 ? bad : 0;
+    while (good - bad > 1) {
+        int middle = (good + bad) / 2;
+        *(enough(p, (struct choice){middle, steps}) ? &good : &bad) = middle;
+    }
+    return good;
+}
+
+/* ---- The number of dominoes ---- */
+
+/* After the rows with n steps (n + 1 dominoes) have been tried, returns the number of steps of the rows to
+ * try next. Without an engine, this number is n + 1. With an engine, which is slow, the increments grow. */
+static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
+{
+    return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
+}
+
+/*
+ * Finds the row with the fewest dominoes that is safe enough and fits into the hall. If `shortest` is true,
+ * finds the shortest row that is safe enough instead. Only rows with at least `fewest` steps are tried.
+ * Returns false if no row is found.
+ */
+static bool row_search(struct planner *p, size_t fewest, int k, bool shortest, struct choice *best)
+{
+    dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
+    size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
+    for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
+         n = steps_next(p, fewest, n)) {
+        const int most = shortest ? GRID : planner_widest(p, n, p->wish->hall);
+        if (most <= 0 || planner_length(p, (struct choice){0, n}) >= length)
+            break; /* a row with more dominoes would be too long, too */
+        struct choice c = {nearest(p, n, k, most, STEP, enough), n};
+        if (c.k > 0 && shortest)
+            c.k = closest(p, n, c.k);
+        if (c.k > 0 && p->wish->engine)
+            c.k = nearest(p, n, c.k, shortest ? planner_widest(p, n, length) : most, STEP_OF_ENGINE,
+                          enough_in_engine);
+        const bool shorter = c.k > 0 && planner_length(p, c) < length;
+        longer = shorter || !isfinite(length) ? 0 : longer + 1;
+        if (!shorter)
+            continue;
+        *best = c;
+        length = planner_length(p, c);
+        engine_seconds = p->engine_seconds;
+        if (!shortest)
+            break;
+    }
+    p->engine_seconds = engine_seconds;
+    return p->status == DOM_OK && isfinite(length);
+}
+
+/* Finds the weakest push that makes the row safe enough. The push that is returned has a relative error of at
+ * most 1e-4. If no such push is found, returns NaN. */
+static dom_real push_enough(struct planner *p, struct choice c)
+{
+    dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
+    for (int i = 0; i < 16 && planner_row_ratio(p, c, hi, false) < p->wish->safety; i++) {
+        lo = hi;
+        hi *= 2;
+    }
+    if (!(planner_row_ratio(p, c, hi, false) >= p->wish->safety))
+        return DOM_NAN;
+    while (hi - lo > (dom_real)1e-4 * hi && p->status == DOM_OK) {
+        dom_real middle = (lo + hi) / 2;
+        *(planner_row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
+    }
+    return hi;
+}
+
+/* Returns an estimate of the largest ratio of kinetic energy to barrier that any train can have. This ratio
+ * occurs at r = 1. The estimate is slightly too low, because only some separations are tried. */
+static dom_real safety_most(struct planner *p)
+{
+    dom_real most = 0;
+    for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
+        most = fmax(most, planner_train_ratio(p, choice_separation(k), 1));
+    return most;
+}
+
+static void design_search(struct planner *p, const struct dom_compute *compute, struct dom_design *design)
+{
+    struct choice c = {0, 0};
+    int k;
+    dom_real most = separation_find(p, &k);
+    if (most == 0) {
+        design->limit = DOM_DESIGN_SAFETY;
+        design->needs = safety_most(p);
+        return;
+    }
+    size_t fewest = 1;
+    while (planner_growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
+        fewest++;
+    bool fits = p->wish->least != DOM_LEAST_LENGTH && row_search(p, fewest, k, false, &c);
+    bool searched = p->wish->least != DOM_LEAST_LENGTH && isinf(p->wish->hall);
+    if (!fits && !searched && row_search(p, fewest, k, true, &c)) {
+        fits = planner_length(p, c) <= p->wish->hall;
+        design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
+        design->needs = fits ? DOM_NAN : planner_length(p, c);
+    } else if (!fits && p->engine_refused) {
+        design->limit = DOM_DESIGN_ENGINE;
+    } else if (!fits && p->status == DOM_OK) {
+        design->limit = DOM_DESIGN_START;
+        design->needs = push_enough(p, (struct choice){k, fewest});
+    }
+    if (fits && p->status == DOM_OK)
+        design_fill(p, c, compute, design);
+}
+
+enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
+                               const struct dom_limits *limits, const struct dom_compute *compute,
+                               struct dom_design *design)
+{
+    struct dom_compute final = compute_or_default(compute);
+    struct planner p = planner_make(train, wish, limits, &final);
+    struct dom_design found = no_design;
+    if (p.status == DOM_OK)
+        design_search(&p, &final, &found);
+    bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
+    if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed_s > 0) {
+        found.limit = DOM_DESIGN_FAILED;
+        found.needs = p.failed_s;
+    }
+    if (p.status == DOM_OK)
+        *design = found;
+    free(p.domino);
+    return p.status;
+}
+
+enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
+                                const struct dom_compute *compute, struct dom_design *design)
+{
+    return dom_design_fit(train, wish, NULL, compute, design);
+}
+
+/* ---- A row with a given number of dominoes ---- */
+
+/* A choice_test that returns true if the row falls and fits into the hall. */
+static bool falls_in_hall(struct planner *p, struct choice c)
+{
+    return planner_row_ratio(p, c, p->wish->push, false) >= p->wish->safety &&
+           planner_feet(p, c) + p->wish->height <= p->wish->hall;
+}
+
+enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
+                                 const struct dom_limits *limits, const struct dom_compute *compute,
+                                 size_t steps, struct dom_design *design)
+{
+    struct dom_compute final = compute_or_default(compute);
+    struct planner p = planner_make(train, wish, limits, &final);
+    struct dom_design found = no_design;
+    struct dom_wish falls = *wish;
+    struct choice c = {0, steps};
+    int k = 0;
+    if (p.status == DOM_OK && steps == 0)
+        p.status = DOM_BAD_COUNT;
+    falls.safety = 1 + (dom_real)1 / 1000;
+    falls.engine = NULL;
+    if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
+        p.wish = &falls; /* no train has the required safety, so look for one that merely falls */
+        (void)separation_find(&p, &k);
+    }
+    p.wish = &falls;
+    const int most = p.status == DOM_OK ? planner_widest(&p, steps, wish->hall) : 0;
+    if (k > 0 && most > 0)
+        c.k = nearest(&p, steps, k, most, STEP, falls_in_hall);
+    found.limit = c.k > 0 ? DOM_DESIGN_FITS : most <= 0 ? DOM_DESIGN_HALL : DOM_DESIGN_SAFETY;
+    if (p.status == DOM_OK && c.k > 0)
+        design_fill(&p, c, &final, &found);
+    if (p.status == DOM_OK)
+        *design = found;
+    free(p.domino);
+    return p.status;
+}
+
+enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
+                                    const struct dom_limits *limits, const struct dom_design *design,
+                                    struct dom_domino *domino)
+{
+    const struct dom_compute compute = compute_or_default(NULL);
+    struct planner p = planner_make(train, wish, limits, &compute);
+    const struct choice c = {(int)(double)floor(design->s * GRID + (dom_real)0.5), design->steps};
+    if (p.status == DOM_OK && design->limit != DOM_DESIGN_FITS)
+        p.status = DOM_BAD_COUNT;
+    if (p.status == DOM_OK && planner_row_write(&p, c))
+        memcpy(domino, p.domino, (c.steps + 1) * sizeof *domino);
+    free(p.domino);
+    return p.status;
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "planning/model/planner.h"
+#include "planning/model/shape.h"
+#include "rows/model/boxes.h"
+#include <stdlib.h>
+
+/* After a failure, the tolerance is multiplied by ROUGHER but never raised above ROUGHEST. */
+#define ROUGHER  1000
+#define ROUGHEST ((dom_real)1e-6)
+
+/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
+
+/* Decides whether a failed computation is tried again. A few digits can be found even if rounding errors
+ * exceed the usual tolerance. So if the computation did not converge, or if its result is not finite, sets a
+ * larger tolerance in *compute and returns true. After any other failure, or if the tolerance is already
+ * large, returns false. */
+static bool tried_again(enum dom_status status, struct dom_compute *compute)
+{
+    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
+        return false;
+    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
+    return true;
+}
+
+/* Records a failed computation. If the computation did not converge, or if its result is not finite, only the
+ * present separation is skipped. Any other failure ends the search. */
+static void failure_keep(struct planner *p, enum dom_status status)
+{
+    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
+        p->failed_s = p->train.s;
+    else
+        p->status = status;
+}
+
+dom_real planner_train_ratio(struct planner *p, dom_real s, dom_real r)
+{
+    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
+    if (p->status != DOM_OK || s * r > 1)
+        return 0;
+    p->train.s = s;
+    p->train.r = r;
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        struct question q = question_make(&p->train, &compute);
+        status = ASK(q, barrier_find, &barrier);
+    } while (tried_again(status, &compute));
+    if (status == DOM_OK || status == DOM_STOPS)
+        return barrier.kinetic / barrier.barrier;
+    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
+        failure_keep(p, status);
+    return 0;
+}
+
+/*
+ * Records the smallest ratio of kinetic energy to barrier so far. The first domino does not count, since its
+ * energy depends on the push. Returns false to end the run: if p->whole is false, the run ends as soon as a
+ * ratio is smaller than the required safety.
+ */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    dom_real ratio = fall->kinetic / fall->barrier;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return p->whole || p->least >= p->wish->safety;
+}
+
+struct dom_row planner_row(const struct planner *p, struct choice c, dom_real push,
+                           const struct dom_engine *engine)
+{
+    struct dom_row row = {
+        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
+    if (p->wish->boxes_above > 0) {
+        row.walls = p->wish->walls;
+        row.boxes_above = p->wish->boxes_above;
+    }
+    return row;
+}
+
+bool planner_row_write(struct planner *p, struct choice c)
+{
+    size_t count = c.steps + 1;
+    if (count > p->room) {
+        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
+        if (!more) {
+            p->status = DOM_NO_MEMORY;
+            return false;
+        }
+        p->domino = more;
+        p->room = count;
+    }
+    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    p->train.s = choice_separation(c.k);
+    p->train.r = planner_growth(p, c.steps);
+    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
+    p->domino[c.steps].height = p->wish->height;
+    const struct dom_row row = planner_row(p, c, p->wish->push, NULL);
+    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
+        struct dom_domino *d = &p->domino[k], *first = p->domino;
+        d->mass = wood_volume(&row, d) / wood_volume(&row, first);
+        if (!(d->mass > 0)) {
+            p->status = DOM_NO_ROOM;
+            return false;
+        }
+    }
+    if (p->limits) {
+        const struct shape shape = {&row, p->limits};
+        shape_round(&shape, p->domino);
+    }
+    return true;
+}
+
+dom_real planner_row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (p->status != DOM_OK || !planner_row_write(p, c))
+        return 0;
+    const struct dom_row row = planner_row(p, c, push, NULL);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        p->least = (dom_real)INFINITY;
+        p->weakest = 0;
+        p->whole = times;
+        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
+    } while (tried_again(status, &compute));
+    p->seconds = verdict.seconds;
+    if (status != DOM_OK)
+        failure_keep(p, status);
+    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+}
+
+/* ---- Lengths ---- */
+
+/* Returns the length of a standing row, from the back of the first domino to the front of the last. The row
+ * has the separation s. Its dimensions are not rounded to a grid. */
+static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
+{
+    dom_real r = planner_growth(p, steps), height = p->wish->first, sum = 0;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        sum += (p->train.d + (k ? s : 0)) * height;
+    return sum;
+}
+
+dom_real planner_length(const struct planner *p, struct choice c)
+{
+    return feet_of(p, c.steps, choice_separation(c.k)) + p->wish->height;
+}
+
+int planner_widest(const struct planner *p, size_t steps, dom_real hall)
+{
+    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
+    dom_real s = (hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
+}
+
+dom_real planner_feet(const struct planner *p, struct choice c)
+{
+    dom_real sum = 0;
+    for (size_t k = 0; p->limits && k <= c.steps; k++)
+        sum += p->domino[k].gap + p->domino[k].thickness;
+    return p->limits ? sum : feet_of(p, c.steps, choice_separation(c.k));
+}

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'plan', which writes a guide for building the row. */
+#include "planning/plan.h"
+#include "language/quad.h"
+#include "planning/plan_tables.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct column plan_columns[] = {
+    {"domino", "", "number of the domino, from 1", 6},
+    {"back", "m", "distance from the back of domino 1 to the back of this domino", 0},
+    {"front", "m", "distance from the back of domino 1 to the front of this domino", 0},
+    {"back_low", "m",
+     "the smallest value of 'back' at which all dominoes still fall, if only this domino is moved", 0},
+    {"back_high", "m",
+     "the largest value of 'back' at which all dominoes still fall, if only this domino is moved", 0},
+    {"gap", "m", "clear distance to the domino before it", 0},
+    {"height", "m", "height of the domino", 0},
+    {"height_low", "m", "the smallest height at which all dominoes still fall, if only this height changes",
+     0},
+    {"height_high", "m", "the largest height at which all dominoes still fall, if only this height changes",
+     0},
+    {"thickness", "m", "thickness of the domino", 0},
+    {"thickness_low", "m",
+     "the smallest thickness at which all dominoes still fall, if only this thickness changes", 0},
+    {"thickness_high", "m",
+     "the largest thickness at which all dominoes still fall, if only this thickness changes", 0},
+    {"width", "m",
+     "width of the domino: half its height, unless 'change' or the row's file sets another width", 0},
+    {"lean", "m", "how far the top is off plumb, if the dominoes lean (negative: backwards)", 0},
+    {"mass", "kg", "mass of the domino, if masses are known", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+bool plan_parse(struct reader *r, struct question *q)
+{
+    const char **title = q->parsed = reader_memory(r, sizeof *title);
+    if (!title)
+        return false;
+    if (!reader_takes(r, "title"))
+        return reader_ends(r) || problem_error(r->problem, "write a title as in 'plan title \"The hall\"'");
+    reader_place(r, r->at);
+    if (reader_ends(r))
+        return problem_error(r->problem,
+                             "the title is missing; write, for example, 'plan title \"The hall\"'");
+    *title = read_text(r);
+    return *title != NULL;
+}
+
+/* ---- The numbers ---- */
+
+/* The number of random rows. A row takes hundreds of times as long in the engine as in the model. */
+enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
+
+static void plan_free(struct plan *p)
+{
+    for (int i = 0; i < p->guide.tables; i++)
+        free(p->guide.table[i].line);
+    free(p->windows.kind[0]);
+    free(p->back);
+    falling_row_free(&p->row);
+}
+
+/* After a failure nothing needs to be freed. */
+static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
+                      struct plan *p)
+{
+    const struct scene *of = query->scene;
+    *p = (struct plan){.is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
+    if (!falling_row_make(query, problem, picture_marks(a), false, &p->row))
+        return false;
+    struct scene_row *scene = &p->row.run.scene;
+    const struct domq_verdict *v = &p->row.run.verdict;
+    const size_t count = scene->row.count;
+    if (v->end != DOM_ROW_FALLS) {
+        problem_no_answer(problem,
+                          "the fall ends at domino %zu, so there is nothing to build yet; 'mend' looks for a "
+                          "change that saves the row",
+                          v->domino);
+        falling_row_free(&p->row);
+        return false;
+    }
+    p->back = malloc(count * sizeof *p->back);
+    enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
+    for (size_t k = 0; k < count && p->back; k++)
+        p->back[k] =
+            k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
+    const size_t rows = scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS;
+    bool good = status == DOM_OK ? study_run(query, problem, rows, &p->study, p->error)
+                                 : row_status(query, problem, status);
+    if (!good)
+        plan_free(p);
+    return good;
+}
+
+/* ---- The caption ---- */
+
+#define PERSON 1.75 /* m */
+
+/* Adds a person beyond the last domino. */
+static bool person_add(struct stage *stage)
+{
+    struct drawn *more = realloc(stage->domino, (stage->count + 1) * sizeof *more);
+    if (!more)
+        return false;
+    stage->domino = more;
+    struct drawn *person = &more[stage->count++];
+    *person =
+        (struct drawn){.number = NUMBER_PERSON, .part = STANDS, .height = PERSON, .thickness = 0.3 * PERSON};
+    person->foot = stage->right + 0.4 * PERSON + person->thickness;
+    drawn_corners(person);
+    stage->top = fmax(stage->top, PERSON);
+    stage->right = person->foot;
+    return true;
+}
+
+/* A push is given as a speed, which a builder can judge. */
+static void push_words(const struct scene_row *scene, char *text, size_t size)
+{
+    const struct domq_row *row = &scene->row;
+    if (isnan(row->push))
+        snprintf(text, size, "Tip domino 1 until it falls by itself.");
+    else
+        snprintf(text, size, "Push domino 1 so that its top moves at %s.",
+                 measured(row->push * row->domino[0].height, "m/s", 3).text);
+}
+
+/* Writes the random errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
+static void errors_words(const struct domq_random_error *error, char *text, size_t size)
+{
+    int at = 0;
+    text[0] = '\0';
+    for (int k = 0; k < DOM_ERROR_COUNT && at < (int)size; k++) {
+        const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
+        const char *unit = *error_unit(k) || is_added ? error_unit(k) : "share";
+        if (error[k].size > 0)
+            at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_names(NULL, k),
+                           measured(error[k].size, unit, 3).text, error[k].uniform ? " at most" : "");
+    }
+}
+
+/* `mark` says how the tables mark a value. */
+static void caption_write(struct plan *p, const char *mark)
+{
+    char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
+    struct stage *stage = &p->row.stage;
+    const struct domq_study *s = &p->study;
+    const size_t *critical = p->windows.critical;
+    falling_row_summary(&p->row, summary);
+    falling_row_verdict(&p->row, verdict);
+    falling_row_weakest(&p->row, weakest);
+    errors_words(p->error, errors, sizeof errors);
+    push_words(&p->row.run.scene, start, sizeof start);
+    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; the person is 1.75 m tall. %s %s%s%s",
+                      summary, measured((domq_real)stage->right, "m", 3).text, start, verdict,
+                      *weakest ? " " : "", weakest);
+    char *text = stage->caption + at;
+    const size_t room = CAPTION - (size_t)at;
+    if (s->rows > 0)
+        at = snprintf(text, room,
+                      " With errors (%s), %zu of %zu rows fall; the probability is %.1f to %.1f %%, with 95 "
+                      "%% confidence.",
+                      errors, s->fall, s->rows, floor(1000 * s->low) / 10, ceil(1000 * s->high) / 10);
+    else
+        at = snprintf(text, room,
+                      " To see how likely the row is to fall, turn on random errors, for example with 'set "
+                      "placement 2 mm'.");
+    if (p->windows.count > 1 && at < (int)room)
+        snprintf(
+            text + at, room - (size_t)at,
+            " What matters most (%s in the tables): the place of domino %zu, the height of domino %zu and "
+            "the thickness of domino %zu.",
+            mark, critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
+}
+
+/* ---- The answer ---- */
+
+static void plan_rows(const struct plan *p, struct answer *a)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    for (size_t k = 0; k < scene->row.count && !answer_lost(a); k++) {
+        const struct domq_domino *d = &scene->domino[k];
+        const struct domq_window *place = plan_window(p, DOM_WINDOW_PLACE, k),
+                                 *height = plan_window(p, DOM_WINDOW_HEIGHT, k),
+                                 *thickness = plan_window(p, DOM_WINDOW_THICKNESS, k);
+        const domq_real back = (domq_real)p->back[k];
+        answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
+                     cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
+                     cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
+                     cell_real(thickness->low), cell_real(thickness->high), cell_real(d->width),
+                     cell_real(lean_offset(d)), cell_real(d->mass));
+    }
+}
+
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 30 }; /* the size of the drawing in characters */
+
+/* Writes the guide as text into a file, or into the details of an answer that says what matters most. */
+static bool plan_text(const struct plan *p, struct answer *a)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    const size_t *critical = p->windows.critical;
+    struct answer guide = *a;
+    guide.out = a->path ? a->out : answer_rest(a);
+    if (!guide.out)
+        return false;
+    if (p->guide.title)
+        answer_say(&guide, "%s", p->guide.title);
+    if (!stage_text(&p->row.stage, display_of(guide.out), TEXT_WIDTH, TEXT_HEIGHT, guide.out))
+        return false;
+    for (int i = 0; i < p->guide.tables; i++)
+        guide_text(&p->guide.table[i], &guide);
+    answer_say(&guide, "\n'plan > hall.pdf' draws this guide for printing.");
+    if (a->path)
+        return true;
+    answer_say(
+        a, "%zu domino%s with feet on %s of floor: 'details' prints the guide, 'plan > hall.pdf' draws it.",
+        scene->row.count, scene->row.count == 1 ? "" : "es",
+        measured((domq_real)p->back[scene->row.count - 1] + scene->domino[scene->row.count - 1].thickness,
+                 "m", 3)
+            .text);
+    if (p->windows.count > 1)
+        answer_say(a,
+                   "What matters most: the place of domino %zu, the height of domino %zu and the thickness "
+                   "of domino %zu.",
+                   critical[DOM_WINDOW_PLACE], critical[DOM_WINDOW_HEIGHT], critical[DOM_WINDOW_THICKNESS]);
+    return true;
+}
+
+bool run_plan(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct plan p;
+    const char *const *title = query->given->bound;
+    const bool has_masses = scene_has_masses(query->scene), people = answer_for_people(a),
+               is_drawn = a->path && extension_of(a->path)->kind == EXTENSION_SHEET;
+    if (is_drawn && !picture_ready(a, problem))
+        return false;
+    if (!plan_make(query, a, problem, &p))
+        return false;
+    if (!has_masses)
+        answer_leave_out(a, "mass");
+    if (!plan_has_leans(&p))
+        answer_leave_out(a, "lean");
+    p.guide.title = title ? *title : NULL;
+    p.guide.stage = &p.row.stage;
+    caption_write(&p, is_drawn ? "bold" : "!");
+    bool good = true;
+    if (!people && !is_drawn)
+        plan_rows(&p, a);
+    else if (!plan_tape_table(&p) || !plan_size_table(&p, has_masses) || !plan_board_table(&p) ||
+             !person_add(&p.row.stage))
+        good = problem_status(problem, query->scene, DOM_NO_MEMORY);
+    else if (is_drawn)
+        good = guide_show(&p.guide, a, query->scene->compute.interrupt, problem);
+    else
+        good = plan_text(&p, a) || problem_status(problem, query->scene, DOM_NO_MEMORY);
+    plan_free(&p);
+    return good;
+}

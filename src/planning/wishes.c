@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Parses the wishes of 'design' and 'improve', such as 'safety 2 hall 20 m', in any order. */
+#include "planning/planning.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum wish { SAFETY, HALL, MINIMISE, FALLS, SIZES, BOARDS, MASS, GRID, WISHES };
+
+static const char *const names[WISHES] = {
+    [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
+    [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
+
+/* The largest probability that 'falls' accepts. At this probability, up to 200000 random rows are run for
+ * each design. */
+#define FALLS_MOST ((domq_real)9999 / 10000)
+
+const struct wishes usual_wishes = {
+    .safety = 2, .hall = (domq_real)HUGE_VAL, .mass = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
+
+const char *design_wishes(const void *context, int k)
+{
+    static const enum wish wishes[] = {SAFETY, HALL, MINIMISE, FALLS, BOARDS, GRID};
+    (void)context;
+    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
+}
+
+const char *improve_wishes(const void *context, int k)
+{
+    static const enum wish wishes[] = {SIZES, HALL, BOARDS, MASS, GRID};
+    (void)context;
+    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
+}
+
+/* Returns the wish with this number in a list. */
+static enum wish wish_of(names_list *list, int number)
+{
+    int k = 0;
+    while (k + 1 < WISHES && strcmp(names[k], list(NULL, number)) != 0)
+        k++;
+    return (enum wish)k;
+}
+
+static const char *least_names(const void *context, int k)
+{
+    static const char *const least[] = {
+        [DOM_LEAST_DOMINOES] = "dominoes", [DOM_LEAST_LENGTH] = "length", [DOM_LEAST_MASS] = "mass", NULL};
+    (void)context;
+    return least[k];
+}
+
+/* The wishes as they were parsed. An item that the user did not type is zero. */
+struct wishes_parsed {
+    struct item value[WISHES], board[BOARDS_MOST];
+    size_t boards;
+    /* The unit at the end of the list of boards, in m: 0.01 for '1, 2, 3 cm'. If the list does not end with a
+     * unit of length, 0.001, which stands for mm. */
+    domq_real board_unit;
+    bool sizes;
+    enum dom_least least;
+};
+
+/* Returns the length unit at the end of the text from `from` to `end` in m, or 1 mm if there is none. */
+static domq_real unit_at_end(const char *from, const char *end)
+{
+    char name[8];
+    const char *at = end;
+    while (at > from && isalpha((unsigned char)at[-1]))
+        at--;
+    struct quantity unit = {.value = 0};
+    if (name_copy(at, (size_t)(end - at), name, sizeof name))
+        unit = expression_unit(name);
+    return quantity_alike(unit, (struct quantity){.length = 1}) ? unit.value : (domq_real)1 / 1000;
+}
+
+/* Parses a list of thicknesses, as in '9, 12, 15 mm'. */
+static bool boards_parse(struct reader *r, struct wishes_parsed *w)
+{
+    static const struct argument board = {.name = "boards", .kind = ARGUMENT_ANY};
+    bool more;
+    w->boards = 0;
+    do {
+        if (w->boards == BOARDS_MOST)
+            return problem_error(r->problem, "there are more than %d boards; leave some out", BOARDS_MOST);
+        r->at = skip_blanks(r->at);
+        reader_place(r, r->at);
+        r->stops = ",";
+        const char *from = r->at;
+        const bool good = item_parse(r, &board, &w->board[w->boards++]);
+        r->stops = NULL;
+        if (!good)
+            return false;
+        w->board_unit = unit_at_end(from, r->at);
+        r->at = skip_blanks(r->at);
+        more = *r->at == ',';
+        r->at += more;
+    } while (more);
+    return true;
+}
+
+static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed *w)
+{
+    const struct argument wish = {.name = "WISHES", .noun = "wish", .choices = list};
+    static const struct argument least = {.name = "minimise",
+                                          .noun = "thing to minimise",
+                                          .choices = least_names},
+                                 values[WISHES] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
+                                                   [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT},
+                                                   [MASS] = {.name = "mass", .kind = ARGUMENT_ANY},
+                                                   [FALLS] = {.name = "falls", .kind = ARGUMENT_ANY},
+                                                   [GRID] = {.name = "grid", .kind = ARGUMENT_HEIGHT}};
+    struct item name, thing;
+    if (!item_parse_choice(r, &wish, &name))
+        return false;
+    const enum wish k = wish_of(list, (int)name.number);
+    if (k == SIZES)
+        return w->sizes = true;
+    bool ends = reader_ends(r);
+    reader_place(r, r->at);
+    if (ends)
+        return problem_error(
+            r->problem, "the value of '%s' is missing; the possible wishes are %s", names[k],
+            list == design_wishes
+                ? "'safety 2', 'falls 99 %', 'hall 20 m', 'boards 9, 12, 15 mm', 'grid 1 mm' and 'minimise "
+                  "dominoes'"
+                : "'sizes', 'hall 20 m', 'boards 9, 12, 15 mm', 'mass 50 kg' and 'grid 1 mm'");
+    if (k == BOARDS)
+        return boards_parse(r, w);
+    if (k != MINIMISE)
+        return item_parse(r, &values[k], &w->value[k]);
+    if (!item_parse_choice(r, &least, &thing))
+        return false;
+    w->least = (enum dom_least)thing.number;
+    return true;
+}
+
+static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
+{
+    struct wishes_parsed *w = q->parsed = reader_memory(r, sizeof *w);
+    if (!w)
+        return false;
+    w->least = usual_wishes.least;
+    r->last = false;
+    while (!reader_ends(r)) {
+        reader_place(r, r->at);
+        if (!wish_parse(r, list, w))
+            return false;
+    }
+    return true;
+}
+
+bool design_parse(struct reader *r, struct question *q)
+{
+    return wishes_parse(r, design_wishes, q);
+}
+
+bool improve_parse(struct reader *r, struct question *q)
+{
+    return wishes_parse(r, improve_wishes, q);
+}
+
+bool grid_check(domq_real grid, domq_real first, struct problem *problem)
+{
+    return grid < first || problem_no_answer(problem,
+                                             "a grid of %s is too coarse: domino 1 is %s tall and cannot "
+                                             "reach across a gap of this length; enter a finer grid",
+                                             measured(grid, "m", 6).text, measured(first, "m", 6).text);
+}
+
+/* ---- Binding ---- */
+
+static int compare(const void *a, const void *b)
+{
+    const domq_real x = *(const domq_real *)a, y = *(const domq_real *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* Computes and sorts the thicknesses of the boards. The unit at the end of the list also applies to
+ * numbers without a unit, such as the 1 and the 2 in '1, 2, 3 cm'. If the list does not end with a unit,
+ * these numbers are in mm, the usual unit for boards. */
+static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
+                        struct problem *problem)
+{
+    const struct wishes_parsed *parsed = q->parsed;
+    struct quantity board[BOARDS_MOST] = {{.value = 0}};
+    w->boards = parsed->boards;
+    for (size_t i = 0; i < w->boards; i++)
+        if (!item_bind(&parsed->board[i], q->text, query, &board[i], &w->board[i], problem))
+            return false;
+    for (size_t i = 0; i < w->boards; i++) {
+        const bool bare = quantity_is_number(board[i]),
+                   length = quantity_alike(board[i], (struct quantity){.length = 1});
+        if (!(w->board[i] > 0) || (!bare && !length))
+            return problem_error(
+                problem, "the thickness of a board must be a length above 0, as in 'boards 9, 12, 15 mm'");
+        if (bare)
+            w->board[i] *= parsed->board_unit;
+    }
+    qsort(w->board, w->boards, sizeof *w->board, compare);
+    return true;
+}
+
+bool wishes_bind(const struct question *q, const struct query *query, struct arguments *given,
+                 struct problem *problem)
+{
+    const struct wishes_parsed *parsed = q->parsed;
+    struct quantity unit[WISHES] = {{.value = 0}};
+    struct wishes *w = arguments_take(given, sizeof *w, query, problem);
+    if (!w)
+        return false;
+    *w = usual_wishes;
+    w->least = parsed->least;
+    w->sizes = parsed->sizes;
+    domq_real *const value[WISHES] = {[SAFETY] = &w->safety,
+                                      [FALLS] = &w->probability,
+                                      [HALL] = &w->hall,
+                                      [MASS] = &w->mass,
+                                      [GRID] = &w->grid};
+    for (int k = 0; k < WISHES; k++)
+        if (parsed->value[k].argument &&
+            !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
+            return false;
+    w->has_hall = parsed->value[HALL].argument;
+    if (!quantity_is_number(unit[SAFETY]))
+        return problem_error(
+            problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
+    if (parsed->value[FALLS].argument &&
+        !(quantity_is_number(unit[FALLS]) && w->probability > 0 && w->probability <= FALLS_MOST))
+        return problem_error(problem, "'falls' is a probability of at most 99.99 %%, as in 'falls 99 %%'");
+    if (parsed->value[MASS].argument &&
+        !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
+        return problem_error(problem, "'mass' needs a mass above 0, as in 'mass 50 kg'");
+    return boards_bind(q, query, w, problem);
+}

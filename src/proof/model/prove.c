@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The public functions of <domino_proof.h>. They check their arguments and then run the proof. */
+#include "domino_proof.h"
+#include "proof/model/limit.h"
+#include "proof/model/power.h"
+
+#include <fenv.h>
+
+const char *dom_proof_gap_text(enum dom_proof_gap gap)
+{
+    static const char *const text[] = {
+#define GAP_TEXT(name, text) [DOM_PROOF_##name] = text,
+        DOM_PROOF_GAPS(GAP_TEXT)
+#undef GAP_TEXT
+    };
+    return text[gap];
+}
+
+static enum dom_status train_check(const struct dom_train *t, double tol)
+{
+    const struct {
+        double value, lowest, highest;
+        enum dom_status status;
+    } range[] = {
+#define BAD_s                                                 DOM_BAD_S
+#define BAD_r                                                 DOM_BAD_R
+#define BAD_d                                                 DOM_BAD_D
+#define BAD_q                                                 DOM_BAD_Q
+#define RANGE(name, default_, lowest, highest, unit, meaning) {t->name, lowest, highest, BAD_##name},
+        DOM_TRAIN_PARAMETERS(RANGE)
+#undef RANGE
+    };
+    for (size_t k = 0; k < sizeof range / sizeof *range; k++)
+        if (!(range[k].value >= range[k].lowest && range[k].value <= range[k].highest))
+            return range[k].status;
+    if (t->fuel != DOM_FUEL_EXACT && t->fuel != DOM_FUEL_PAPER)
+        return DOM_BAD_FUEL;
+    return tol > 0 && tol <= 0.1 ? DOM_OK : DOM_BAD_TOL;
+}
+
+static enum dom_proof_gap gap_of(enum outcome outcome)
+{
+    return outcome == OUTCOME_INTERRUPTED ? DOM_PROOF_INTERRUPTED
+           : outcome == OUTCOME_LIMIT     ? DOM_PROOF_BOXES
+                                          : DOM_PROOF_ROUNDING;
+}
+
+/* dom_compute_default is not called, because a program that uses only <domino_quad.h> does not link it. */
+static double tolerance_of(const struct dom_compute *compute)
+{
+#define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
+    return compute ? compute->tol : DOM_COMPUTE_PARAMETERS(DEFAULT);
+#undef DEFAULT
+}
+
+static bool has_effect(const struct dom_train *train)
+{
+/* Walls are allowed, since they do not affect any result of a proof. */
+#define OR_ON(effect, member, status) || (DOM_EFFECT_##effect != DOM_EFFECT_walls && train->member != 0)
+    return false DOM_DYNAMICS(OR_ON);
+#undef OR_ON
+}
+
+/* The interval arithmetic in span.h needs this rounding mode, but a caller may have changed the mode. */
+static bool rounds_to_nearest(void)
+{
+    return fegetround() == FE_TONEAREST;
+}
+
+/* Returns the reason why no proof about the train can be attempted, or DOM_PROOF_NONE if there is none. */
+static enum dom_proof_gap gap_before(const struct dom_train *train)
+{
+    return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
+}
+
+/* Prepares a proof about a train. The parameters of the train must already have been checked. */
+static enum dom_status begin(struct proof *proof, const struct dom_train *train,
+                             const struct dom_compute *compute, bool pair)
+{
+    struct shape shape = shape_make(train->s, train->d, train->q);
+    shape.paper = train->fuel == DOM_FUEL_PAPER;
+    shape.pair = pair;
+    if (!proof_begin(proof, &shape))
+        return DOM_NO_MEMORY;
+    proof->interrupt = compute ? compute->interrupt : NULL;
+    return DOM_OK;
+}
+
+static struct dom_proof_work work_of(const struct proof *proof)
+{
+    return (struct dom_proof_work){proof->boxes, proof->chains};
+}
+
+static enum dom_status prove_limit(const struct dom_train *train, const struct dom_compute *compute,
+                                   bool pair, struct dom_proof *result)
+{
+    struct proof proof;
+    enum dom_status status = train_check(train, tolerance_of(compute));
+    if (status != DOM_OK)
+        return status;
+    *result = (struct dom_proof){
+        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = gap_before(train)};
+    if (result->gap != DOM_PROOF_NONE)
+        return DOM_OK;
+    status = begin(&proof, train, compute, pair);
+    if (status != DOM_OK)
+        return status;
+    struct limit_proof limit = limit_prove(&proof, larger(tolerance_of(compute), 1e-15));
+    static const enum dom_proof_end end[] = {[LIMIT_BRACKET] = DOM_PROVED_BARRIER,
+                                             [LIMIT_REACH] = DOM_PROVED_REACH,
+                                             [LIMIT_NONE] = DOM_PROVED_NONE,
+                                             [LIMIT_PARTLY] = DOM_PROVED_PARTLY};
+    *result = (struct dom_proof){.ends = end[limit.kind],
+                                 .from = limit.from,
+                                 .low = limit.low,
+                                 .high = limit.high,
+                                 .decimals = limit.decimals,
+                                 .gap = limit.kind == LIMIT_PARTLY ? gap_of(limit.outcome) : DOM_PROOF_NONE,
+                                 .work = work_of(&proof)};
+    if (limit.kind == LIMIT_REACH) {
+        result->low = down(1 / proof.shape.s.hi);
+        result->high = up(1 / proof.shape.s.lo);
+    }
+    proof_end(&proof);
+    return DOM_OK;
+}
+
+enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_proof *proof)
+{
+    return prove_limit(train, compute, false, proof);
+}
+
+enum dom_status dom_prove_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_proof *proof)
+{
+    return prove_limit(train, compute, true, proof);
+}
+
+static struct dom_interval interval_of(struct span a)
+{
+    return (struct dom_interval){a.lo, a.hi};
+}
+
+/* Returns a lower and an upper bound on the barrier. The barrier is the largest D, so the value of D at any
+ * single tilt is a lower bound. The upper bound is a level that D provably never exceeds. */
+static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
+                                 enum outcome *outcome)
+{
+    struct span barrier = {0, INFINITY};
+    if (upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+        double at = smaller(top, upright_hit_below(&proof->box));
+        barrier.lo = least_0(climb_find(&proof->box, at, at, false).height.lo);
+    }
+    double kinetic = larger(proof->box.kinetic.hi, 0);
+    *outcome = OUTCOME_OPEN;
+    for (double more = larger(tol * (barrier.lo + kinetic), 1e-16); more < 1 && *outcome == OUTCOME_OPEN;
+         more *= 4) {
+        *outcome = proof_below(proof, low, high, barrier.lo + more);
+        if (*outcome == OUTCOME_PROVED)
+            barrier.hi = up(barrier.lo + more);
+    }
+    return barrier;
+}
+
+static void cycle_prove(struct proof *proof, double r, double tol, struct dom_proof_cycle *result)
+{
+    double low = larger(1, nextafter(r, 0)), high = nextafter(r, INFINITY), top;
+    enum outcome outcome;
+    proof_guess(proof, r, &top);
+    if (!upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+        result->gap = DOM_PROOF_BOXES;
+        return;
+    }
+    result->gap = DOM_PROOF_NONE;
+    if (proof->box.fuel.hi <= 0) {
+        result->verdict = DOM_PROVED_NO_FUEL;
+        return;
+    }
+    struct span kinetic = proof->box.kinetic, barrier = barrier_prove(proof, low, high, tol, top, &outcome),
+                margin = span_sub(kinetic, barrier);
+    bool fuel = proof->box.fuel.lo > 0;
+    result->kinetic = interval_of(kinetic);
+    result->barrier = interval_of(barrier);
+    result->margin = interval_of(margin);
+    if (margin.hi < 0)
+        result->verdict = DOM_PROVED_STOPS;
+    else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high) == OUTCOME_PROVED))
+        result->verdict = DOM_PROVED_GOES_ON;
+    else
+        result->gap = proof_interrupted(proof)    ? DOM_PROOF_INTERRUPTED
+                      : outcome == OUTCOME_PROVED ? DOM_PROOF_ROUNDING
+                                                  : gap_of(outcome);
+}
+
+enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_proof_cycle *result)
+{
+    struct proof proof;
+    const struct dom_interval none = {DOM_NAN, DOM_NAN};
+    double tol = tolerance_of(compute);
+    enum dom_status status = train_check(train, tol);
+    if (status != DOM_OK)
+        return status;
+    *result = (struct dom_proof_cycle){.verdict = DOM_PROVED_NOTHING,
+                                       .kinetic = none,
+                                       .barrier = none,
+                                       .margin = none,
+                                       .gap = gap_before(train)};
+    if (result->gap != DOM_PROOF_NONE)
+        return DOM_OK;
+    status = begin(&proof, train, compute, false);
+    if (status != DOM_OK)
+        return status;
+    struct span reach = span_scale(span_around(train->r), proof.shape.s);
+    if (reach.lo > 1) {
+        result->verdict = DOM_PROVED_OUT_OF_REACH;
+        result->gap = DOM_PROOF_NONE;
+    } else {
+        cycle_prove(&proof, train->r, larger(tol, 1e-15), result);
+    }
+    result->work = work_of(&proof);
+    proof_end(&proof);
+    return DOM_OK;
+}
+
+/*
+ * Returns an interval that contains x b for every number x in the interval a. A bound that is computed
+ * without a rounding error is not moved outwards. So if a is a single number and its product with b is exact,
+ * the result is a single number.
+ */
+static struct span times_exactly(struct span a, double b)
+{
+    const double least = 0x1p-960; /* below this, the rounding error of a product may underflow to 0 */
+    double lo = a.lo * b, hi = a.hi * b;
+    return (struct span){lo > least && fma(a.lo, b, -lo) == 0 ? lo : down(lo),
+                         hi > least && fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
+}
+
+enum { POWERS_MOST = 100000 };
+
+/*
+ * Returns the smallest n with first * r^n >= `height`. Rounding errors may leave this n uncertain. If
+ * `surely` is true, returns the smallest n for which the inequality is certain. If `surely` is false, returns
+ * the smallest n for which it is possible. Returns INFINITY if no such n is below POWERS_MOST.
+ */
+static double count_until(struct span first, double r, double height, bool surely)
+{
+    struct span tall = first;
+    double n = 0;
+    for (; n < POWERS_MOST && (surely ? tall.lo : tall.hi) < height; n++) {
+        struct span next = times_exactly(tall, r);
+        if (!((surely ? next.lo : next.hi) > (surely ? tall.lo : tall.hi)))
+            return INFINITY;
+        tall = next;
+    }
+    return n < POWERS_MOST ? n : HUGE_VAL;
+}
+
+/* Finds bounds on the smallest n with first * r^n >= `height`, for an n that is too large for count_until.
+ * This n is ln(height/first)/ln r, rounded up. `height` must be larger than `first`. */
+static void count_by_logarithms(double first, double height, double r, double *least, double *most)
+{
+    struct span growth = {larger(1, down(r)), up(r)},
+                ratio = span_over(span_around(height), span_around(first));
+    if (!span_finite(ratio)) {
+        *least = POWERS_MOST;
+        *most = INFINITY;
+        return;
+    }
+    ratio.lo = larger(ratio.lo, 1);
+    struct span n = span_over(span_log(ratio), span_log(growth));
+    *least = ceil(larger(0, n.lo));
+    *most = isfinite(n.hi) ? ceil(n.hi) : HUGE_VAL;
+}
+
+enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most)
+{
+    if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
+        return DOM_BAD_HEIGHT;
+    if (!(r >= 1 && isfinite(r)))
+        return DOM_BAD_R;
+    if (!rounds_to_nearest()) {
+        *least = 0;
+        *most = INFINITY;
+        return DOM_OK;
+    }
+    /*
+     * If all products are exact, the number of dominoes is computed exactly, for these very arguments.
+     * Otherwise only bounds are found. The bounds hold not only for these arguments, but for all numbers that
+     * round to them.
+     */
+    struct span exact = span_of(first);
+    double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
+    struct span last = exact;
+    for (double k = 0; k < n && isfinite(n) && last.lo == last.hi; k++)
+        last = times_exactly(last, r);
+    if (n == same && (isfinite(n) ? last.lo == last.hi : r == 1)) {
+        *least = *most = n;
+        return DOM_OK;
+    }
+    if (!isfinite(same)) {
+        count_by_logarithms(first, height, r, least, most);
+        return DOM_OK;
+    }
+    *least = count_until(span_around(first), up(r), down(height), false);
+    *most = count_until(span_around(first), r > 1 ? larger(1, down(r)) : 1, up(height), true);
+    return DOM_OK;
+}

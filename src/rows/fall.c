@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The commands 'fall', which lists the dominoes, and 'verdict', which prints only the result. */
+#include "language/quad.h"
+#include "rows/rows.h"
+#include "train/walk.h"
+
+const struct column fall_columns[] = {
+    {"domino", "", "number of the domino, from 1", 6},
+    {"height", "m", "height of the domino", 6},
+    {"hit", "s",
+     "time at which the domino is hit, counted from the push or, without a push, from the first hit", 7},
+    {"falls", "s", "time at which the domino hits the next one, or lies on the floor", 7},
+    {"omega", "rad/s", "angular velocity of the domino just after it is hit", 6},
+    {"kinetic", "mgh/2",
+     "kinetic energy of all moving dominoes just after this domino is hit; in J if masses are known", 9},
+    {"barrier", "mgh/2", "energy that is needed to tip this domino over", 9},
+    {"margin", "mgh/2", "kinetic - barrier", 9},
+    {"energy", "share", "kinetic / barrier; the domino tips over if this is at least 100 %", 6},
+    {"floor", "",
+     "friction that the floor needs so that no foot slips while this domino falls (only with 'set floor')",
+     5},
+    {"floor_hit", "",
+     "friction that the floor needs so that no foot slips when this domino is hit (only with 'set floor')",
+     9},
+    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); only with 'set feet'", 7},
+    {NULL, NULL, NULL, 0},
+};
+
+const struct column verdict_columns[] = {
+    {"verdict", "", "how the fall ends: 'all fall', 'stops' or another outcome", 12},
+    {"domino", "", "the last domino that is hit", 0},
+    {"short_by", "mgh/2", "the energy that the last domino lacks; in J if masses are known", 0},
+    {"seconds", "s", "the time until the last domino lies on the floor, as 'fall' measures it", 0},
+    {"weakest", "", "the domino with the least energy to spare, among the dominoes that tip over", 0},
+    {"spare", "share", "the spare energy of the weakest domino, divided by the energy that it needs", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+struct falling {
+    struct answer *answer;
+    struct row_run run;
+    struct feet feet;
+    struct domq_fall last; /* the last domino that was hit */
+};
+
+static bool is_slippery(const struct scene_row *scene)
+{
+    return scene->row.engine && isfinite(scene->engine.effects.feet);
+}
+
+/* Returns how far the foot of domino k, counted from 0, has slid. Only the engine computes this. */
+static domq_real foot_slid(const struct scene_row *scene, size_t k)
+{
+    return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
+}
+
+/* ---- In words ---- */
+
+static void all_fall_say(struct answer *a, const struct falling *f)
+{
+    const size_t count = f->run.scene.row.count;
+    const bool pushed = !isnan(f->run.scene.row.push);
+    const struct words fall = all_fall_words(count);
+    if (count == 1 && !pushed)
+        answer_say(a, "%s.", fall.text);
+    else if (isfinite(f->run.verdict.seconds))
+        answer_say(a, "%s%s lies flat %s after the %s.", fall.text, count == 1 ? ", and" : "; the last one",
+                   measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
+    else
+        answer_say(a, "%s, but one domino almost stops, so the duration of the fall cannot be computed.",
+                   fall.text);
+}
+
+/* Returns a phrase that says why the fall ends early, such as "friction locks it". */
+static const char *end_reason(const struct row_run *run)
+{
+    const struct domq_verdict *v = &run->verdict;
+    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
+        return "this domino falls, and the next one stays upright";
+    if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
+        return "its energy is too small; with more energy, friction would lock the row at a larger tilt";
+    return dom_row_end_text(v->end);
+}
+
+/* Says how the fall ends. Beside the table of 'fall', the weakest domino is left to the details. */
+static void verdict_say(struct answer *a, const struct falling *f, bool listed)
+{
+    const struct domq_verdict *v = &f->run.verdict;
+    const size_t count = f->run.scene.row.count;
+    if (v->end == DOM_ROW_FALLS)
+        all_fall_say(a, f);
+    else if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
+        answer_say(a, "The row stops at domino %zu of %zu, which %s.%s", v->domino, count,
+                   energy_words(fall_share(&f->last)).text,
+                   count > 1 ? " 'mend' looks for a change that saves the row." : "");
+    else
+        answer_say(a, "The fall ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
+    weakest_say(a, v, listed);
+}
+
+/* Prints which foot slides farthest relative to the height of its domino. */
+static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
+{
+    size_t most = 0;
+    domq_real share = 0;
+    for (size_t k = 0; k < hits; k++) {
+        domq_real of = quad(fabs)(foot_slid(scene, k)) / scene->domino[k].height;
+        most = of > share ? k : most;
+        share = quad_larger(share, of);
+    }
+    if (share < (domq_real)1 / 1000)
+        answer_say(a, "No foot slides by more than a thousandth of the height of its domino.");
+    else
+        answer_say(a, "Feet slide. Domino %zu slides farthest for its size: %s %s, %s of its height.",
+                   most + 1, measured(quad(fabs)(foot_slid(scene, most)), "m", 3).text,
+                   foot_slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
+}
+
+/* If the engine ran the row, prints how far feet slide and how accurate the engine is. */
+static void engine_say(struct answer *a, const struct row_run *run)
+{
+    const struct engine_settled *s = &run->scene.report.settled;
+    if (is_slippery(&run->scene))
+        slide_say(a, &run->scene, run->verdict.domino);
+    if (run->scene.row.engine)
+        answer_detail(
+            a,
+            "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
+            "h is the height of the domino that was hit last. With half as many steps the verdict is the "
+            "same, and times agree within %.2g %%.",
+            engine_version(), s->grain.steps, 100 * s->change);
+}
+
+/* ---- The run ---- */
+
+static void columns_choose(struct answer *a, const struct scene_row *scene, bool has_masses)
+{
+    if (answer_for_people(a)) {
+        /* A table shows energies as percentages and, if the masses are known, also in J. */
+        answer_leave_out(a, has_masses ? "margin" : "kinetic barrier margin");
+        answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine does not compute barriers */
+    }
+    if (!scene->row.floor)
+        answer_leave_out(a, "floor floor_hit");
+    if (!is_slippery(scene))
+        answer_leave_out(a, "slid");
+}
+
+static bool fall_note(const struct domq_fall *fall, void *context)
+{
+    struct falling *f = context;
+    f->last = *fall;
+    feet_add(&f->feet, fall);
+    return true;
+}
+
+static bool fall_row(const struct domq_fall *fall, void *context)
+{
+    struct falling *f = context;
+    bool lifted = isinf(fall->floor_motion) || isinf(fall->floor_hit);
+    const size_t k = fall->domino - 1;
+    answer_row(f->answer,
+               ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
+                   cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
+                   cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
+                   cell_narrow(fall->margin, 4), cell_narrow(fall_share(fall), 4),
+                   cell_narrow(fall->floor_motion, 3), cell_narrow(fall->floor_hit, 3),
+                   cell_narrow(foot_slid(&f->run.scene, k), 3)),
+               lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
+    return fall_note(fall, context) && !answer_lost(f->answer);
+}
+
+static void verdict_row(struct answer *a, const struct row_run *run)
+{
+    static const char *const words[] = {
+        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops",   [DOM_ROW_MISSES] = "misses",
+        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans",   [DOM_ROW_PARTS] = "parts",
+        [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches"};
+    char reason[ANSWER_REASON];
+    const struct domq_verdict *v = &run->verdict;
+    bool falls = v->end == DOM_ROW_FALLS;
+    const struct cell cells[] = {
+        cell_word(words[v->end]),
+        cell_count((domq_real)v->domino),
+        cell_computed(v->short_by),
+        cell_uncertain(falls ? v->seconds : DOMQ_NAN,
+                       run->scene.row.engine
+                           ? (domq_real)(run->scene.report.settled.change * (double)v->seconds)
+                           : DOMQ_NAN),
+        v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
+        cell_computed(v->spare)};
+    snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
+    answer_row(a, cells, falls || answer_for_people(a) ? NULL : reason); /* sentences have the reason */
+}
+
+/* Runs the row and prints the answer: that of 'fall' if `listed` is true, and that of 'verdict' if it is
+ * false. */
+static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
+{
+    struct falling f = {.answer = a, .feet = feet_begin(query)};
+    const struct domq_verdict *v = &f.run.verdict;
+    const struct scene_row *scene = &f.run.scene;
+    if (!row_run_begin(query, problem, &f.run))
+        return false;
+    if (scene_has_masses(query->scene))
+        columns_in_joules(a);
+    if (listed)
+        columns_choose(a, scene, scene_has_masses(query->scene));
+    for (size_t k = 0; k < scene->row.count && listed; k++)
+        answer_announce(a, "height", scene->domino[k].height);
+    enum dom_status status =
+        domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
+    bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
+    answer_set_verdict(a, known && v->end == DOM_ROW_FALLS);
+    if (known && !listed)
+        verdict_row(a, &f.run);
+    if (known || (status == DOM_OK && listed)) {
+        verdict_say(a, &f, listed);
+        if (scene->row.floor)
+            feet_say(a, &f.feet, scene->row.count);
+        engine_say(a, &f.run);
+    }
+    bool leans = false;
+    for (size_t k = 0; k < scene->row.count; k++)
+        leans = leans || scene->domino[k].lean != 0;
+    row_run_free(&f.run);
+    if (status != DOM_OK)
+        return row_status(query, problem, status);
+    return known ||
+           problem_no_answer(problem, "there is no verdict after domino %zu: %s%s", v->domino,
+                             dom_row_end_text(v->end),
+                             leans ? "" : "; the rigid-body engine includes it: 'set method engine'");
+}
+
+bool run_fall(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return row_answer(query, a, problem, true);
+}
+
+bool run_verdict(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return row_answer(query, a, problem, false);
+}

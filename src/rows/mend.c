@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'mend', which finds the smallest change of a single gap that saves a row. */
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "rows/rows.h"
+#include <stdlib.h>
+
+const struct column mend_columns[] = {
+    {"domino", "", "number of the domino after the gap", 6},
+    {"gap", "m", "the present gap", 12},
+    {"to", "m", "the nearest gap at which all dominoes fall", 12},
+    {"until", "m", "all dominoes fall if the gap is between 'to' and 'until'", 12},
+    {"change", "m", "to - gap", 12},
+    {"relative", "share", "change / gap", 10},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Returns true if the first domino does not tip over. In this case, a stronger push may save the row. */
+static bool push_lacks(const struct domq_verdict *v)
+{
+    return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
+}
+
+static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v)
+{
+    domq_real push;
+    enum dom_status status = domq_row_weakest_push(&scene->row, &scene->compute,
+                                                   domq_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+    if (status != DOM_OK)
+        return status;
+    answer_say(a, v->end == DOM_ROW_LEANS
+                      ? "The row needs a push: its first domino touches the second before it tips over."
+                      : "The row needs a stronger push: its first domino does not tip over.");
+    if (isnan(push))
+        answer_say(a, "A push alone cannot save this row; enter 'set push 5', and then 'mend' again.");
+    else
+        answer_say(a, "With 'set push %.4g', all dominoes fall.", (double)push);
+    return DOM_OK;
+}
+
+/* ---- Answers ---- */
+
+/* Returns the smallest change of the gap to whole millimetres at which all dominoes fall. If there is none,
+ * returns the nearest gap at which they fall. */
+static domq_real whole_gap(const struct domq_mend *m)
+{
+    const bool wider = m->until > m->to;
+    const domq_real mm = (domq_real)1 / 1000,
+                    gap = mm * (wider ? quad(ceil)(m->to / mm) : quad(floor)(m->to / mm));
+    return (wider ? gap <= m->until : gap >= m->until) && gap > 0 ? gap : m->to;
+}
+
+static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_push)
+{
+    const domq_real safe = whole_gap(m);
+    const struct measured to = measured(safe, "m", 7);
+    answer_say(a, "%s %s the gap before domino %zu from %s to %s: 'place %zu %s'.",
+               needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
+               m->to < m->gap ? "narrow" : "widen", m->domino, measured(m->gap, "m", 5).text, to.text,
+               m->domino, to.text);
+    if (quad(fabs)(m->until - m->to) <= (domq_real)1e-4 * m->to)
+        return;
+    const bool wider = m->until > m->to;
+    const domq_real until = round_digits(m->until, 4, !wider), room = m->to + (until - m->to) / 3;
+    const struct measured end = measured(until, "m", 7), near = measured(m->to, "m", 7);
+    const char *from = until > 0 ? (wider ? near : end).text : "";
+    answer_detail(a, "All dominoes fall if this gap is %s%s%s%s: 'place %zu %s' leaves a margin of %s.",
+                  *from ? "between " : "at most ", from, *from ? " and " : "", (wider ? end : near).text,
+                  m->domino, measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
+}
+
+/* Prints a table of the changes that were found and says how to make the smallest one. */
+static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
+                         const struct domq_verdict *v, size_t count)
+{
+    static const char no_single_gap[] =
+        "the search found no change of a single gap that saves this row; change several gaps, the push, or "
+        "the dominoes";
+    const bool falls = v->end == DOM_ROW_FALLS;
+    for (size_t i = 0; i < found; i++) {
+        domq_real change = list[i].to - list[i].gap;
+        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
+                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
+                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
+    }
+    if (found > 0)
+        mend_say(a, list, push_lacks(v));
+    else if (!answer_for_people(a))
+        answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
+                   falls ? "all fall" : no_single_gap);
+    else if (falls)
+        answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
+    else
+        answer_say(a, "T%s.", no_single_gap + 1);
+    if (falls)
+        weakest_say(a, v, false);
+}
+
+bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct scene_row scene;
+    struct domq_verdict v;
+    struct domq_mend list[DOM_MENDS];
+    size_t found = 0;
+    if (!scene_row_make(query->scene, &scene, problem))
+        return false;
+    scene.row.floor = false;
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
+    if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
+        status = push_say(a, &scene, &v);
+    if (status == DOM_OK && v.end != DOM_ROW_FALLS)
+        status = domq_row_mend(&scene.row, &scene.compute, progress_count, NULL, list, &found);
+    if (status == DOM_OK)
+        mends_answer(a, list, found, &v, scene.row.count);
+    free(scene.domino);
+    return row_status(query, problem, status);
+}

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "rows/model/trial.h"
+
+struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
+{
+    struct trial t = {.row = *row, .compute = compute_or_default(compute), .status = DOM_OK};
+    t.row.floor = false;
+    return t;
+}
+
+static bool trial_judged(struct trial *t)
+{
+    const bool falls = t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+    if (t->verdict.end != DOM_ROW_FALLS)
+        t->ends = t->verdict.end;
+    t->spare = falls || t->verdict.end == DOM_ROW_STOPS ? t->verdict.spare : DOM_NAN;
+    return falls;
+}
+
+static bool spare_seen(const struct dom_fall *fall, void *context)
+{
+    *(dom_real *)context = fall->margin / fall->barrier;
+    return true;
+}
+
+bool trial_falls(struct trial *t)
+{
+    dom_real last = DOM_NAN;
+    t->verdict.end = DOM_ROW_STOPS;
+    if (t->status == DOM_OK)
+        t->status = row_verdict(&t->row, &t->compute, false, spare_seen, &last, &t->verdict);
+    if (t->status == DOM_OK && t->verdict.end == DOM_ROW_STOPS)
+        t->verdict.spare = last;
+    return trial_judged(t);
+}
+
+/* Runs the unchanged row and stores states from which runs of changed rows can start. */
+static enum dom_status trial_study(struct trial *t)
+{
+    struct row_question q = row_question_make(&t->row, &t->compute);
+    t->kernel = q.kernel;
+    return ASK(q, row_study_begin, &t->study, &t->verdict);
+}
+
+bool trial_begin(struct trial *t)
+{
+    t->verdict.end = DOM_ROW_STOPS;
+    if (t->row.engine)
+        (void)trial_falls(t); /* an engine cannot start in the middle of a row */
+    else
+        t->status = trial_study(t);
+    if (t->status == DOM_OK) {
+        t->domino = malloc(t->row.count * sizeof *t->domino);
+        if (t->domino)
+            memcpy(t->domino, t->row.domino, t->row.count * sizeof *t->domino);
+        else
+            t->status = DOM_NO_MEMORY;
+        t->row.domino = t->domino;
+    }
+    return trial_judged(t);
+}
+
+bool trial_again(struct trial *t, size_t first, size_t last)
+{
+    t->verdict.end = DOM_ROW_STOPS;
+    if (t->status == DOM_OK)
+        t->status = t->kernel->row_study(t->study, &t->row, first, last, &t->verdict);
+    return trial_judged(t);
+}
+
+void trial_end(struct trial *t)
+{
+    if (t->study)
+        (void)t->kernel->row_study_end(t->study);
+    free(t->domino);
+}
+
+/*
+ * Neither num_root nor a solver of GSL can be used here, because some tests yield no number, and because the
+ * result must be a point that was tested. Besides, GSL has only double precision.
+ *
+ * In general, this is a bisection. If the spare energies at both ends are known, and one is positive and the
+ * other negative, every second step uses the secant method instead.
+ */
+dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real *bad, dom_real digit,
+                   dom_real tol)
+{
+    dom_real of_good = DOM_NAN, of_bad = DOM_NAN, near;
+    for (bool halve = true; fabs(good - *bad) > (near = fmax(digit, tol * good)); halve = !halve) {
+        const dom_real low = fmin(good, *bad), high = fmax(good, *bad);
+        dom_real x = (good + *bad) / 2;
+        if (!halve && of_good > 0 && of_bad < 0) {
+            x = good + (*bad - good) * (of_good / (of_good - of_bad));
+            /* Shift x a little towards the farther end. Without this shift, only the nearer end would
+             * approach the edge. */
+            x += (fabs(x - good) < fabs(*bad - x)) == (*bad > good) ? near / 2 : -near / 2;
+        }
+        if (digit > 0)
+            x = round(x / digit) * digit;
+        if (!(x > low && x < high))
+            x = digit > 0 ? round((good + *bad) / 2 / digit) * digit : (good + *bad) / 2;
+        if (!(x > low && x < high))
+            break;
+        const bool falls = test(x, t);
+        *(falls ? &good : bad) = x;
+        *(falls ? &of_good : &of_bad) = t->spare;
+    }
+    return good;
+}
+
+dom_real digit_of(dom_real value, int places)
+{
+    return pow(10, floor(log10(value)) - (dom_real)places);
+}

@@ -1,0 +1,426 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds windows. All dominoes of a row fall only if its gaps, sizes and so on are neither too small nor too
+ * large. The window of a gap is the range of gaps at which all dominoes fall, if nothing else in the row
+ * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
+ * friction. A row that does not fall is mended by a gap within the window that is nearest to the gap. */
+#include "rows/model/boxes.h"
+#include "rows/model/trial.h"
+
+/* ---- The value that is changed ---- */
+
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height, and likewise thicknesses.
+ * Friction is tried up to FRICTION_MOST or four times the current friction, whichever is larger, but not
+ * beyond DOM_MU_HIGHEST. */
+#define HEIGHT_PART     ((dom_real)0.01)
+#define HEIGHT_MULTIPLE 4
+#define FRICTION_MOST   2
+
+/* Heights, thicknesses and leans have limits, beyond which the domino falls over by itself, or has no room
+ * for its walls or its rounded edges. The values that are tried stay this fraction away from the limits. The
+ * fraction exceeds the rounding error of a float. */
+#define STANDS_SHORT ((dom_real)1e-6)
+
+/* The range of values that are tried. */
+struct range {
+    dom_real lowest, highest;
+    /* how the fall ends at a value above `highest`, or DOM_ROW_FALLS if this is unknown */
+    enum dom_row_end above;
+};
+
+/* A domino can reach across a gap that is as wide as its own height. */
+static struct range gaps_of(const struct trial *t, const struct dom_domino *d)
+{
+    (void)t;
+    return (struct range){0, d[-1].height, DOM_ROW_MISSES};
+}
+
+/* The domino can move forwards until it touches the next domino, or until the previous domino barely reaches
+ * it. */
+static struct range places_of(const struct trial *t, const struct dom_domino *d)
+{
+    const dom_real reach = d[-1].height - d->gap, room = t->k + 1 == t->row.count ? reach : d[1].gap;
+    return (struct range){t->place - d->gap, t->place + fmin(reach, room),
+                          reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
+}
+
+/*
+ * Returns the range of heights that are tried.
+ * - If a tilted domino is too tall, it falls over by itself. It stands if height < foot / tan |tilt|, where
+ *   foot = thickness - 2 radii.
+ * - A domino with rounded edges must be taller than 2 radii.
+ * - A solid domino must stay solid, and a box must stay a box.
+ */
+static struct range heights_of(const struct trial *t, const struct dom_domino *d)
+{
+    dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
+    dom_real self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
+    dom_real stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
+    dom_real lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
+    dom_real highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
+    lowest = height_of_kind(&t->row, d->height, lowest);
+    highest = height_of_kind(&t->row, d->height, highest);
+    return (struct range){fmin(lowest, d->height), fmax(highest, d->height), DOM_ROW_FALLS};
+}
+
+/* The domino must be thick enough to stand, and to have room for two walls or for two rounded edges. */
+static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
+{
+    const dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
+                   rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
+                   stands = (tan(tilt) + 2 * rho) * d->height,
+                   least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(&t->row, d->height));
+    return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
+                          DOM_ROW_FALLS};
+}
+
+static struct range frictions_of(const struct trial *t, const struct dom_domino *d)
+{
+    (void)d;
+    return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
+}
+
+static struct range leans_of(const struct trial *t, const struct dom_domino *d)
+{
+    dom_real lean[2];
+    dom_lean_limits(d, t->row.alpha, t->row.rho, lean);
+    const dom_real inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
+    return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean), DOM_ROW_FALLS};
+}
+
+static void gap_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    (void)t;
+    d->gap = value;
+}
+
+static void place_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    const dom_real by = value - t->place;
+    d->gap = fmax(d->gap + by, 0);
+    /* rounding must not put the gap out of reach of the previous domino */
+    if (fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
+        d->gap = d[-1].height;
+    if (t->k + 1 < t->row.count)
+        d[1].gap = fmax(d[1].gap - by, 0);
+}
+
+/* Sets the height or the thickness of a domino. The density of the wood, the thickness of the walls and the
+ * width stay the same. So the mass changes too. */
+static void size_set(struct trial *t, struct dom_domino *d, dom_real *size, dom_real value)
+{
+    const struct dom_domino before = *d;
+    const dom_real by = value / *size;
+    d->width = width_of(d);
+    *size = value;
+    d->mass *= wood_factor(&t->row, &before, d, by);
+}
+
+static void height_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    size_set(t, d, &d->height, value);
+}
+
+static void thickness_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    size_set(t, d, &d->thickness, value);
+}
+
+static void friction_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    (void)d;
+    t->row.mu = value;
+}
+
+static void lean_set(struct trial *t, struct dom_domino *d, dom_real value)
+{
+    (void)t;
+    d->lean = value;
+}
+
+static const struct property {
+    struct range (*range)(const struct trial *t, const struct dom_domino *d);
+    void (*set)(struct trial *t, struct dom_domino *d, dom_real value);
+} properties[] = {
+    [DOM_WINDOW_GAP] = {gaps_of, gap_set},          [DOM_WINDOW_PLACE] = {places_of, place_set},
+    [DOM_WINDOW_HEIGHT] = {heights_of, height_set}, [DOM_WINDOW_FRICTION] = {frictions_of, friction_set},
+    [DOM_WINDOW_LEAN] = {leans_of, lean_set},       [DOM_WINDOW_THICKNESS] = {thicknesses_of, thickness_set},
+};
+
+static dom_real value_now(const struct trial *t)
+{
+    const struct dom_domino *d = &t->domino[t->k];
+    const dom_real now[] = {d->gap, t->place, d->height, t->row.mu, d->lean, d->thickness};
+    return now[t->of];
+}
+
+/* A trial_test. Sets the value, runs the row, and then restores the row. */
+static bool falls_with(dom_real value, void *context)
+{
+    struct trial *t = context;
+    const size_t next = t->k + 1 < t->row.count;
+    struct dom_domino *d = &t->domino[t->k], self = *d, after = d[next];
+    const dom_real mu = t->row.mu;
+    bool falls;
+    properties[t->of].set(t, d, value);
+    if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
+        falls = trial_falls(t);
+        if (t->row.engine && t->status == DOM_NOT_CONVERGED)
+            /* if the engine cannot decide whether the row falls, the row counts as not falling */
+            t->status = DOM_OK;
+    } else
+        falls = trial_again(t, t->k, t->k + (next && t->of == DOM_WINDOW_PLACE));
+    t->row.mu = mu;
+    d[next] = after;
+    *d = self;
+    return falls;
+}
+
+/* ---- A walk, and a search for each edge ---- */
+
+/* Values are rounded to VALUE_DIGITS after the first digit, which makes them short enough to type, and STEPS
+ * values are tried in each direction. An engine takes about a thousand times as long for each value, and its
+ * results are accurate to only one percent. */
+enum { VALUE_DIGITS = 6, VALUE_DIGITS_OF_ENGINE = 2, STEPS = 40, STEPS_OF_ENGINE = 10 };
+
+static dom_real value_digit(const struct trial *t, dom_real value)
+{
+    return digit_of(fabs(value), t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
+}
+
+/* Returns value number i of a walk. The values are close together near `from`, and farther apart towards
+ * `end`. For an engine, they have few digits. */
+static dom_real value_step(const struct trial *t, dom_real from, dom_real end, int i, int steps)
+{
+    const dom_real part = (dom_real)i / (dom_real)steps, x = from + (end - from) * part * part * part;
+    if (!t->row.engine || x == end)
+        return x;
+    const dom_real rounded = round(x / value_digit(t, x)) * value_digit(t, x);
+    return fmin(fmax(rounded, fmin(from, end)), fmax(from, end));
+}
+
+/* Searches for the edge between two values. All dominoes must fall at the value `good`, but not at the value
+ * `bad`. */
+static dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
+{
+    return edge_find(falls_with, t, good, &bad, value_digit(t, fmax(fabs(good), fabs(bad))), 0);
+}
+
+/* A band of values at which all dominoes fall. A walk from a value begins it at `from` and ends it at `to`.
+ */
+struct band {
+    bool found;
+    dom_real from, to;
+    enum dom_row_end beyond; /* how the fall ends beyond `to`, if a value there was tried */
+    bool others;             /* true if the row also falls at some value farther on */
+};
+
+/*
+ * Walks from the value `from` towards `end`. If all dominoes fall at `from` (`falls` is true), the band
+ * begins there, and the walk goes on to `end` to see whether the row falls again beyond the band. Otherwise
+ * the walk looks for the first band on its way.
+ */
+static struct band walk(struct trial *t, dom_real from, dom_real end, bool falls, enum dom_row_end beyond)
+{
+    struct band band = {.found = falls, .from = from, .to = end, .beyond = beyond};
+    bool open = falls, over = from == end;
+    dom_real last = from;
+    const int steps = t->row.engine ? STEPS_OF_ENGINE : STEPS;
+    for (int i = 1; i <= steps && !over && t->status == DOM_OK; i++) {
+        const dom_real x = value_step(t, from, end, i, steps);
+        const bool good = x == last ? open : falls_with(x, t);
+        if (good && !band.found) {
+            band.from = value_edge(t, x, last);
+            band.found = open = true;
+        } else if (open && !good) {
+            band.to = value_edge(t, last, x);
+            /* t->ends comes from the closest trial at which the row did not fall. */
+            band.beyond = t->ends;
+            open = false;
+            over = !falls;
+        } else if (good && !open)
+            over = band.others = true;
+        last = x;
+    }
+    band.found = band.found && t->status == DOM_OK;
+    return band;
+}
+
+/* For a row that does not fall, finds the band nearest to the current value, if there is one. If the value is
+ * above the range, for example a gap that is out of reach, the highest value of the range is tried first. */
+static struct band nearest(struct trial *t)
+{
+    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const dom_real now = value_now(t);
+    if (now > range.highest && falls_with(range.highest, t))
+        return walk(t, range.highest, range.lowest, true, DOM_ROW_FALLS);
+    struct band in = walk(t, now, range.lowest, false, DOM_ROW_FALLS),
+                out = walk(t, now, range.highest, false, DOM_ROW_FALLS), *near = &in;
+    if (!in.found || (out.found && fabs(out.from - now) < fabs(now - in.from)))
+        near = &out;
+    near->others = in.found && out.found;
+    return *near;
+}
+
+/* ---- Windows ---- */
+
+/* Finds the window around the current value. All dominoes must fall at the current value. */
+static void window_around(struct trial *t, struct dom_window *w)
+{
+    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const struct band below = walk(t, w->now, range.lowest, true, DOM_ROW_FALLS),
+                      above = walk(t, w->now, range.highest, true, range.above);
+    /* Rounding to a few digits must not move an edge past the current value. */
+    w->low = fmin(below.to, w->now);
+    w->high = fmax(above.to, w->now);
+    w->below = below.beyond;
+    w->above = above.beyond;
+    w->others = below.others || above.others;
+}
+
+/* Returns true if domino k and its two neighbours equal domino k - 1 and its two neighbours. Then the window
+ * of domino k nearly equals the window of domino k - 1. */
+static bool is_repeated(const struct dom_row *row, size_t k)
+{
+    bool equal = k > 2 && k + 1 < row->count;
+    for (size_t i = k - 1; equal && i <= k + 1; i++) {
+        const struct dom_domino *a = &row->domino[i - 1], *b = a + 1;
+        equal = a->height == b->height && a->thickness == b->thickness && a->gap == b->gap &&
+                a->mass == b->mass && a->radius == b->radius && a->lean == b->lean && a->width == b->width;
+    }
+    return equal;
+}
+
+/* Looks for an edge near `guess`. The search steps from there towards the edge, each step eight times as long
+ * as the one before, until the edge lies between two trials. */
+static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
+{
+    const dom_real now = value_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
+    const dom_real first = fmin(fmax(round(guess / digit) * digit, fmin(now, end)), fmax(now, end));
+    dom_real good = first, bad = first, step = end < now ? -digit : digit;
+    if (falls_with(first, t))
+        for (; good == bad && good != end; step *= 8) {
+            bad = fabs(end - good) < fabs(step) ? end : good + step;
+            good = falls_with(bad, t) ? bad : good;
+        }
+    else
+        for (; good == bad && good != now; step *= 8) {
+            good = fabs(good - now) < fabs(step) ? now : bad - step;
+            bad = falls_with(good, t) ? bad : good;
+        }
+    if (good == bad) /* all dominoes fall even at the end of the range */
+        return good;
+    *beyond = t->ends;
+    return value_edge(t, good, bad);
+}
+
+/* Finds the window of a domino that equals the previous domino. To save time, the search looks first near the
+ * edges of the previous domino's window, *last. */
+static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
+{
+    const struct range range = properties[t->of].range(t, &t->domino[t->k]);
+    const dom_real by = w->now - last->now;
+    w->above = range.above;
+    w->others = last->others;
+    w->low = fmin(edge_near(t, last->low + by, range.lowest, &w->below), w->now);
+    w->high = fmax(edge_near(t, last->high + by, range.highest, &w->above), w->now);
+}
+
+static void window_beside(struct trial *t, struct dom_window *w)
+{
+    const struct band band = nearest(t);
+    if (!band.found)
+        return;
+    w->low = fmin(band.from, band.to);
+    w->high = fmax(band.from, band.to);
+    w->others = band.others;
+}
+
+/* Returns true if a change of domino k can affect a fall that ends at domino `ends`. Both count from 0. */
+static bool matters(enum dom_window_of of, size_t k, size_t ends)
+{
+    return of == DOM_WINDOW_FRICTION || k <= ends + 1;
+}
+
+enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
+                                enum dom_window_of of, dom_progress *progress, void *context,
+                                struct dom_window *windows)
+{
+    struct trial t = trial_of(row, compute);
+    t.of = of;
+    bool falls = trial_begin(&t), one = of == DOM_WINDOW_FRICTION;
+    const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
+    const size_t ends = t.verdict.domino - 1;
+    for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
+        if (t.k > 0)
+            t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
+        struct dom_window w = {.domino = one ? 0 : t.k + 1,
+                               .now = value_now(&t),
+                               .low = DOM_NAN,
+                               .high = DOM_NAN,
+                               .below = DOM_ROW_FALLS,
+                               .above = DOM_ROW_FALLS};
+        if (falls && t.k > first && is_repeated(row, t.k))
+            window_repeat(&t, &windows[t.k - first - 1], &w);
+        else if (falls)
+            window_around(&t, &w);
+        else if (matters(of, t.k, ends))
+            window_beside(&t, &w);
+        windows[t.k - first] = w;
+        if (progress)
+            progress(t.k - first + 1, end - first, context);
+    }
+    trial_end(&t);
+    return t.status;
+}
+
+/* ---- Mending ---- */
+
+/* In addition to the gap at which the fall ends, this many gaps closer to the start of the row are tried.
+ * Gaps that are even closer to the start hardly matter. */
+enum { BACK = DOM_MENDS - 1 };
+
+static int by_change(const void *a, const void *b)
+{
+    const struct dom_mend *x = a, *y = b;
+    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    return dx < dy ? -1 : dx > dy;
+}
+
+/* Searches for single gaps whose change makes the row fall. If the gap after the domino at which the fall
+ * ends is too wide to reach across, no other gap is tried. Returns the number of changes found. */
+static size_t gaps_search(struct trial *t, dom_progress *progress, void *context, struct dom_mend *mends)
+{
+    const size_t ends = t->verdict.domino, last = ends < t->row.count ? ends : t->row.count - 1,
+                 first = t->verdict.end == DOM_ROW_MISSES ? last
+                         : last > BACK                    ? last - BACK
+                                                          : 1;
+    size_t found = 0;
+    for (t->k = first; t->k <= last && t->status == DOM_OK; t->k++) {
+        const struct band band = nearest(t);
+        if (band.found)
+            mends[found++] = (struct dom_mend){t->k + 1, t->domino[t->k].gap, band.from, band.to};
+        if (progress)
+            progress(t->k - first + 1, last - first + 1, context);
+    }
+    if (found > 1)
+        qsort(mends, found, sizeof *mends, by_change);
+    return found;
+}
+
+enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
+                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
+                             size_t *count)
+{
+    struct trial t = trial_of(row, compute);
+    struct dom_mend found[DOM_MENDS];
+    size_t most = 0;
+    t.of = DOM_WINDOW_GAP;
+    if (!trial_begin(&t) && t.status == DOM_OK && row->count > 1)
+        most = gaps_search(&t, progress, context, found);
+    trial_end(&t);
+    if (t.status != DOM_OK)
+        return t.status;
+    memcpy(mends, found, most * sizeof *mends);
+    *count = most;
+    return DOM_OK;
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Types and functions that the files in this directory share, and the commands that are defined in them. */
+#ifndef SHELL_ROWS_H
+#define SHELL_ROWS_H
+
+#include "session/random_errors.h"
+#include "train/falling.h"
+
+extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
+    placement_columns[], slip_columns[];
+bool run_fall(const struct query *query, struct answer *a, struct problem *problem);
+bool run_verdict(const struct query *query, struct answer *a, struct problem *problem);
+bool run_mend(const struct query *query, struct answer *a, struct problem *problem);
+bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
+bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
+bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
+
+/* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
+ * instant when this domino is hit. Dominoes are counted from 1. */
+struct slip {
+    domq_real needs; /* the friction coefficient; infinite if the foot is lifted off the floor */
+    size_t domino;   /* the domino whose foot this is */
+    size_t head;     /* 0 if no foot was found */
+};
+
+/* The friction that the feet of a row need: `motion` while dominoes fall, and `hit` at the instants when a
+ * domino is hit. */
+struct feet {
+    domq_real floor; /* the friction of the floor */
+    struct needs {
+        struct slip most, first; /* the foot that needs the most friction, and the first foot that slips */
+    } motion, hit;
+};
+
+/* Functions that print the friction that feet need. Call feet_begin, then feet_add for each domino that is
+ * hit, and then feet_say. `count` is the number of dominoes in the row. */
+struct feet feet_begin(const struct query *query);
+void feet_add(struct feet *feet, const struct domq_fall *fall);
+void feet_say(struct answer *a, const struct feet *feet, size_t count);
+
+/* The message for a domino that is lifted off the floor. */
+extern const char foot_lifted[];
+
+/* The results of a study of random rows. */
+struct study {
+    domq_real sigma, heights;
+    char errors[ERRORS_TEXT];
+    bool is_on[DOM_ERROR_COUNT];
+    bool causes; /* the rows were also run with each kind of error left out in turn */
+    struct domq_study result;
+    size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
+    size_t dominoes;                 /* the number of dominoes in the row */
+    size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
+};
+
+/* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
+ * the scene has no random errors, runs nothing and sets study->rows to 0. */
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
+               struct domq_random_error error[DOM_ERROR_COUNT]);
+
+/* Runs a study. If there are several kinds of errors, finds out which of them matter: for each kind, runs the
+ * rows again without errors of this kind. The caller frees study->stops, even after a failure. */
+enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
+                                      const struct domq_placement *placement, struct study *study);
+
+/* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
+size_t *study_stops(const struct study *study, int kind);
+
+/* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
+void study_answer(struct answer *a, const struct study *study, const char *reason);
+
+/* Computes and prints the part of a study that --shard selects, as counts for blocks of 100 rows. */
+bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
+                  const struct scene_row *scene, const struct domq_placement *placement);
+
+/* ---- The windows of a row: how inaccurate each domino may be before the row stops ---- */
+
+enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
+
+struct windows {
+    const struct scene_row *scene;
+    size_t count; /* the number of dominoes */
+    /* An array of windows for each kind of window. For example, kind[DOM_WINDOW_HEIGHT][2] is the window of
+     * the height of the third domino. All dominoes have the same friction, so there is only one window for
+     * it: kind[DOM_WINDOW_FRICTION][0]. */
+    struct domq_window *kind[WINDOW_KINDS];
+    /* Numbers of dominoes, counted from 1. If the row falls, critical[K] is the domino with the tightest
+     * limits for its place, height, thickness or lean. If the row does not fall, critical[DOM_WINDOW_LEAN] is
+     * the leaning domino whose lean needs the smallest change to save the row. All other elements are 0. */
+    size_t critical[WINDOW_KINDS];
+    bool falls;
+};
+
+/* Finds all windows of the row, in parallel. Even after a failure, the caller frees w->kind[0],
+ * which holds all windows. */
+enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w);
+
+#endif

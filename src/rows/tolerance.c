@@ -1,0 +1,389 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'tolerance': how far the places, sizes and leans of single dominoes may deviate. */
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include "parallel/workers.h"
+#include "rows/rows.h"
+#include <stdatomic.h>
+#include <stdlib.h>
+
+const struct column tolerance_columns[] = {
+    {"domino", "", "number of the domino, from 1", 6},
+    {"place", "m", "the distance from the back of domino 1 to the back of this domino", 8},
+    {"from", "m", "the smallest 'place' at which all dominoes fall, if no other domino is moved", 8},
+    {"to", "m", "the largest 'place' at which all dominoes fall, if no other domino is moved", 8},
+    {"gap", "m", "clear distance to the domino before it", 8},
+    {"gap_low", "m", "the smallest gap at which all dominoes fall, if no other gap changes", 8},
+    {"gap_high", "m", "the largest gap at which all dominoes fall, if no other gap changes", 8},
+    {"height", "m", "height of the domino", 8},
+    {"height_low", "m", "the smallest height at which all dominoes fall", 10},
+    {"height_high", "m",
+     "the largest height at which all dominoes fall; the search ends at 4 times the present height", 11},
+    {"thickness", "m", "thickness of the domino", 8},
+    {"thickness_low", "m", "the smallest thickness at which all dominoes fall", 10},
+    {"thickness_high", "m",
+     "the largest thickness at which all dominoes fall; the search ends at 4 times the present thickness",
+     11},
+    {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
+    {"lean_low", "m", "the smallest lean at which all dominoes fall (negative: backwards)", 8},
+    {"lean_high", "m", "the largest lean at which all dominoes fall (negative: backwards)", 9},
+    {"friction_low", "", "the smallest friction between dominoes at which all dominoes fall", 8},
+    {"friction_high", "",
+     "the largest friction between dominoes at which all dominoes fall; the search ends at a friction of "
+     "2, or at 4 times the present friction if that is larger",
+     8},
+    {"first", "",
+     "the properties in which this domino has the tightest limits of all dominoes: 'place', 'height' or "
+     "'both'",
+     6},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Returns the distance from the current value to the nearer end of the window. The distance is negative if
+ * the value is outside the window, and NaN if there is no window. */
+static domq_real room(const struct domq_window *w)
+{
+    return quad_smaller(w->now - w->low, w->high - w->now);
+}
+
+/* Returns the number of the domino whose value is closest to an end of its window, or 0 if there is no such
+ * domino. If the row falls, this domino has the tightest limits. If the row does not fall, this domino needs
+ * the smallest change to save the row. In a row that does not fall, dominoes with the value 0 are not
+ * considered, for example dominoes that do not lean. */
+static size_t least_room(const struct windows *w, enum dom_window_of kind)
+{
+    domq_real least = DOMQ_NAN;
+    size_t first = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        const struct domq_window *of = &w->kind[kind][k];
+        /* A difference in height or thickness is divided by the current value. */
+        domq_real free =
+            quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
+        if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
+            least = free;
+            first = k + 1;
+        }
+    }
+    return first;
+}
+
+/* Converts a window of leans from angles to distances by which the top is off plumb. */
+static void lean_to_top(struct domq_window *lean, domq_real height)
+{
+    lean->now = height * quad(sin)(lean->now);
+    lean->low = height * quad(sin)(lean->low);
+    lean->high = height * quad(sin)(lean->high);
+}
+
+/* The search for all windows. Each kind of window is a task, and the tasks run in parallel. */
+struct search {
+    struct windows *windows;
+    enum dom_status status[WINDOW_KINDS];
+    atomic_size_t done; /* the number of windows found so far */
+    bool is_muted;      /* true if progress output is muted in the thread that started the search */
+};
+
+static void search_progress(size_t done, size_t of, void *context)
+{
+    struct search *s = context;
+    const double all = (double)(s->windows->count * WINDOW_KINDS), now = (double)++s->done;
+    (void)done, (void)of;
+    const bool was_muted = progress_mute(s->is_muted);
+    progress_show(now / all);
+    progress_mute(was_muted);
+}
+
+/* Finds the windows of one kind. Leans are computed only in the model, and only with sharp edges. */
+static void search_kind(size_t kind, void *context)
+{
+    struct search *s = context;
+    const struct scene_row *scene = s->windows->scene;
+    const bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE,
+               leans = !scene->row.engine && scene->row.rho == 0;
+    s->status[kind] = DOM_OK;
+    if (leans || kind != DOM_WINDOW_LEAN)
+        s->status[kind] = domq_row_windows(&scene->row, &scene->compute, (enum dom_window_of)kind,
+                                           search_progress, s, s->windows->kind[kind] + from_second);
+}
+
+static enum dom_status search_run(const struct query *query, struct windows *w)
+{
+    struct task_pool pool = {.threads = query->state->settings.threads,
+                             .interrupt = query->scene->compute.interrupt};
+    struct search search = {.windows = w, .is_muted = progress_mute(false)};
+    progress_mute(search.is_muted);
+    enum dom_status status = workers_tasks(WINDOW_KINDS, search_kind, &search, &pool);
+    for (int kind = 0; kind < WINDOW_KINDS && status == DOM_OK; kind++)
+        status = search.status[kind];
+    return status;
+}
+
+enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w)
+{
+    const struct domq_row *row = &scene->row;
+    struct domq_verdict v;
+    *w = (struct windows){.scene = scene, .count = row->count};
+    w->kind[0] = malloc(WINDOW_KINDS * w->count * sizeof **w->kind);
+    if (!w->kind[0])
+        return DOM_NO_MEMORY;
+    for (int i = 1; i < WINDOW_KINDS; i++)
+        w->kind[i] = w->kind[i - 1] + w->count;
+    for (size_t i = 0; i < WINDOW_KINDS * w->count; i++)
+        w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
+    enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
+    w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
+    if (status == DOM_OK)
+        status = search_run(query, w);
+    for (size_t k = 0; k < w->count; k++)
+        lean_to_top(&w->kind[DOM_WINDOW_LEAN][k], scene->domino[k].height);
+    if (status == DOM_OK)
+        w->critical[DOM_WINDOW_LEAN] = least_room(w, DOM_WINDOW_LEAN);
+    if (status == DOM_OK && w->falls) {
+        w->critical[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
+        w->critical[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
+        w->critical[DOM_WINDOW_THICKNESS] = least_room(w, DOM_WINDOW_THICKNESS);
+    }
+    return status;
+}
+
+/* ---- Sentences, with windows rounded inwards ---- */
+
+/* Rounds both ends of a window, so that they are easier to read. The ends move inwards, so that every value
+ * in the rounded window is allowed. Each end moves by at most a hundredth of the window's width. */
+static struct domq_window readable(const struct domq_window *w)
+{
+    struct domq_window r = *w;
+    domq_real width = w->high - w->low;
+    if (!(width > 0))
+        return r;
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(width / 100)));
+    r.low = quad(ceil)(w->low / digit) * digit;
+    r.high = quad(floor)(w->high / digit) * digit;
+    return r;
+}
+
+/* In sentences, limits have DIGITS digits. A current value was measured with a tape, so DIGITS_NOW digits are
+ * enough for it. */
+enum { DIGITS = 6, DIGITS_NOW = 4 };
+
+static struct measured length(domq_real value, int digits)
+{
+    return measured(value, "m", digits);
+}
+
+static void friction_detail(struct answer *a, const struct windows *w)
+{
+    const struct domq_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
+    const struct measured now = measured(f.now, "", DIGITS_NOW);
+    char range[2 * CELL_TEXT] = "";
+    if (f.low > 0)
+        snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
+    text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
+    if (isnan(f.low))
+        answer_detail(
+            a,
+            "The search found no value of the friction between the dominoes that saves this row; the "
+            "friction is %s now.",
+            now.text);
+    else if (!w->falls)
+        answer_detail(a,
+                      "All dominoes would fall if the friction between the dominoes were %s; it is %s now.",
+                      range, now.text);
+    else
+        answer_detail(a, "All dominoes fall if the friction between the dominoes is %s%s; it is %s now.",
+                      range, f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
+}
+
+/* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
+static struct words off_plumb(domq_real value, int digits)
+{
+    struct words off;
+    snprintf(off.text, sizeof off.text, "%.40s%s", measured(quad(fabs)(value), "m", digits).text,
+             value < 0   ? " backwards"
+             : value > 0 ? " forwards"
+                         : "");
+    return off;
+}
+
+static void lean_detail(struct answer *a, const struct windows *w)
+{
+    const size_t k = w->critical[DOM_WINDOW_LEAN];
+    if (k == 0)
+        return;
+    const struct domq_window l = readable(&w->kind[DOM_WINDOW_LEAN][k - 1]);
+    const char *all = w->count > 1 ? ", the tightest limits of all" : "";
+    if (!w->falls)
+        answer_detail(
+            a,
+            "All dominoes would fall if the top of domino %zu were off by anything from %s to %s; it "
+            "is off by %s now.",
+            k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
+            off_plumb(l.now, DIGITS_NOW).text);
+    else if (l.now == 0)
+        answer_detail(a, "Set domino %zu %s: its top may be off by up to %s backwards or %s forwards%s.", k,
+                      w->scene->row.alpha != 0 ? "square to the floor" : "plumb",
+                      length(0 - l.low, DIGITS).text, length(l.high, DIGITS).text, all);
+    else
+        answer_detail(a, "The top of domino %zu may be off by anything from %s to %s%s; it is off by %s now.",
+                      k, off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
+                      off_plumb(l.now, DIGITS_NOW).text);
+}
+
+/* Prints how many windows of heights may be too narrow, for two reasons: the search does not try very tall
+ * dominoes, and the model does not include every contact. */
+static void heights_detail(struct answer *a, const struct windows *w)
+{
+    size_t open = 0, passing = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        const struct domq_window *h = &w->kind[DOM_WINDOW_HEIGHT][k];
+        open += w->falls && h->above == DOM_ROW_FALLS && h->high >= 4 * h->now;
+        passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
+    }
+    if (open > 0)
+        answer_detail(a,
+                      "%zu height window%s end%s at 4 times the present height, because taller dominoes are "
+                      "not tried.",
+                      open, open == 1 ? "" : "s", open == 1 ? "s" : "");
+    if (passing > 0)
+        answer_detail(a,
+                      "%zu height window%s end%s where the upper edge of a domino would pass above the next "
+                      "domino. The face of the domino would then strike the next one. The model does not "
+                      "include this contact, so the row may also fall with heights outside %s. "
+                      "The rigid-body engine includes the contact: 'set method engine'.",
+                      passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "",
+                      passing == 1 ? "this window" : "these windows");
+}
+
+/* Prints the command that moves domino k, and no other domino, to the middle of its window. */
+static void place_change_detail(struct answer *a, const struct windows *w, size_t k)
+{
+    const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
+    const domq_real by = (p->low + p->high) / 2 - p->now;
+    const struct measured shift = measured(quad(fabs)(by), "m", 3);
+    char after[2 * CELL_TEXT] = "";
+    if (k < w->count)
+        snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
+    answer_detail(a, "'change %zu gap %c%s%s' moves the domino to the middle of this range.", k,
+                  by < 0 ? '-' : '+', shift.text, after);
+}
+
+static const char *const size_names[] = {
+    [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
+
+/* Prints a 'change' command that sets the gap, height or thickness of domino k. */
+static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
+{
+    const struct domq_window *of = &w->kind[kind][k - 1];
+    /* If the row does not fall, the change is kept small, as in 'mend'. */
+    const domq_real near = of->now < of->low ? of->low : of->high,
+                    far = of->now < of->low ? of->high : of->low,
+                    value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
+    (w->falls ? answer_detail : answer_say)(a, "'change %zu %s %s' %s.", k, size_names[kind],
+                                            measured(value, "m", 4).text,
+                                            w->falls ? "chooses the middle of this range" : "saves the row");
+}
+
+/* Prints the window of the domino whose place, height or thickness has the tightest limits. */
+static void window_say(struct answer *a, const struct windows *w, enum dom_window_of kind)
+{
+    const size_t k = w->critical[kind];
+    if (k == 0)
+        return;
+    const struct domq_window of = readable(&w->kind[kind][k - 1]);
+    answer_say(a, "The %s of domino %zu has %s limits: %s to %s.",
+               kind == DOM_WINDOW_PLACE ? "place" : size_names[kind], k,
+               w->count > 1 ? "the tightest" : "these", length(of.low, DIGITS).text,
+               length(of.high, DIGITS).text);
+    answer_detail(a, "The %s of domino %zu is %s now.", kind == DOM_WINDOW_PLACE ? "place" : size_names[kind],
+                  k, length(of.now, DIGITS_NOW).text);
+    if (kind == DOM_WINDOW_PLACE)
+        place_change_detail(a, w, k);
+    else
+        change_say(a, w, kind, k);
+}
+
+static void tolerance_say(struct answer *a, const struct windows *w)
+{
+    static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
+    answer_detail(a, "\nA window is a range of values, for example of the height of a domino. All dominoes "
+                     "fall with any value in this range, as long as nothing else in the row changes. Places "
+                     "are measured from the back of domino 1 to the back of each domino.");
+    if (w->scene->row.engine)
+        answer_detail(a, "A rigid-body engine runs this row. The ends of windows are accurate to about 1 %%, "
+                         "and a window also ends where the engine reaches no verdict.");
+    if (!w->falls)
+        answer_say(a, "The row does not fall now; a change of one value can save it.");
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
+        if (least_room(w, sizes[i]) > 0)
+            change_say(a, w, sizes[i], least_room(w, sizes[i]));
+    window_say(a, w, DOM_WINDOW_PLACE);
+    window_say(a, w, DOM_WINDOW_HEIGHT);
+    window_say(a, w, DOM_WINDOW_THICKNESS);
+    heights_detail(a, w);
+    lean_detail(a, w);
+    friction_detail(a, w);
+}
+
+/* ---- The answer ---- */
+
+/* The kinds of windows, in the order of the columns. Each kind has three columns. */
+static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
+                                                  DOM_WINDOW_THICKNESS, DOM_WINDOW_LEAN};
+enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
+
+static void columns_choose(struct answer *a, const struct windows *w)
+{
+    if (answer_for_people(a)) /* sentences describe these windows, so the columns are left out */
+        answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
+                            "thickness thickness_low thickness_high");
+    for (size_t k = 0; k < w->count; k++)
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window get the same unit */
+            domq_real high = w->kind[column_kinds[i]][k].high;
+            answer_announce(a, tolerance_columns[3 * i + 2].key, high);
+            answer_announce(a, tolerance_columns[3 * i + 3].key, high);
+        }
+}
+
+static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
+{
+    const bool place = w->critical[DOM_WINDOW_PLACE] == k + 1,
+               height = w->critical[DOM_WINDOW_HEIGHT] == k + 1;
+    const struct domq_window *friction = w->kind[DOM_WINDOW_FRICTION];
+    struct cell cells[ANSWER_COLUMNS] = {cell_count((domq_real)k + 1)}, *cell = cells + 1;
+    bool saves = w->falls;
+    for (int i = 0; i < COLUMN_KINDS; i++) {
+        const struct domq_window *of = &w->kind[column_kinds[i]][k];
+        const struct domq_window shown = answer_for_people(a) ? readable(of) : *of;
+        saves = saves || !isnan(of->low);
+        *cell++ = cell_narrow(shown.now, DIGITS);
+        *cell++ = cell_narrow(shown.low, DIGITS);
+        *cell++ = cell_narrow(shown.high, DIGITS);
+    }
+    *cell++ = cell_narrow(friction->low, DIGITS);
+    *cell++ = cell_narrow(friction->high, DIGITS);
+    *cell++ = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
+    answer_row(a, cells,
+               saves || answer_for_people(a)
+                   ? NULL
+                   : "the search found no change of this domino alone that saves the row");
+}
+
+bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct scene_row scene;
+    struct windows w;
+    if (!scene_row_make(query->scene, &scene, problem))
+        return false;
+    scene.row.floor = false;
+    enum dom_status status = windows_find(query, &scene, &w);
+    if (status == DOM_OK) {
+        columns_choose(a, &w);
+        for (size_t k = 0; k < w.count && !answer_lost(a); k++)
+            tolerance_row(a, &w, k);
+        tolerance_say(a, &w);
+    }
+    free(w.kind[0]);
+    free(scene.domino);
+    return row_status(query, problem, status);
+}

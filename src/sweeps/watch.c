@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'watch': arrow keys change a parameter, and a point moves along the answer's curve. Enter
+ * stores the value in the session. */
+#include "io/terminal.h"
+#include "pictures/picture/chart.h"
+#include "planning/planning.h"
+#include "session/session.h"
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+enum {
+    STEPS = 200, /* number of small steps in the range */
+    COARSE = 5   /* number of small steps between two points of the curve */
+};
+
+struct watch {
+    const struct solve *solve;
+    struct probe probe;
+    double from, to;
+    double curve[STEPS / COARSE + 1]; /* the answers along the curve, or NaN if there is no answer */
+    double x;                         /* the value of the parameter at the moving point */
+    int step;                         /* number of the small step nearest to x, 0 .. STEPS */
+    enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
+};
+
+static double watch_x(const struct watch *w, int step)
+{
+    return w->from + (w->to - w->from) * step / STEPS;
+}
+
+/* Computes the curve and puts the point at the parameter's value. Fails if the curve has no points. */
+static bool watch_begin(struct watch *w, struct problem *problem)
+{
+    const struct parameter *p = w->solve->parameter;
+    int answers = 0;
+    for (int i = 0; i <= STEPS / COARSE; i++) {
+        w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
+        answers += isfinite(w->curve[i]);
+        if (w->probe.wrong || dom_raised(w->probe.query->scene->compute.interrupt))
+            return probe_report(&w->probe, problem);
+    }
+    w->x = fmin(fmax((double)parameter_get(w->probe.query->state, p), w->from), w->to);
+    w->step = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
+    return answers > 0 || probe_report(&w->probe, problem);
+}
+
+/* ---- The screen ---- */
+
+static void watch_draw(struct watch *w, FILE *out)
+{
+    int width, height;
+    struct chart chart = chart_make();
+    double x = w->x, y = (double)probe_at(&w->probe, (domq_real)x);
+    terminal_size(out, &width, &height);
+    struct chart_curve *line = chart_curve(&chart, CHART_LINE, INK_BLUE, 0, "%s", "");
+    for (int i = 0; i <= STEPS / COARSE; i++)
+        chart_point(&chart, line, watch_x(w, COARSE * i), w->curve[i]);
+    struct chart_curve *point = chart_curve(&chart, CHART_POINTS, INK_RED, 0, "%s", "");
+    chart_point(&chart, point, x, y);
+    chart.x.low = w->from;
+    chart.x.high = w->to;
+    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
+    (void)chart_prepare(&chart); /* an empty chart is shown if there are no points */
+    fputs("\033[H\033[J", out);
+    char answer[160];
+    if (isfinite(y))
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->question->name, y,
+                 expression_unit_text(w->probe.unit));
+    else
+        snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
+    fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
+    if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
+        chart_text(&chart, display_of(out), width - 1, height - 3, out);
+    fputs(width >= 72 ? "left, right: large steps  up, down: small steps  Enter: keep it  q: quit"
+                      : "arrows: move, Enter: keep, q: quit",
+          out);
+    fflush(out);
+    chart_free(&chart);
+}
+
+/* A terminal sends three characters for an arrow key: ESC, then '[' or 'O', then a letter from A to D. */
+static void keys_take(struct watch *w, const char *key, ssize_t count)
+{
+    static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
+    for (ssize_t i = 0; i < count; i++) {
+        bool is_arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033' &&
+                        key[i] >= 'A' && key[i] <= 'D';
+        if (is_arrow) {
+            w->step += steps[key[i] - 'A'];
+            w->step = w->step < 0 ? 0 : w->step > STEPS ? STEPS : w->step;
+            w->x = watch_x(w, w->step);
+        } else if (key[i] == '\n' || key[i] == '\r') {
+            w->state = WATCH_KEEP;
+        } else if (key[i] == 'q' || key[i] == 4 /* ^D */) {
+            w->state = WATCH_LEAVE;
+        } else if (key[i] == 26 /* ^Z */) {
+            w->state = WATCH_STOP;
+        }
+    }
+}
+
+/* Handles keys until a key, a signal or the end of the input ends the command. */
+static void watch_run(struct watch *w, FILE *out)
+{
+    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
+    int width = 0, height = 0;
+    double shown = (double)NAN;
+    char key[64];
+    while (w->state == WATCH_ON) {
+        int across, down;
+        terminal_size(out, &across, &down);
+        if (across != width || down != height || w->x != shown)
+            watch_draw(w, out);
+        width = across;
+        height = down;
+        shown = w->x;
+        ssize_t count = poll(&input, 1, 200) > 0 ? read(STDIN_FILENO, key, sizeof key) : -1;
+        if (dom_raised(w->probe.query->scene->compute.interrupt) || count == 0 ||
+            (input.revents & (POLLHUP | POLLERR)))
+            w->state = WATCH_LEAVE;
+        else if (count > 0)
+            keys_take(w, key, count);
+    }
+}
+
+/* Checks that the session is interactive, and that the terminal can move its cursor. */
+static bool watch_possible(const struct session *session, struct problem *problem)
+{
+    int width, height;
+    const char *term = getenv("TERM");
+    bool terminal = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
+    return (session->source.prompt_width && terminal && term && strcmp(term, "dumb") != 0) ||
+           problem_error(problem,
+                         "'watch' works only at the prompt of a terminal that can move its cursor; elsewhere "
+                         "'sweep s 0.1 0.9 9 : rmax' lists the answers");
+}
+
+/* Runs the command on the alternate screen. Keys are read at once, and not echoed. */
+static void watch_show(struct watch *w, FILE *out)
+{
+    struct termios before, keys;
+    if (tcgetattr(STDIN_FILENO, &before) != 0)
+        return;
+    keys = before;
+    keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+    /* ^Z is read as a key, so that the terminal is restored before the process stops. */
+    keys.c_cc[VSUSP] = _POSIX_VDISABLE;
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
+    fputs("\033[?1049h\033[?25l", out); /* alternate screen, no cursor */
+    watch_run(w, out);
+    fputs("\033[?25h\033[?1049l", out);
+    fflush(out);
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+}
+
+bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
+               struct problem *problem)
+{
+    const struct solve *solve = given->bound;
+    const struct query query = session_query(session);
+    struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
+    w.probe = (struct probe){.query = &query,
+                             .command = problem->command,
+                             .question = solve->question,
+                             .parameter = solve->parameter};
+    if (!watch_possible(session, problem))
+        return false;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    bool begun = watch_begin(&w, problem);
+    progress_end();
+    if (begun)
+        watch_show(&w, session->output->out);
+    gsl_set_error_handler(handler);
+    domq_real value = w.x;
+    if (w.state == WATCH_STOP)
+        raise(SIGTSTP);
+    if (w.state == WATCH_KEEP && !parameter_set(&session->state, solve->parameter, &value, 1, NULL, problem))
+        return false;
+    if (begun)
+        answer_say(a, "%s %s %.6g", solve->parameter->name,
+                   w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
+    return begun;
+}

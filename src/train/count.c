@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'count': how many dominoes it takes to topple a domino of a given height. */
+#include "commands/tables.h"
+#include "language/quad.h"
+#include "train/row_start.h"
+#include <ctype.h>
+#include <string.h>
+
+const struct column count_columns[] = {
+    {"height", "m", "the height H of the domino to topple", 0},
+    {"r", "", "growth: the size of each domino relative to the one before", 0},
+    {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
+    {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
+    {"first_height", "m", "height of the first domino", 0},
+    {"last_height", "m", "height of the tallest domino that this row can topple, first_height r^n", 0},
+    {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
+    {"goes_on", "", "whether an endless train with this growth keeps falling once it is moving", 7},
+    {"stops_at", "", "the domino at which the fall ends, if not all dominoes fall", 8},
+    {"push", "rad/s", "the weakest push with which such a row would fall", 0},
+    {"r_start", "", "the largest growth at which such a row starts and keeps falling", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Sets *why to the reason why the train stops, or to NULL if it keeps falling. Returns DOM_OK in both
+ * cases. */
+static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
+                                      const char **why)
+{
+    struct domq_barrier barrier;
+    enum dom_status status = domq_barrier_find(train, compute, &barrier);
+    *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
+           : status == DOM_STOPS      ? "the train has too little energy to keep falling"
+           : status == DOM_NO_FUEL    ? "falling releases no energy"
+           : status == DOM_LOCKS      ? "friction locks the train"
+           : status == DOM_UNDERFLOW  ? "r is too large for the precision"
+                                      : NULL;
+    return *why ? DOM_OK : status;
+}
+
+/* The results for a row that is to topple a domino of a given height. */
+struct tower {
+    struct domq_limit limit; /* the largest growth of the endless train */
+    const char *stops;       /* why the endless train stops, or NULL */
+    struct start start;      /* the result of running the row, whose last domino is the one to topple */
+    struct start_growths growths;
+    bool falls;
+};
+
+/* Runs a row of `dominoes` dominoes, followed by the domino to topple. Also finds two limits: the largest
+ * growth at which a moving train keeps falling, and the largest growth at which a row starts from rest. */
+static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                       struct tower *t, struct problem *problem)
+{
+    const struct domq_compute *compute = &query->scene->compute;
+    enum dom_status status = count_feasible(train, compute, &t->stops);
+    if (status == DOM_OK)
+        status = domq_limit_rmax(train, compute, &t->limit);
+    if (status != DOM_OK)
+        return query_status(query, problem, status);
+    t->growths = (struct start_growths){DOMQ_NAN, false};
+    if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
+        (t->limit.ends != DOM_END_NONE &&
+         !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))
+        return false;
+    t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > dominoes);
+    return true;
+}
+
+/* A kind of domino, such as "solid" or "q = 3.5", and the results for a row of this kind. */
+struct kind {
+    domq_real q;
+    struct tower tower;
+    bool is_session; /* the dominoes of the session are of this kind */
+};
+
+enum { KINDS_MOST = 8 };
+
+/* Finds the results for each named kind of domino, and for the kind of the session. Returns the number of
+ * kinds, or 0 after a problem. The kind of the session comes first. */
+static size_t kinds_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                         const struct tower *own, struct kind kind[KINDS_MOST], struct problem *problem)
+{
+    size_t count = 1;
+    kind[0] = (struct kind){train->q, *own, true};
+    for (const struct word *w = parameter_find("q")->words; w->name && count < KINDS_MOST; w++) {
+        struct domq_train other = *train;
+        /* Several words can have the same value. */
+        if (w->value == train->q || (w[1].name && w[1].value == w->value))
+            continue;
+        other.q = kind[count].q = w->value;
+        kind[count].is_session = false;
+        if (!tower_find(query, &other, dominoes, &kind[count++].tower, problem))
+            return 0;
+    }
+    return count;
+}
+
+/* Returns how many dominoes topple one of this height at growth r, or NaN if no number is enough. */
+static domq_real enough(const struct query *query, domq_real height, domq_real r)
+{
+    struct domq_count count;
+    return domq_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK
+               ? count.dominoes
+               : DOMQ_NAN;
+}
+
+/* Rounds a growth down to three digits, or to more if only equal dominoes would be left. */
+static domq_real growth_below(domq_real r)
+{
+    domq_real below = 1;
+    for (int digits = 3; digits <= 9 && r > 1 && below <= 1; digits++)
+        below = round_digits(r, digits, false);
+    return below;
+}
+
+/* Prints how much dominoes of one kind can grow in a row that starts, and how many are then enough. */
+static void growth_say(const struct query *query, struct answer *a, const struct kind *kind, domq_real height)
+{
+    struct words name = dominoes_words(kind->q, "dominoes");
+    const domq_real most = growth_below(kind->tower.growths.r_max), n = enough(query, height, most);
+    if (kind->tower.limit.ends == DOM_END_NONE)
+        answer_say(a, "With these gaps not even equal dominoes keep falling.");
+    else if (isnan(kind->tower.growths.r_max) && !kind->tower.start.engine)
+        answer_say(a, "With these gaps no row of such dominoes starts %s.",
+                   query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself");
+    else if (isfinite(n) && n > 0)
+        answer_say(a, "%c%s can grow by %s each: then %s %s enough.", toupper((unsigned char)*name.text),
+                   name.text + 1, quad_growth(most, 9), quad_text(n, WIDE_DIGITS), n == 1 ? "is" : "are");
+}
+
+/* Prints the growth of the kind that needs the fewest dominoes. If the row of the session does not fall,
+ * prints the growth of its kind. */
+static void advice_say(const struct query *query, struct answer *a, const struct kind *kind, size_t count,
+                       domq_real height, domq_real dominoes)
+{
+    const struct kind *best = kind;
+    for (size_t k = 1; k < count && kind->tower.falls; k++)
+        if (kind[k].tower.growths.r_max > best->tower.growths.r_max)
+            best = &kind[k];
+    if (!kind->tower.falls || enough(query, height, growth_below(best->tower.growths.r_max)) < dominoes)
+        growth_say(query, a, best, height);
+}
+
+/* Adds to the details whether a row of this kind falls, the largest growth for a moving train and for a row
+ * that starts, and how many dominoes are enough at these growths. */
+static void kind_detail(const struct query *query, struct answer *a, const struct kind *kind,
+                        domq_real height)
+{
+    const struct tower *t = &kind->tower;
+    const domq_real r_max = t->limit.r_max, r_start = t->growths.r_max;
+    const char *word = parameter_word(parameter_find("q"), kind->q);
+    struct words name;
+    char starts[128] = "";
+    snprintf(name.text, sizeof name.text, "%s%s", word ? "" : "q = ", word ? word : quad_text(kind->q, 6));
+    if (t->limit.ends == DOM_END_NONE) {
+        answer_detail(a, "  %-7s no; not even equal dominoes keep falling", name.text);
+        return;
+    }
+    if (isnan(r_start) && !t->start.engine)
+        snprintf(starts, sizeof starts, "; but no such row starts");
+    else if (r_start < r_max)
+        snprintf(starts, sizeof starts, "; %.6g in a row that starts: %s dominoes", (double)r_start,
+                 quad_text(enough(query, height, r_start), WIDE_DIGITS));
+    answer_detail(a, "  %-7s %-4s growth up to %.6g: %s dominoes%s", name.text, t->falls ? "yes;" : "no;",
+                  (double)r_max, quad_text(enough(query, height, r_max), WIDE_DIGITS), starts);
+}
+
+static void kinds_detail(const struct query *query, struct answer *a, const struct domq_train *train,
+                         const struct kind *kind, size_t count, domq_real height)
+{
+    answer_detail(a, "\nWhich kinds of domino fall with growth %s at s = %.6g?", quad_growth(train->r, 6),
+                  (double)train->s);
+    for (size_t k = 0; k < count; k++)
+        kind_detail(query, a, &kind[k], height);
+}
+
+/* Returns "The 20th domino" or "The first domino". */
+static struct words ordinal(domq_real n)
+{
+    static const char *const ends[] = {"th", "st", "nd", "rd"};
+    struct words words = {"The first domino"};
+    int hundreds = (int)(n - 100 * quad(floor)(n / 100)), last = hundreds % 10;
+    if (n != 1)
+        snprintf(words.text, sizeof words.text, "The %s%s domino", quad_text(n, WIDE_DIGITS),
+                 last > 3 || hundreds / 10 == 1 ? "th" : ends[last]);
+    return words;
+}
+
+/* Prints the number of dominoes, what decides whether they fall, and whether they do. */
+static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
+                      const struct tower *t, domq_real height, domq_real first)
+{
+    const bool is_one = count->dominoes == 1;
+    if (count->dominoes == 0) {
+        answer_say(a, "No other domino is needed: the first is already %s tall.",
+                   measured(first, "m", 6).text);
+        return;
+    }
+    answer_say(a,
+               "%s %s, each %s times as large as the one before, with gaps of %.6g times the height, %s one "
+               "that is %s tall. Such a row %s.",
+               quad_text(count->dominoes, WIDE_DIGITS),
+               dominoes_words(train->q, is_one ? "domino" : "dominoes").text,
+               quad_growth(train->r, (int)a->style.digits), (double)train->s,
+               !t->falls ? "would be needed to topple"
+               : is_one  ? "topples"
+                         : "topple",
+               measured(height, "m", 6).text, t->falls ? "falls" : "does not fall");
+}
+
+static void count_detail(const struct query *query, struct answer *a, const struct domq_count *count,
+                         const struct domq_train *train, const struct tower *t)
+{
+    char ends[START_TEXT];
+    if (count->dominoes > 0)
+        answer_detail(a, "\n%s is %s tall; it could topple a domino up to %s tall.",
+                      ordinal(count->dominoes).text, measured(count->last / train->r, "m", 4).text,
+                      measured(count->last, "m", 4).text);
+    if (!t->start.falls) {
+        start_problem(query, &t->start, ends);
+        answer_detail(a, "%c%s.%s", toupper((unsigned char)*ends), ends + 1,
+                      t->stops ? "" : " A train that is already moving keeps falling.");
+    } else if (t->stops) {
+        answer_detail(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count,
+                      t->stops);
+    }
+    if (t->start.engine)
+        answer_detail(a, "The rigid-body engine ran the row because %s.", t->start.engine);
+}
+
+/* Returns why the row does not topple the domino, or NULL if it does. */
+static const char *count_reason(const struct query *query, domq_real dominoes, const struct tower *t,
+                                const struct domq_train *train, char reason[START_TEXT])
+{
+    if (!isfinite(dominoes))
+        snprintf(reason, START_TEXT,
+                 "with r = 1 all dominoes are equally tall, so none of them reaches this height");
+    else if (t->falls)
+        return NULL;
+    else if (t->stops)
+        snprintf(reason, START_TEXT, "not possible at s = %.6g with %s: %s", (double)train->s,
+                 dominoes_words(train->q, "dominoes").text, t->stops);
+    else
+        start_problem(query, &t->start, reason);
+    return reason;
+}
+
+bool run_count(const struct query *query, struct answer *a, struct problem *problem)
+{
+    domq_real height = query->given->number[0], first = query->scene->scale.h;
+    struct domq_train train = query->scene->train;
+    struct domq_count count;
+    struct tower t = {.falls = false};
+    struct kind kind[KINDS_MOST];
+    char reason[START_TEXT];
+    train.r = query->given->count > 1 ? query->given->number[1] : train.r;
+    if (domq_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
+        return problem_no_answer(
+            problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+            quad_text(height, 10), quad_text(first, 10), quad_text(train.r, 10),
+            domq_arithmetic(query->scene->compute.precision)->name);
+    if (!tower_find(query, &train, count.dominoes, &t, problem))
+        return false;
+    const bool people = answer_for_people(a), is_enough = isfinite(count.dominoes);
+    const size_t kinds = people ? kinds_find(query, &train, count.dominoes, &t, kind, problem) : 0;
+    if (people && kinds == 0)
+        return false;
+    const char *why = count_reason(query, count.dominoes, &t, &train, reason);
+    answer_set_verdict(a, t.falls && is_enough);
+    if (is_enough)
+        count_say(a, &train, &count, &t, height, first);
+    answer_row(a,
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes),
+                   cell_computed(count.exact), cell_real(first), cell_computed(count.last),
+                   cell_flag(t.falls), cell_flag(!t.stops),
+                   t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
+                   cell_without_error(t.start.push), cell_without_error(t.growths.r_max)),
+               people && is_enough ? NULL : why);
+    if (!people)
+        return true;
+    if (t.stops && why)
+        answer_detail(a, "%s", why);
+    if (is_enough)
+        count_detail(query, a, &count, &train, &t);
+    advice_say(query, a, kind, kinds, height, is_enough ? count.dominoes : (domq_real)INFINITY);
+    kinds_detail(query, a, &train, kind, kinds, height);
+    return true;
+}

@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
+#include "commands/tables.h"
+#include "language/quad.h"
+#include "parallel/points.h"
+#include "train/row_start.h"
+#include <math.h>
+
+static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
+{
+    return i < call->count ? call->number[i] : fallback;
+}
+
+static const char *no_growth(struct domq_limit limit)
+{
+    return limit.ends != DOM_END_NONE ? NULL
+           : limit.why == DOM_NO_FUEL
+               ? "no growth possible: at this s and d even equal dominoes (r = 1) "
+                 "release no energy, because a fallen domino has as much potential energy as an upright one"
+           : limit.why == DOM_LOCKS ? "no growth possible: friction locks even equal dominoes (r = 1)"
+           : limit.why == DOM_OUT_OF_REACH
+               ? "no growth possible: the edges are so round that even equal dominoes (r = 1) fall past each "
+                 "other at this s; use a smaller s"
+               : "no growth possible: at this s and d even equal dominoes (r = "
+                 "1) have too little energy to keep falling";
+}
+
+/* Explains a limit that is open. Returns false. */
+static bool limit_is_open(struct problem *problem, const struct domq_limit *limit)
+{
+    return problem_no_answer(
+        problem,
+        "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
+        "quad; if a train passes this growth, r_max is %s",
+        quad_text(limit->open, 12),
+        limit->ends == DOM_END_NONE ? "still unknown" : quad_text(limit->r_max, 12));
+}
+
+/* Finds the largest growth with each of the two formulas for the fuel. */
+static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
+                                   struct domq_limit *exact, struct domq_limit *paper)
+{
+    train.fuel = DOM_FUEL_EXACT;
+    enum dom_status status = domq_limit_rmax(&train, compute, exact);
+    if (status != DOM_OK)
+        return status;
+    /* The paper's formula does not cover friction, slopes or rounded edges. */
+    *paper =
+        (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why, .open = DOMQ_NAN};
+    train.fuel = DOM_FUEL_PAPER;
+    return domq_first_effect(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
+}
+
+static const struct column rmax_columns[] = {
+    {"s", "h", "separation: the gap divided by the height", 0},
+    {"r_max", "", "largest growth at which the train keeps falling", 0},
+    {"ends_by", "",
+     "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
+    {"r_max_exact", "", "r_max if the fuel is computed from the energy balance", 0},
+    {"r_max_paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
+    {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
+{
+    if (used->ends == DOM_END_NONE)
+        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.");
+    else
+        answer_say(a,
+                   "With gaps of %.6g times the height, %s can each be %s times as large as the one before. "
+                   "With more growth %s.",
+                   (double)train->s, dominoes_words(train->q, "dominoes").text,
+                   limit_words(used->r_max, 6).text,
+                   used->ends == DOM_END_REACH ? "a domino falls past the next one without touching it"
+                                               : "the train has too little energy to keep falling");
+}
+
+static void rmax_fuels_detail(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
+                              const struct domq_limit *exact, const struct domq_limit *paper)
+{
+    if (domq_first_effect(train))
+        answer_detail(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
+                      domq_first_effect(train)->name);
+    else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
+        answer_detail(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
+                         "depend on the fuel.");
+    else if (used->ends != DOM_END_NONE)
+        answer_detail(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel "
+                         "leaves out the weights r^(-q i) (25; c7).");
+}
+
+/* A moving train can have a larger growth than a row that starts from rest. If the limit for a row is
+ * smaller, prints it. The growth of the session may lie between the two limits. Then the row needs a push,
+ * which takes 100 times as long to find as both limits. */
+static void rmax_start_say(const struct query *query, struct answer *a, const struct domq_train *train,
+                           const struct domq_limit *used, const struct start_growths *growths)
+{
+    const domq_real r_start = growths->r_max;
+    if (used->ends == DOM_END_NONE || growths->is_too_slow || r_start >= used->r_max)
+        return;
+    if (!isnan(r_start))
+        answer_say(a, "A row that starts from rest can have a growth of up to %s %s.",
+                   limit_words(r_start, 6).text, start_words(query).text);
+    else
+        answer_say(a, "This train is already moving: from rest, no row falls %s, whatever its growth.",
+                   start_words(query).text);
+    if (train->r <= used->r_max && !(train->r <= r_start))
+        answer_detail(a,
+                      "At a growth of %.6g, such a row does not fall; 'count' looks for a push that is "
+                      "enough.",
+                      (double)train->r);
+}
+
+/* Returns the reason why r_start has no value, or NULL if rmax_start_say will print the reason. */
+static const char *start_missing(const struct query *query, const struct answer *a,
+                                 const struct start_growths *growths, char reason[START_TEXT])
+{
+    if (growths->is_too_slow)
+        return "r_start has no value, because with the rigid-body engine the search would take too long; "
+               "'rowmax' finds the largest growth of a row";
+    snprintf(reason, START_TEXT, "r_start has no value: no row falls %s, whatever its growth",
+             start_words(query).text);
+    return answer_for_people(a) ? NULL : reason;
+}
+
+static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct domq_train train = query->scene->train;
+    struct domq_limit exact = {.r_max = DOMQ_NAN, .open = DOMQ_NAN}, paper = exact;
+    train.s = argument_or(query->given, 0, train.s);
+    const enum dom_status status = limits_find(train, query_compute(query), &exact, &paper);
+    if (status == DOM_OPEN)
+        return limit_is_open(problem, isnan(paper.open) ? &exact : &paper);
+    if (!query_status(query, problem, status))
+        return false;
+    struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct start_growths growths = {DOMQ_NAN, false};
+    const char *missing = no_growth(used);
+    char reason[START_TEXT];
+    if (a->out && !a->sink.take) {
+        if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
+            return false;
+        if (!missing && isnan(growths.r_max))
+            missing = start_missing(query, a, &growths, reason);
+    }
+    rmax_say(a, &train, &used);
+    answer_row(a,
+               ROW(cell_real(train.s), cell_uncertain(used.r_max, used.uncertainty),
+                   cell_word(dom_end_text(used.ends)), cell_uncertain(exact.r_max, exact.uncertainty),
+                   cell_uncertain(paper.r_max, paper.uncertainty), cell_without_error(growths.r_max)),
+               missing);
+    rmax_fuels_detail(a, &train, &used, &exact, &paper);
+    if (answer_for_people(a))
+        rmax_start_say(query, a, &train, &used, &growths);
+    return true;
+}
+
+static const struct column pair_columns[] = {
+    {"s", "h", "separation: the gap divided by the height", 0},
+    {"r_max", "", "largest growth at which the first domino topples the second", 0},
+    {"ends_by", "",
+     "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_pair(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct domq_train train = query->scene->train;
+    struct domq_limit limit;
+    train.s = argument_or(query->given, 0, train.s);
+    const enum dom_status status = domq_limit_pair(&train, query_compute(query), &limit);
+    if (status == DOM_OPEN)
+        return limit_is_open(problem, &limit);
+    if (!query_status(query, problem, status))
+        return false;
+    if (limit.ends != DOM_END_NONE)
+        answer_say(a,
+                   "With a gap of %.6g times the height of the larger domino, a %s that just tips over can "
+                   "topple one that is %s times as large. %s.",
+                   (double)train.s, dominoes_words(train.q, "domino").text, limit_words(limit.r_max, 6).text,
+                   limit.ends == DOM_END_REACH ? "It falls past a larger one without touching it"
+                                               : "For a larger one it has too little energy");
+    return answer_row(
+        a,
+        ROW(cell_real(train.s), cell_uncertain(limit.r_max, limit.uncertainty),
+            cell_word(dom_end_text(limit.ends))),
+        limit.ends == DOM_END_NONE
+            ? "no growth possible: at this s and d, a domino that just tips over does not topple the next one"
+            : NULL);
+}
+
+static const struct column best_columns[] = {
+    {"s", "h", "separation at which r_max is largest", 0},
+    {"r_max", "", "the largest growth", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_best(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
+    enum dom_status status = domq_limit_best(&query->scene->train, query_compute(query), &best);
+    if (status != DOM_OK && status != DOM_NO_GROWTH)
+        return query_status(query, problem, status);
+    if (status == DOM_OK)
+        answer_say(
+            a,
+            "The best gap is %.4g times the height: %s can then each be %s times as large as the one before.",
+            (double)best.s, dominoes_words(query->scene->train.q, "dominoes").text,
+            limit_words(best.r_max, 4).text);
+    return answer_row(
+        a, ROW(cell_uncertain(best.s, best.s_uncertainty), cell_uncertain(best.r_max, best.r_uncertainty)),
+        status == DOM_OK ? NULL
+                         : "no growth possible: dominoes this thick do not topple larger ones at any s");
+}
+
+static const struct column curve_columns[] = {
+    {"s", "h", "separation: the gap divided by the height", 0},
+    {"exact", "", "r_max if the fuel is computed from the energy balance", 0},
+    {"paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
+    {"pair", "", "r_max of the two-domino model", 0},
+    {"reach", "", "largest growth at which each domino reaches the next one: 1/s, or less with rounded edges",
+     0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The data of one worker thread: the task, which all workers share, and the worker's results. */
+struct curve {
+    domq_real from, to, n;
+    struct domq_train train;
+    struct domq_compute compute;
+    struct answer answer;
+    bool has_missing; /* true if no growth is possible at one or more of the points */
+    enum dom_status status;
+};
+
+static bool curve_point(void *context, size_t k, FILE *out)
+{
+    struct curve *c = context;
+    struct domq_limit exact, paper, pair;
+    struct answer a = answer_part(&c->answer, out, k);
+    domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
+    c->train.s = (1 - f) * c->from + f * c->to;
+    c->status = limits_find(c->train, &c->compute, &exact, &paper);
+    if (c->status == DOM_OK)
+        c->status = domq_limit_pair(&c->train, &c->compute, &pair);
+    if (c->status != DOM_OK)
+        return false;
+    answer_cells(&a, cell_real(c->train.s), cell_uncertain(exact.r_max, exact.uncertainty),
+                 cell_uncertain(paper.r_max, paper.uncertainty), cell_uncertain(pair.r_max, pair.uncertainty),
+                 cell_real(domq_train_reach(&c->train)));
+    c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
+    return true;
+}
+
+static void curve_gather(void *context, const void *worker)
+{
+    struct curve *c = context;
+    c->has_missing = c->has_missing || ((const struct curve *)worker)->has_missing;
+}
+
+static bool run_curve(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct curve c = {.from = query->given->number[0],
+                      .to = query->given->number[1],
+                      .n = query->given->number[2],
+                      .train = query->scene->train,
+                      .compute = query->scene->compute};
+    struct cell number = cell_real(0);
+    bool by_point;
+    if (c.n == 1 && c.from != c.to)
+        return problem_error(
+            problem,
+            "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
+            (double)c.from, (double)c.to);
+    answer_plan(a, ROW(number, number, number, number, number));
+    c.answer = *a;
+    const struct workers workers = {
+        .points = (size_t)c.n, .point = curve_point, .context = &c, .size = sizeof c, .merge = curve_gather};
+    if (!points_answer(query, problem, a, workers, &by_point))
+        return by_point ? query_status(query, problem, c.status) : false;
+    if (c.has_missing)
+        answer_say(
+            a, "'-' under exact or pair means that no growth is possible; 'rmax S' and 'pair S' explain why");
+    return true;
+}
+
+#define SEPARATION .name = "S", .kind = ARGUMENT_VALUE_OF, .parameter = "s", .optional = true
+
+const struct command limit_commands[] = {
+    {.name = "rmax",
+     .has_errors = true,
+     .synonyms = "maximum ratio factor larger",
+     .train = true,
+     .argument = {{SEPARATION}},
+     .summary = "the largest growth, with gaps S times the height (default: s)",
+     .equation = "(26; c8)",
+     .help = "The search raises the growth r from 1 until each domino has too little energy to topple the "
+             "next one. It goes no further than r = 1/s (less with rounded edges), because beyond 1/s a "
+             "domino falls past the next one without touching it. The limit r_max is for a train that is "
+             "already moving. A row that starts from rest may need a smaller growth, which the answer shows "
+             "as r_start. The first domino of this row just tips over, or is given the push of 'set "
+             "push'. Because r_start takes much longer to compute than r_max, expressions cannot use "
+             "'rmax.r_start', and a sweep of 'rmax' has no column r_start. In both, use 'count(112).r_start' "
+             "instead.",
+     .example = "set q hollow; rmax 0.3",
+     .see = "best curve pair count rowmax",
+     .sweep.echo = "s",
+     .sweep.slow_column = "r_start",
+     .principal = "r_max",
+     .brief = "",
+     ANSWER(rmax)},
+    {.name = "pair",
+     .has_errors = true,
+     .synonyms = "two maximum",
+     .train = true,
+     .argument = {{SEPARATION}},
+     .summary = "the largest growth at which one domino topples a second",
+     .equation = "(9; b5) (15; b11) (17; b13)",
+     .example = "pair 0.3",
+     .see = "rmax curve",
+     .sweep.echo = "s",
+     .principal = "r_max",
+     .brief = "",
+     ANSWER(pair)},
+    {.name = "best",
+     .has_errors = true,
+     .synonyms = "optimum optimal spacing distance maximum",
+     .train = true,
+     .summary = "the gap that allows the largest growth",
+     .example = "best",
+     .see = "rmax curve",
+     .principal = "s",
+     .brief = "",
+     ANSWER(best)},
+    {.name = "curve",
+     .has_errors = true,
+     .synonyms = "graph figure table",
+     .train = true,
+     .argument = {{.name = "FROM", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                  {.name = "TO", .kind = ARGUMENT_VALUE_OF, .parameter = "s"},
+                  {.name = "N", .kind = ARGUMENT_COUNT}},
+     .summary = "the largest growth at N separations from FROM to TO",
+     .example = "set q hollow; curve 0.1 0.9 5",
+     .see = "rmax pair best",
+     .rows = true,
+     ANSWER(curve)},
+    {.name = "count",
+     .has_errors = true,
+     .synonyms = "quiz tower building Domtoren height number tall",
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
+                  {.name = "R", .kind = ARGUMENT_VALUE_OF, .parameter = "r", .optional = true}},
+     .summary = "how many dominoes it takes to topple one of height H (growth R; default: r)",
+     .help = "The answer n is the smallest integer with h r^n >= H, where h is the height of the first "
+             "domino. The last domino of the row is smaller than H, but it can topple one more, which is r "
+             "times as tall. For example, if h = 5 cm, r = 1.5 and H = 20 cm, n is 4: dominoes of 5, 7.5, "
+             "11.25 and 16.9 cm can topple one of up to 25.3 cm. The first domino of the row just tips over, "
+             "or is given the push of 'set push'. 'feasible' tells whether the row falls. If not, "
+             "'stops_at' is the domino at which the fall ends, and 'push' is the weakest push with which the "
+             "row would fall. 'goes_on' tells whether an endless train that is already moving keeps falling. "
+             "'r_start' is the largest growth at which a "
+             "row starts and keeps falling. Each gap of the row is s times the height, even if the session "
+             "has another row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
+     .example = "count 112 m 2",
+     .see = "rmax best",
+     .sweep.echo = "r",
+     .principal = "dominoes",
+     .holds = "such a row falls and reaches the height H",
+     .brief = "",
+     ANSWER(count)},
+    {.name = NULL},
+};

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes library.h, which is included before each source of the library. The library shows only the functions of its
+# public headers. The functions and tables that its files share are hidden, and get names that begin with dom__ or
+# domq__, so that they do not clash with functions of a program that links the archive.
+#   awk -f shared.awk HEADER...     reads the headers of the folders model
+BEGIN {
+    print "#pragma GCC visibility push(default)"
+    print "#include \"domino_proof.h\"\n#include \"domino_quad.h\""
+    print "#pragma GCC visibility pop"
+    print "#ifdef DOMQ\n#define SHARED(name) domq__##name\n#else\n#define SHARED(name) dom__##name\n#endif"
+}
+
+function share(name) { if (name !~ /^domq?_/ && !seen[name]++) print "#define " name " SHARED(" name ")" }
+
+/^extern const struct/ {
+    gsub(/^extern const struct [a-z_]+|const |[][;*,]/, "")
+    for (i = 1; i <= NF; i++) share($i)
+}
+/^[a-z][a-z_0-9 *]*[ *][a-z_0-9]+\(/ && !/^(static|typedef|extern) / {
+    sub(/\(.*/, "")
+    sub(/.*[ *]/, "")
+    share($0)
+}

@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "train/walk.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include <string.h>
+
+struct walk_units walk_units(const struct query *query, int cycle)
+{
+    const struct domq_train *t = &query->scene->train;
+    domq_real mass = scene_mass(query->scene), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
+              heavier = quad(pow)(grown, t->q);
+    struct domq_scale scale = query->scene->scale;
+    scale.h *= grown;
+    bool known = mass > 0;
+    return (struct walk_units){
+        .height = scale.h,
+        .tau = domq_scale_tau(&scale, t),
+        .energy = known ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
+        .energy_unit = known       ? "J"
+                       : cycle > 1 ? "mgh/2 of the first head"
+                                   : "mgh/2",
+        .weight = (known ? mass * scale.g : 1) * heavier / grown,
+        .weight_unit = known       ? "N"
+                       : cycle > 1 ? "(m g of the first head)"
+                                   : "m g",
+    };
+}
+
+bool walk_is_of(const struct walk *walk, const struct scene *scene)
+{
+    const struct domq_train *a = &walk->train, *b = &scene->train;
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q &&
+#define SAME(name, member, status) a->member == b->member &&
+           DOM_DYNAMICS(SAME)
+#undef SAME
+                   a->fuel == b->fuel;
+}
+
+static bool same_compute(const struct walk *walk, const struct domq_compute *compute)
+{
+    return walk->tol == compute->tol && walk->compute.precision == compute->precision &&
+           walk->compute.method == compute->method;
+}
+
+const struct walk *walk_now(const struct query *query)
+{
+    const struct walk *walk = query->walk;
+    return walk->count > 0 && walk_is_of(walk, query->scene) && same_compute(walk, &query->scene->compute)
+               ? walk
+               : NULL;
+}
+
+const char walk_no_start[] =
+    "no domino effect: falling releases no energy, so no cycle begins (25; c7); 'why' explains it";
+
+void columns_in_joules(struct answer *a)
+{
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->unit, "mgh/2") == 0)
+            c->unit = "J";
+}
+
+void walk_columns_in(const struct query *query, struct answer *a)
+{
+    if (scene_mass(query->scene) > 0)
+        columns_in_joules(a);
+}
+
+struct measured angle_text(const struct query *query, domq_real theta, int digits)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.*g %s", digits, (double)style_angle(style, theta),
+             style_angle_unit(style));
+    return text;
+}
+
+/* ---- In words ---- */
+
+/* The data for the sentences about the current position of a walk. */
+struct place {
+    const struct query *query;
+    const struct walk *walk;
+    const struct domq_state *state;
+    struct answer *answer;
+    struct walk_units units;
+    bool has_friction; /* the inertia of the train is A instead of J */
+    bool has_losses, is_rounded;
+};
+
+static struct measured angle_at(const struct place *p, domq_real theta)
+{
+    return angle_text(p->query, theta, 6);
+}
+
+/* Formats an angular velocity omega as text such as "10.3 rad/s". The argument is tau omega, which has no
+ * unit. */
+static struct measured omega_at(const struct place *p, domq_real tau_omega)
+{
+    struct measured text = angle_text(p->query, tau_omega / p->units.tau, 6);
+    text_add(text.text, sizeof text.text, "/s");
+    return text;
+}
+
+static struct measured energy_at(const struct place *p, domq_real energy)
+{
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.6g %s", (double)(energy * p->units.energy),
+             p->units.energy_unit);
+    return text;
+}
+
+/* A list of the impulses at the first few contacts in the collision. */
+struct impulses {
+    const struct walk_units *units;
+    char text[160];
+    int count;
+    bool bounded;
+};
+
+static bool impulse_add(const struct domq_force *f, void *context)
+{
+    struct impulses *i = context;
+    if (f->i > 0 && isnan(f->impulse)) /* this is the last domino; no other domino leans on it */
+        return false;
+    i->bounded = i->bounded && isfinite(f->impulse);
+    text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",
+             (double)(f->impulse * i->units->weight * i->units->tau));
+    return ++i->count < 4;
+}
+
+static void say_launch(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    struct domq_launch l;
+    struct domq_barrier b;
+    struct impulses impulses = {.units = &p->units, .bounded = true};
+    enum dom_status found = domq_barrier_find(&w->train, &w->compute, &b);
+    if (domq_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
+        domq_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
+        return;
+    domq_real omega = quad(sqrt)(l.omegasq);
+    const char *inertia = p->has_friction ? "A(0)" : "J(0)";
+    answer_detail(
+        p->answer,
+        "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s tall. "
+        "After that all dominoes move as one train, and the head turns at %s: %s omega(0) = (%s - "
+        "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
+        omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
+        omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
+        p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
+    if (p->has_friction)
+        answer_detail(
+            p->answer,
+            "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
+            "the fraction of the torque that reaches domino i.",
+            p->is_rounded ? "i(theta_i) " : "");
+    if (p->is_rounded)
+        answer_detail(p->answer,
+                      "i(theta) is the inertia of a domino about its line of contact with the floor, "
+                      "divided by its inertia with sharp edges.");
+    if (impulses.bounded)
+        answer_detail(
+            p->answer,
+            "The impulses at the contacts, from the head down the train: %s%s %s s; all are positive, "
+            "so every contact pushes.",
+            impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
+    else
+        answer_detail(p->answer,
+                      "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
+                      "0, and its impulse has no upper bound in this model (14; b10).");
+    answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
+                  (double)(100 * p->state->lost / p->state->before),
+                  p->has_friction ? ""
+                  : p->is_rounded ? " (the share i(0)/J(0))"
+                                  : " (the share 1/J(0))",
+                  energy_at(p, l.kinetic).text);
+    if (b.theta_m == 0)
+        answer_detail(p->answer, "There is no barrier: the potential energy of the train decreases "
+                                 "from the start (26; c8).");
+    else
+        answer_detail(
+            p->answer,
+            "The train has %s of the energy that it needs to keep falling. Its potential energy must "
+            "rise by %s, up to a tilt of %s%s; the train %s by %s (26; c8).",
+            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
+            angle_at(p, b.theta_m).text, p->has_losses ? ", including losses on the way" : "",
+            b.margin >= 0 ? "clears the barrier" : "fails to clear it",
+            energy_at(p, quad(fabs)(b.margin)).text);
+}
+
+static void say_top(const struct place *p)
+{
+    const struct domq_state *s = p->state;
+    if (p->has_losses)
+        answer_detail(p->answer,
+                      "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
+                      "%s has taken %s, and a kinetic energy of %s is left. From here on, the train "
+                      "gains more energy than it loses (26; c8).",
+                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
+                      domq_law(&p->walk->train)->name, energy_at(p, s->friction_work).text,
+                      energy_at(p, s->kinetic).text);
+    else
+        answer_detail(
+            p->answer,
+            "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
+            "by %s. The kinetic energy that is left, %s, is the margin. From here on, the potential "
+            "energy decreases (26; c8).",
+            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+}
+
+/* Returns the potential energy of a domino with tilt theta, relative to the floor, in units of the domino's
+ * m g h/2. */
+static domq_real height_of(const struct domq_train *train, domq_real theta)
+{
+    const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
+    return 2 * rho * (quad(cos)(alpha) - theta * quad(sin)(alpha)) + (1 - 2 * rho) * quad(cos)(from_plumb) +
+           (train->d - 2 * rho) * quad(sin)(from_plumb);
+}
+
+static void say_fall(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    struct domq_angles angles;
+    size_t domino = w->events[w->event].domino;
+    if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
+        return;
+    const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
+    answer_detail(
+        p->answer,
+        "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
+        "contact force is 0. Like all dominoes behind it, the detached domino comes to rest at theta_f = %s "
+        "and no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
+        "keeps a potential energy of %s.",
+        domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
+        p->is_rounded ? "(as in equations (41; A17) and (42; A18))" : "(41; A17), (42; A18)",
+        energy_at(p, 0 - p->state->fallen).text,
+        energy_at(p, weight * height_of(&w->train, angles.theta_f)).text);
+}
+
+static void say_stop(const struct place *p)
+{
+    struct domq_barrier b;
+    if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
+        return;
+    answer_detail(
+        p->answer,
+        "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. To pass the top "
+        "of the barrier, at theta_m = %s, the train would need %s more (26; c8). There is no next "
+        "hit; 'why' explains it.",
+        angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
+        p->has_losses ? "potential energy and losses" : "potential energy", angle_at(p, b.theta_m).text,
+        energy_at(p, -b.margin).text);
+}
+
+static void say_hit(const struct place *p)
+{
+    const struct domq_state *s = p->state;
+    struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
+    answer_detail(p->answer,
+                  "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). The head turns at "
+                  "%s; the cycle has released the fuel P = %s (25; c7), and has lasted %s.",
+                  measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+                  p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+                  omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+                  measured(s->time * p->units.tau, "s", 6).text);
+    if (p->has_losses)
+        answer_detail(p->answer, "Of this energy, %s has taken %s.", domq_law(&p->walk->train)->name,
+                      energy_at(p, s->friction_work).text);
+    answer_detail(
+        p->answer,
+        "'step' begins the next cycle. Its angles are the same, its lengths are r times as large, and "
+        "it lasts sqrt(r) times as long, %s (23; c5).",
+        measured(s->time * next.tau, "s", 6).text);
+}
+
+static void say_between(const struct place *p)
+{
+    answer_detail(
+        p->answer, "Between two events, at theta = %s: the train %s, and the head turns at %s (21; c3).",
+        angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
+        omega_at(p, quad(sqrt)(p->state->omegasq)).text);
+}
+
+/* Prints the event in a sentence that needs no numbers but the heights of dominoes. */
+static void event_say(const struct place *p)
+{
+    const struct walk *w = p->walk;
+    const struct domq_event *e = &w->events[w->event];
+    const struct walk_units next = walk_units(p->query, w->cycle + 1);
+    char text[200] = "";
+    if (w->theta != e->theta)
+        snprintf(text, sizeof text, "after this event, the train %s.",
+                 p->state->acceleration < 0 ? "slows down" : "gathers speed");
+    else if (e->kind == DOM_EVENT_LAUNCH)
+        snprintf(text, sizeof text, "domino 1 hits the head, which is %s tall, and all move as one train.",
+                 measured(p->units.height, "m", 6).text);
+    else if (e->kind == DOM_EVENT_TOP)
+        snprintf(text, sizeof text, "the top of the barrier; from here on the train gains energy.");
+    else if (e->kind == DOM_EVENT_DETACH)
+        snprintf(text, sizeof text, "domino %zu detaches from domino %zu and comes to rest.", e->domino,
+                 e->domino - 1);
+    else if (e->kind == DOM_EVENT_STOP)
+        snprintf(text, sizeof text, "the train stops below the top of its barrier; 'why' explains it.");
+    else
+        snprintf(text, sizeof text,
+                 "the head hits the next domino, which is %s tall; 'step' begins its cycle.",
+                 measured(next.height, "m", 6).text);
+    answer_say(p->answer, "Cycle %d, event %d of %d: %s", w->cycle, w->event + 1, w->count, text);
+}
+
+/* Adds a term such as " + 0.0012" to the ledger, unless the term is 0. */
+static void ledger_add(char *text, size_t size, domq_real term, int decimals)
+{
+    if (term != 0)
+        text_add(text, size, " %c %.*f", term < 0 ? '-' : '+', decimals, fabs((double)term));
+}
+
+/* Prints the energies of the cycle as a sum: before - lost + gained - rubbed = kinetic. The loss is written
+ * so that the sum of the printed numbers is exact; it is the largest term that is not printed again
+ * elsewhere. */
+static void ledger_say(const struct place *p)
+{
+    const struct domq_state *s = p->state;
+    const domq_real unit = p->units.energy, before = s->before * unit, kinetic = s->kinetic * unit,
+                    gained = -s->climbed * unit, rubbed = s->friction_work * unit;
+    domq_real least = before;
+    for (int i = 0; i < 3; i++) {
+        const domq_real term = quad(fabs)((domq_real[]){kinetic, gained, rubbed}[i]);
+        least = term > before / 1000000 && term < least ? term : least;
+    }
+    const int decimals = (int)fmax(0, 2 - floor(log10((double)least)));
+    if (!(before > 0) || decimals > 15)
+        return;
+    const domq_real step = quad(pow)(10, (domq_real)-decimals);
+#define ROUNDED(x) (quad(floor)((x) / step + (domq_real)0.5) * step)
+    const domq_real lost = ROUNDED(before) + ROUNDED(gained) - ROUNDED(rubbed) - ROUNDED(kinetic);
+    char sum[200] = "";
+    ledger_add(sum, sizeof sum, -lost, decimals);
+    ledger_add(sum, sizeof sum, ROUNDED(gained), decimals);
+    ledger_add(sum, sizeof sum, -ROUNDED(rubbed), decimals);
+#undef ROUNDED
+    if (quad(fabs)(lost - s->lost * unit) < 3 * step)
+        answer_say(p->answer, "Kinetic energy, before - lost%s%s: %.*f%s = %.*f %s.",
+                   gained < 0   ? " - climbed"
+                   : gained > 0 ? " + gained"
+                                : "",
+                   rubbed > 0 ? " - rubbed" : "", decimals, (double)before, sum, decimals, (double)kinetic,
+                   p->units.energy_unit);
+}
+
+void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
+              struct answer *answer)
+{
+    static void (*const say[])(const struct place *) = {
+        [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_DETACH] = say_fall, [DOM_EVENT_TOP] = say_top,
+        [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
+    };
+    const struct domq_event *e = &walk->events[walk->event];
+    const struct place place = {.query = query,
+                                .walk = walk,
+                                .state = state,
+                                .answer = answer,
+                                .units = walk_units(query, walk->cycle),
+                                .has_friction = walk->train.mu != 0,
+                                .has_losses = domq_law(&walk->train)->dissipates,
+                                .is_rounded = walk->train.rho != 0};
+    event_say(&place);
+    ledger_say(&place);
+    (walk->theta == e->theta ? say[e->kind] : say_between)(&place);
+}
+
+bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
+{
+    domq_real omegasq, stop = DOMQ_NAN;
+    enum dom_status status =
+        domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
+    if (status == DOM_NO_FUEL)
+        return problem_error(problem,
+                             "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
+                             "explains why, and 'rmax' shows how large r may be");
+    if (status == DOM_STOPS)
+        status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
+    if (status != DOM_OK)
+        return query_status(query, problem, status);
+    /* A tilt copied from a table has 6 digits, so it may be slightly too large. A picture does not show the
+     * difference. */
+    if (stop < theta * (1 - (domq_real)1e-5))
+        return problem_error(problem,
+                             "the train does not reach T = %s: it stops at %s, before the top of the barrier",
+                             angle_text(query, theta, 10).text, angle_text(query, stop, 10).text);
+    return true;
+}
+
+bool cycle_events(const struct query *query, const struct domq_compute *compute,
+                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem)
+{
+    enum dom_status status = domq_cycle_events(&query->scene->train, compute, event, count);
+    *stops = status == DOM_STOPS;
+    if (status == DOM_NO_FUEL)
+        return train_comes_to(query, problem, 0);
+    if (status == DOM_NO_MARGIN)
+        return problem_error(problem, "the margin is 0 within rounding errors, so the cycle would "
+                                      "never end; use a slightly smaller r");
+    return status == DOM_OK || *stops || problem_status(problem, query->scene, status);
+}

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'why', which explains why the train keeps falling or stops. */
+#include "commands/tables.h"
+#include "language/quad.h"
+#include "train/falling.h"
+#include "train/walk.h"
+
+const struct column why_columns[] = {
+    {"verdict", "", "'goes on', 'stops' or 'no fuel' (no energy is released)", 7},
+    {"fuel", "mgh/2", "P, the energy that one cycle releases, minus friction losses (25; c7)", 0},
+    {"J0", "", "J(0), the inertia of the train (50; d8, corrected)", 0},
+    {"kinetic", "mgh/2", "K, the kinetic energy after the collision (24; c6)", 0},
+    {"barrier", "mgh/2", "B, the energy that the train needs to keep falling (26; c8)", 0},
+    {"margin", "mgh/2", "K - B, the energy that is left at the top of the barrier", 0},
+    {"r_max", "", "largest growth at this s: either K = B, or r equals the reach", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+struct cell verdict_cell(enum dom_status verdict)
+{
+    return cell_word(verdict == DOM_OK      ? "goes on"
+                     : verdict == DOM_STOPS ? "stops"
+                     : verdict == DOM_LOCKS ? "locks"
+                                            : "no fuel");
+}
+
+void verdict_train_say(const struct query *query, struct answer *a, enum dom_status verdict,
+                       const struct domq_barrier *b)
+{
+    if (verdict == DOM_NO_FUEL)
+        answer_say(a, "The train does not fall: falling releases no energy.");
+    else if (verdict == DOM_LOCKS)
+        answer_say(a, "The train stops: friction locks the dominoes.");
+    else if (b->barrier == 0)
+        answer_say(a, "The train keeps falling: it has nothing to climb, so any motion is enough.");
+    else
+        answer_say(a, "The train %s: to push the next domino over%s, it %s.",
+                   verdict == DOM_OK ? "keeps falling" : "stops",
+                   domq_law(&query->scene->train)->dissipates ? " in spite of friction" : "",
+                   energy_words(b->kinetic / b->barrier).text);
+}
+
+/* Prints advice without symbols: how much the dominoes may grow, or what to change if the train stops. */
+static void advice_say(const struct query *query, struct answer *a, bool falls,
+                       const struct domq_limit *limit)
+{
+    const struct domq_train *t = &query->scene->train;
+    struct domq_best best;
+    if (falls) {
+        answer_say(a, "Each domino may be up to %s times as large as the one before; %s.",
+                   limit_words(limit->r_max, 6).text,
+                   limit->ends == DOM_END_REACH ? "with more growth, each domino falls past the next one"
+                                                : "a larger domino is too heavy for the dominoes before it");
+    } else if (domq_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
+        answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.");
+    } else {
+        const char *way = best.s < t->s ? "closer together" : "farther apart";
+        const struct words most = limit_words(limit->r_max, 4);
+        char widest[128];
+        snprintf(
+            widest, sizeof widest,
+            "with gaps of %.4g times the height, each domino can be %.12s times as large as the one before",
+            (double)best.s, limit_words(best.r_max, 4).text);
+        if (limit->ends == DOM_END_NONE)
+            answer_say(a, "Place the dominoes %s: %s.", way, widest);
+        else if (best.r_max < t->r)
+            answer_say(
+                a,
+                "Make the dominoes grow less: %s; with the present gaps, let each domino be at most %s "
+                "times as large as the one before.",
+                widest, most.text);
+        else
+            answer_say(a,
+                       "Place the dominoes %s: %s. Or keep the gaps, and make each domino at most %s times "
+                       "as large as the one before.",
+                       way, widest, most.text);
+    }
+}
+
+static void symbols_detail(const struct query *query, struct answer *a, enum dom_status verdict,
+                           const struct domq_barrier *b, const struct domq_limit *limit)
+{
+    const struct domq_train *t = &query->scene->train;
+    const struct answer_style *style = &query->state->settings.style;
+    if (verdict == DOM_NO_FUEL)
+        answer_detail(a,
+                      "The fuel P = H(0) - H(theta_c) is not positive (25; c7). Either leaning dominoes have "
+                      "at least as much potential energy as upright ones, or the larger domino in front "
+                      "takes up more energy than the smaller ones release.");
+    else if (b->barrier > 0)
+        answer_detail(
+            a,
+            "After the collision the train must get over its barrier, whose top is at a head tilt of %.4g "
+            "%s. The train needs the energy B for this climb and has the kinetic energy K: K %s B (26; c8).",
+            (double)style_angle(style, b->theta_m), style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
+    if (limit->ends == DOM_END_REACH)
+        answer_detail(a,
+                      "The growth is limited by the reach: with r above %s%.6g the head falls past the next "
+                      "domino (2; a2).",
+                      t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
+}
+
+static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    const struct measured weight = measured(quad(fabs)(c->force), "share", 3);
+    const char *unit = style_angle_unit(style);
+    double tilt = (double)style_angle(style, c->theta);
+    if (!isfinite(c->force) || !isfinite(c->impulse))
+        answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
+                      "impulse has no upper bound, and the paper's assumption of contact fails (14; b10).");
+    else if (c->force > 0 && c->impulse > 0)
+        answer_detail(
+            a,
+            "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu with "
+            "a force equal to %s of that domino's weight, at a head tilt of %.4g %s.",
+            c->domino, weight.text, tilt, unit);
+    else if (c->force > 0)
+        answer_say(a, "The paper assumes that the dominoes stay in contact, but they do not: in the "
+                      "collision, one domino would have to be pulled. The answer is not valid.");
+    else
+        answer_say(a,
+                   "The paper assumes that the dominoes stay in contact, but they do not: domino %zu would "
+                   "have to be pulled with a force of %s of its weight, at a head tilt of %.4g %s. Once a "
+                   "contact would have to pull, the answer is no longer valid.",
+                   c->domino, weight.text, tilt, unit);
+}
+
+bool run_why(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct domq_compute *compute = query_compute(query);
+    const struct domq_train *train = &query->scene->train;
+    struct walk_units u = walk_units(query, 1);
+    struct domq_launch l;
+    struct domq_barrier b;
+    struct domq_limit limit;
+    struct domq_least_force contact;
+    enum dom_status verdict = domq_barrier_find(train, compute, &b), status = verdict;
+    if (verdict == DOM_OK || verdict == DOM_STOPS || verdict == DOM_NO_FUEL)
+        status = domq_launch_find(train, compute, &l);
+    if (status == DOM_OK || status == DOM_NO_FUEL)
+        status = domq_limit_rmax(train, compute, &limit);
+    if (status != DOM_OK)
+        return query_status(query, problem, status);
+    bool people = answer_for_people(a);
+    if (people) {
+        verdict_train_say(query, a, verdict, &b);
+        advice_say(query, a, verdict == DOM_OK, &limit);
+    }
+    walk_columns_in(query, a);
+    answer_cells(a, verdict_cell(verdict), cell_computed(l.fuel * u.energy), cell_computed(l.J0),
+                 cell_computed(b.kinetic * u.energy), cell_computed(b.barrier * u.energy),
+                 cell_computed(b.margin * u.energy), cell_computed(limit.r_max));
+    answer_detail(a, "%s", "");
+    symbols_detail(query, a, verdict, &b, &limit);
+    if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
+        contact_say(query, a, &contact);
+    return true;
+}
