@@ -63,11 +63,13 @@ struct player *player_begin(FILE *out, int delay, const volatile sig_atomic_t *i
 
 static void screen_show(struct player *p)
 {
-    const char *line = p->frame[p->at].text;
+    const struct frame *f = &p->frame[p->at];
     fputs("\033[H", p->screen);
-    for (size_t n; *line; line += n + (line[n] == '\n')) {
-        n = strcspn(line, "\n");
-        fprintf(p->screen, "%.*s\033[K\r\n", (int)n, line);
+    for (const char *line = f->text, *end = line + f->size; line < end;) {
+        const char *line_end = memchr(line, '\n', (size_t)(end - line));
+        line_end = line_end ? line_end : end;
+        fprintf(p->screen, "%.*s\033[K\r\n", (int)(line_end - line), line);
+        line = line_end + 1;
     }
     fprintf(p->screen, "%s\033[J",
             p->is_stopped ? "(stopped: space goes on, arrows go frame by frame, q ends)"
