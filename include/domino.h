@@ -91,7 +91,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
     X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: the gap before a domino divided by its height")        \
     X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: the size of each domino relative to the one before")          \
     X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness divided by height")                                   \
-    X(q, 4, 1e-6, 100, "", "mass exponent: 4 for solid dominoes, 3 for hollow ones")
+    X(q, 4, 1e-6, 100, "", "mass exponent: 4 for solid dominoes, 3 for hollow ones")                         \
+    X(width, (dom_real)1 / 2, 1e-12, 100, "h", "width divided by height")
 
 /* The largest friction coefficient between dominoes. */
 #define DOM_MU_HIGHEST 100
@@ -107,8 +108,9 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * direction of the train. The status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
  * walls: the thickness of the walls divided by the height, 1e-9 ... 1. With walls, the dominoes are boxes of
- * six walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase
- * the unit of time tau (dom_scale_tau) and the friction that the floor must supply. They change nothing else.
+ * six walls. The status is DOM_NO_ROOM if the walls do not fit. Walls increase the unit of time tau
+ * (dom_scale_tau) and the friction that the floor must supply. They change nothing else. The width of the
+ * dominoes counts only together with walls.
  *
  * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2.
@@ -117,8 +119,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * fuel must also be DOM_FUEL_EXACT. With any other method or fuel, the status is DOM_NO_METHOD.
  */
 struct dom_train {
-    dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
-    enum dom_fuel fuel;  /* default DOM_FUEL_EXACT */
+    dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
+    enum dom_fuel fuel;         /* default DOM_FUEL_EXACT */
     dom_real mu, alpha, walls, rho;
 };
 

@@ -23,6 +23,7 @@ extern "C" {
     X(BAD_R, "the growth r is outside its range")                                                            \
     X(BAD_D, "the thickness d is outside its range")                                                         \
     X(BAD_Q, "the exponent q is outside its range")                                                          \
+    X(BAD_WIDTH, "the width is outside its range")                                                           \
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \

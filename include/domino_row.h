@@ -258,8 +258,9 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict);
 
-/* Writes the first `count` dominoes of a train. Each gap is s times the height of its domino. The first
- * domino has the given mass in kg. Does not check the arguments. */
+/* Writes the first `count` dominoes of a train. Each gap is s times the height of its domino, and each width
+ * is train->width times the height. The first domino has the given mass in kg. Does not check the
+ * arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -420,8 +421,8 @@ struct dom_wish {
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
-     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, all masses
-     * follow from the volume of the wood, and every domino is half as wide as it is tall. */
+     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, and all masses
+     * follow from the volume of the wood. */
     dom_real walls, boxes_above;
 };
 

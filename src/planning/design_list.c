@@ -46,10 +46,8 @@ bool designed_make(const struct query *query, struct problem *problem, const str
     if (!p->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     const enum dom_status status = domq_design_dominoes(&query->scene->train, wish, limits, d, p->domino);
-    for (size_t k = 0; k < p->count; k++) {
-        p->domino[k].width = p->domino[k].height / 2;
+    for (size_t k = 0; k < p->count; k++)
         p->domino[k].mass *= p->has_masses ? mass : 1;
-    }
     if (status == DOM_OK)
         return true;
     free(p->domino);

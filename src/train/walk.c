@@ -29,7 +29,7 @@ struct walk_units walk_units(const struct query *query, int cycle)
 bool walk_is_of(const struct walk *walk, const struct scene *scene)
 {
     const struct domq_train *a = &walk->train, *b = &scene->train;
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q &&
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->width == b->width &&
 #define SAME(name, member, status) a->member == b->member &&
            DOM_DYNAMICS(SAME)
 #undef SAME

@@ -13,49 +13,50 @@ class dom_status(IntEnum):
     DOM_BAD_R = 2
     DOM_BAD_D = 3
     DOM_BAD_Q = 4
-    DOM_BAD_MU = 5
-    DOM_BAD_ALPHA = 6
-    DOM_BAD_WALLS = 7
-    DOM_BAD_RHO = 8
-    DOM_BAD_FUEL = 9
-    DOM_BAD_TOL = 10
-    DOM_BAD_PRECISION = 11
-    DOM_BAD_METHOD = 12
-    DOM_BAD_TILT = 13
-    DOM_BAD_TIME = 14
-    DOM_BAD_G = 15
-    DOM_BAD_PUSH = 16
-    DOM_BAD_COUNT = 17
-    DOM_BAD_HEIGHT = 18
-    DOM_BAD_THICKNESS = 19
-    DOM_BAD_GAP = 20
-    DOM_BAD_MASS = 21
-    DOM_BAD_RADIUS = 22
-    DOM_BAD_LEAN = 23
-    DOM_BAD_ERROR = 24
-    DOM_BAD_ROWS = 25
-    DOM_BAD_PROBABILITY = 26
-    DOM_BAD_SAFETY = 27
-    DOM_BAD_HALL = 28
-    DOM_OUT_OF_REACH = 29
-    DOM_NO_FUEL = 30
-    DOM_STOPS = 31
-    DOM_LOCKS = 32
-    DOM_NO_STAND = 33
-    DOM_NO_ROOM = 34
-    DOM_NO_ROUND = 35
-    DOM_NO_LEAN = 36
-    DOM_NO_MARGIN = 37
-    DOM_NO_GROWTH = 38
-    DOM_OPEN = 39
-    DOM_TOO_LONG = 40
-    DOM_UNDERFLOW = 41
-    DOM_NO_PRECISION = 42
-    DOM_NO_METHOD = 43
-    DOM_NOT_FINITE = 44
-    DOM_NOT_CONVERGED = 45
-    DOM_NO_MEMORY = 46
-    DOM_INTERRUPTED = 47
+    DOM_BAD_WIDTH = 5
+    DOM_BAD_MU = 6
+    DOM_BAD_ALPHA = 7
+    DOM_BAD_WALLS = 8
+    DOM_BAD_RHO = 9
+    DOM_BAD_FUEL = 10
+    DOM_BAD_TOL = 11
+    DOM_BAD_PRECISION = 12
+    DOM_BAD_METHOD = 13
+    DOM_BAD_TILT = 14
+    DOM_BAD_TIME = 15
+    DOM_BAD_G = 16
+    DOM_BAD_PUSH = 17
+    DOM_BAD_COUNT = 18
+    DOM_BAD_HEIGHT = 19
+    DOM_BAD_THICKNESS = 20
+    DOM_BAD_GAP = 21
+    DOM_BAD_MASS = 22
+    DOM_BAD_RADIUS = 23
+    DOM_BAD_LEAN = 24
+    DOM_BAD_ERROR = 25
+    DOM_BAD_ROWS = 26
+    DOM_BAD_PROBABILITY = 27
+    DOM_BAD_SAFETY = 28
+    DOM_BAD_HALL = 29
+    DOM_OUT_OF_REACH = 30
+    DOM_NO_FUEL = 31
+    DOM_STOPS = 32
+    DOM_LOCKS = 33
+    DOM_NO_STAND = 34
+    DOM_NO_ROOM = 35
+    DOM_NO_ROUND = 36
+    DOM_NO_LEAN = 37
+    DOM_NO_MARGIN = 38
+    DOM_NO_GROWTH = 39
+    DOM_OPEN = 40
+    DOM_TOO_LONG = 41
+    DOM_UNDERFLOW = 42
+    DOM_NO_PRECISION = 43
+    DOM_NO_METHOD = 44
+    DOM_NOT_FINITE = 45
+    DOM_NOT_CONVERGED = 46
+    DOM_NO_MEMORY = 47
+    DOM_INTERRUPTED = 48
 
 
 class dom_precision(IntEnum):
@@ -381,6 +382,7 @@ dom_train._fields_ = [
     ("r", c_double),
     ("d", c_double),
     ("q", c_double),
+    ("width", c_double),
     ("fuel", c_int),
     ("mu", c_double),
     ("alpha", c_double),

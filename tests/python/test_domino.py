@@ -90,6 +90,13 @@ class SameAsTheProgram(unittest.TestCase):
         self.assertFalse(domino.Row.from_csv(csv, friction=0.3, push=3).verdict().falls)
         self.assertEqual(domino.Row.from_csv(csv, friction=0.3, push=3).mend()[0].domino, 8)
 
+    def test_boxes_have_the_width_of_the_program(self):
+        [narrow, usual] = ask(["set width 0.2; set walls 1 mm; set row 6; set push 4; verdict; reset width; verdict"])[0]
+        for width, answer in ((0.2, narrow), (0.5, usual)):
+            row = domino.Row.of_train(6, width=width, walls=0.001, push=4)
+            self.assertTrue(math.isclose(row.verdict().seconds, answer["seconds"], rel_tol=1e-12))
+            self.assertTrue(math.isclose(row.dominoes[5].width, width * row.dominoes[5].height, rel_tol=1e-12))
+
     def test_counts_and_designs(self):
         [count], [best], design = ask(["count 112 m", "set q hollow; best", "reset; design 2 m"])
         self.assertEqual(domino.count(112).dominoes, count["dominoes"])

@@ -8,7 +8,7 @@ load common
 # The lines below have a parameter, 'less' or 'more' by 1 %, and the change of r_max in percent.
 @test "sensitivity: known changes of r_max, the largest first" {
     json 'effect friction 0.2; sensitivity rmax' >answers
-    same order 'edges slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
+    same order 'edges slope q d friction s g h r width' "$(values parameter <answers | paste -sd ' ')"
     while read -r parameter key percent; do
         close "$parameter" "$percent" "$(grep "\"$parameter\"" answers | values "$key" | awk '{ print 100 * $1 }')" 2e-3
     done <<'END'
@@ -19,7 +19,7 @@ q less 0.4894
 END
     same none 0 "$(grep '"g"' answers | values more)"
     run -0 "$DOMINO" -e 'effect friction 0.2; sensitivity rmax'
-    same 'people: none' 'rmax does not depend on g, h, r.' "${lines[-1]}"
+    same 'people: none' 'rmax does not depend on g, h, r, width.' "${lines[-1]}"
     grep -qE '^q +4 +1 % +0\.489 +-0\.477$' <<<"$output"
 }
 

@@ -56,12 +56,11 @@ struct run {
 
 static double inertia(const struct direct_row *row, size_t i)
 {
-    double h = row->height[i], d = row->thickness[i], t = h > row->boxes_above ? row->walls : 0, sum = 0,
-           volume = 0;
+    double h = row->height[i], d = row->thickness[i], w = row->width[i] > 0 ? row->width[i] : h / 2,
+           t = h > row->boxes_above ? row->walls : 0, sum = 0, volume = 0;
     /* Six boards in three pairs: front and back, bottom and top, left and right. A pair leaves out the edges
      * that the pairs before it fill. */
-    const double size[][4] = {
-        {t, h, h / 2, d - t}, {d - 2 * t, t, h / 2, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
+    const double size[][4] = {{t, h, w, d - t}, {d - 2 * t, t, w, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
     if (t == 0)
         return row->mass[i] * (h * h + d * d) / 3;

@@ -17,8 +17,8 @@ struct direct_row {
     double mu, g;
     double omega; /* angular velocity given to the first domino at time 0 */
     double slope; /* angle in rad by which the floor descends towards the later dominoes */
-    /* thickness of the walls of boxes that are half as wide as tall; 0 for solid blocks */
-    double walls, boxes_above; /* only blocks taller than boxes_above have walls */
+    double walls, boxes_above; /* thickness of the walls, or 0; only blocks taller than boxes_above have them */
+    const double *width;       /* width[k] is 0 if domino k is half as wide as it is tall */
     const double *lean;        /* tilts in rad before the hits; NULL if all dominoes are upright */
 };
 

@@ -49,6 +49,7 @@ void newton_run(const struct run *run, struct newton *n)
         n->gap[k] = run->domino[k].gap;
         n->mass[k] = run->domino[k].mass;
         n->lean[k] = run->domino[k].lean;
+        n->width[k] = run->domino[k].width;
     }
     const struct direct_row row = {.n = run->row.count,
                                    .height = n->height,
@@ -56,6 +57,7 @@ void newton_run(const struct run *run, struct newton *n)
                                    .gap = n->gap,
                                    .mass = n->mass,
                                    .lean = n->lean,
+                                   .width = n->width,
                                    .mu = run->row.mu,
                                    .g = run->row.g,
                                    .omega = run->row.push,

@@ -31,7 +31,8 @@ double push_over(const struct domq_domino *domino);
 void make_row(struct run *run, size_t count, double s, double r, double mu);
 
 struct newton {
-    double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST], lean[ROW_MOST];
+    double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST], lean[ROW_MOST],
+        width[ROW_MOST];
     struct direct_hit hit[ROW_MOST];
     struct direct_result result;
     const char *wrong;

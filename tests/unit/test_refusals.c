@@ -136,11 +136,12 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
     nextafter(lowest, -(double)INFINITY), nextafter(highest, (double)INFINITY), (double)NAN,                 \
         (double)INFINITY, -(double)INFINITY
 
-#define BAD_s   DOM_BAD_S
-#define BAD_r   DOM_BAD_R
-#define BAD_d   DOM_BAD_D
-#define BAD_q   DOM_BAD_Q
-#define BAD_tol DOM_BAD_TOL
+#define BAD_s     DOM_BAD_S
+#define BAD_r     DOM_BAD_R
+#define BAD_d     DOM_BAD_D
+#define BAD_q     DOM_BAD_Q
+#define BAD_width DOM_BAD_WIDTH
+#define BAD_tol   DOM_BAD_TOL
 
 TEST(parameters)
 {

@@ -46,6 +46,8 @@ static void slope_or_walls(struct run *run, uint64_t *seed, int i)
         run->row.alpha = 0.05 * (2 * random_unit(seed) - 1);
     if (i % 3 == 0)
         run->row.walls = thinnest * (domq_real)(0.45 * random_unit(seed));
+    for (size_t k = 0; i % 9 == 0 && k < run->row.count; k++)
+        run->domino[k].width = run->domino[k].thickness * (1 + 3 * (domq_real)random_unit(seed));
     if (i % 6 == 0) /* small dominoes are solid */
         run->row.boxes_above = run->domino[run->row.count / 2].height;
 }

@@ -96,6 +96,10 @@ TEST(trains_move_as_without)
     struct domq_box found;
     domq_real tau = domq_scale_tau(&scale, &train);
     train.walls = 0.03;
+    train.width = 0.2;
+    assert_status(domq_box_find(1, train.d, 0.2, 0.03, &found), DOM_OK);
+    assert_near("narrow", (double)(domq_scale_tau(&scale, &train) / tau), sqrt((double)found.inertia), 1e-15);
+    train.width = domq_train_default().width;
     assert_status(domq_box_find(1, train.d, 0.5, 0.03, &found), DOM_OK);
     assert_near("tau", (double)(domq_scale_tau(&scale, &train) / tau), sqrt((double)found.inertia), 1e-15);
     assert_near("speed", (double)domq_scale_speed(&scale, &train, 9),
@@ -103,6 +107,30 @@ TEST(trains_move_as_without)
 }
 
 enum { COUNT = 12 };
+
+/* Checks that the dominoes of a train have its width, and that a width that is half of the height is the
+ * usual one. */
+TEST(rows_of_wide_trains)
+{
+    struct domq_domino wide[COUNT], usual[COUNT];
+    struct domq_train train = domq_train_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_verdict a, b;
+    domq_row_of_train(&train, &scale, 1, usual, COUNT);
+    train.width = 2;
+    domq_row_of_train(&train, &scale, 1, wide, COUNT);
+    for (size_t k = 0; k < COUNT; k++) {
+        assert_true(usual[k].width == usual[k].height / 2);
+        assert_true(wide[k].width == 2 * wide[k].height && wide[k].mass == usual[k].mass);
+    }
+    struct row_setup row = row_setup_default(usual, COUNT, 4);
+    row.walls = 0.001;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &a), DOM_OK);
+    for (size_t k = 0; k < COUNT; k++)
+        usual[k].width = 0;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &b), DOM_OK);
+    assert_true(a.seconds == b.seconds && a.spare == b.spare);
+}
 
 /* Checks that a row of equal boxes of any width takes longer by the factor of tau, and has the energies of
  * solid dominoes. */
@@ -124,4 +152,41 @@ TEST(equal_boxes_take_longer)
         assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
         assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
     }
+}
+
+/* Adds up the friction that the floor needs. It is infinite where a foot would be lifted. */
+static bool floor_sum(const struct domq_fall *fall, void *context)
+{
+    *(domq_real *)context += isfinite((double)fall->floor_motion) ? fall->floor_motion : 0;
+    return true;
+}
+
+/* Checks that boxes with the same mass and the same moment of inertia fall alike, however wide they are, on
+ * rounded edges, too, and that they need the same friction of the floor. */
+TEST(width_counts_only_in_the_inertia)
+{
+    struct domq_domino domino[COUNT];
+    struct domq_verdict verdict[2];
+    struct domq_box narrow, wide;
+    domq_real low = 0.0001, high = 0.0034, needs[2] = {0, 0};
+    assert_status(domq_box_find(0.048, 0.007, 0.009, 0.001, &narrow), DOM_OK);
+    for (int k = 0; k < 60; k++) { /* thicker walls have a smaller moment of inertia */
+        const domq_real walls = (low + high) / 2;
+        assert_status(domq_box_find(0.048, 0.007, 0.024, walls, &wide), DOM_OK);
+        *(wide.inertia > narrow.inertia ? &low : &high) = walls;
+    }
+    for (size_t k = 0; k < COUNT; k++)
+        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0, 0.009};
+    struct row_setup row = row_setup_default(domino, COUNT, 3);
+    row.rho = (domq_real)0.02;
+    row.floor = true;
+    for (int k = 0; k < 2; k++) {
+        row.walls = k == 0 ? (domq_real)0.001 : low;
+        assert_status(ask_row_run(&row, true, floor_sum, &needs[k], &verdict[k]), DOM_OK);
+        for (size_t i = 0; i < COUNT; i++)
+            domino[i].width = 0;
+    }
+    assert_near("seconds", (double)verdict[0].seconds, (double)verdict[1].seconds, 1e-12);
+    assert_near("spare", (double)verdict[0].spare, (double)verdict[1].spare, 1e-12);
+    assert_near("floor", (double)needs[0], (double)needs[1], 1e-12);
 }

@@ -34,7 +34,7 @@ static bool tower_stand(struct tower *tower, size_t dominoes)
     struct domq_domino *change = &tower->change[dominoes];
     change->height = height;
     change->thickness = train->d * height;
-    change->width = height / 2;
+    change->width = train->width * height;
     change->gap = train->s * height;
     /* A change of the three sizes gives the mass of a solid domino, for which q = 4. */
     if (!(scene_walls(scene) > 0))

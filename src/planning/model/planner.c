@@ -102,6 +102,7 @@ bool planner_row_write(struct planner *p, struct choice c)
     p->train.r = planner_growth(p, c.steps);
     dom_row_of_train(&p->train, &scale, 1, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
+    p->domino[c.steps].width = p->train.width * p->wish->height;
     const struct dom_row row = planner_row(p, c, p->wish->push, NULL);
     for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
         struct dom_domino *d = &p->domino[k], *first = p->domino;

@@ -26,6 +26,7 @@ static enum dom_status train_check(const struct dom_train *t, double tol)
 #define BAD_r                                                 DOM_BAD_R
 #define BAD_d                                                 DOM_BAD_D
 #define BAD_q                                                 DOM_BAD_Q
+#define BAD_width                                             DOM_BAD_WIDTH
 #define RANGE(name, default_, lowest, highest, unit, meaning) {t->name, lowest, highest, BAD_##name},
         DOM_TRAIN_PARAMETERS(RANGE)
 #undef RANGE

@@ -17,7 +17,10 @@ STATUS = api.dom_status
 
 
 class Domino(NamedTuple):
-    """A block: height, thickness and the gap before the block in m, mass in kg, lean in rad, radius of edges in m."""
+    """A block: height, thickness and the gap before it in m, mass in kg, lean in rad, radius of edges and width in m.
+
+    A width of 0 stands for half of the height.
+    """
 
     height: float
     thickness: float
@@ -25,6 +28,7 @@ class Domino(NamedTuple):
     mass: float = 0.0
     lean: float = 0.0
     radius: float = 0.0
+    width: float = 0.0
 
 
 class Fall(NamedTuple):
@@ -111,7 +115,7 @@ class Design(NamedTuple):
 
 
 # Names of columns, and their units in metres or kilograms.
-COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m"}
+COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m", "width": "m"}
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
 WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
            "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
@@ -131,8 +135,8 @@ class Row:
     """An immutable row of dominoes. A notebook shows a picture of the row.
 
     Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
-    of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean and
-    radius, whose units stand in brackets: "height (mm)". Without masses, all dominoes have the same density.
+    of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean,
+    radius and width, whose units stand in brackets: "height (mm)". Without masses, all dominoes have the same density.
 
     friction, slope (rad), edges (radius over height) and walls (m) are effects. push is the angular velocity of the
     first domino in rad/s; without it, this domino tips over its edge from rest.
@@ -144,7 +148,7 @@ class Row:
         self.dominoes = tuple(Domino(*map(float, domino)) for domino in dominoes)
         if any(domino.mass == 0 for domino in self.dominoes):
             self.dominoes = tuple(
-                domino if domino.mass else domino._replace(mass=500 * domino.height**2 / 2 * domino.thickness)
+                domino if domino.mass else domino._replace(mass=500 * domino.height * (domino.width or domino.height / 2) * domino.thickness)
                 for domino in self.dominoes
             )
         self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls,
@@ -155,12 +159,12 @@ class Row:
 
     @classmethod
     def of_train(cls, count: int, *, h: float = 0.048, s: float = 0.4, r: float = 1.5, d: float = 7 / 48,
-                 q: float | str = 4.0, mass: float = 1.0, **effects: Any) -> Row:  # fmt: skip
+                 q: float | str = 4.0, width: float = 0.5, mass: float = 1.0, **effects: Any) -> Row:  # fmt: skip
         """The first dominoes of a train, the first of them h tall, in m."""
-        one = Train(s, r, d, q).structure()
+        one = Train(s, r, d, q, width=width).structure()
         dominoes = (api.dom_domino * count)()
         lib.dom_row_of_train(ctypes.byref(one), ctypes.byref(api.dom_scale(h=h, g=9.81)), mass, dominoes, count)
-        return cls([(c.height, c.thickness, c.gap, c.mass) for c in dominoes], **effects)
+        return cls([(c.height, c.thickness, c.gap, c.mass, 0, 0, c.width) for c in dominoes], **effects)
 
     @classmethod
     def from_csv(cls, path: Any, **effects: Any) -> Row:
@@ -336,13 +340,13 @@ class Row:
 
 def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: float = math.inf, d: float = 7 / 48,
            q: float | str = 4.0, push: float | None = None, g: float = 9.81, least: str = "dominoes",
-           friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0) -> Design:  # fmt: skip
+           friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0, width: float = 0.5) -> Design:  # fmt: skip
     """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs."""
     leasts = {"dominoes": api.dom_least.DOM_LEAST_DOMINOES, "length": api.dom_least.DOM_LEAST_LENGTH,
               "mass": api.dom_least.DOM_LEAST_MASS}  # fmt: skip
     if least not in leasts:
         raise OutOfRange(f"least: {least!r} is not one of {', '.join(leasts)}", "BAD_METHOD", "least")
-    train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls).structure()
+    train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls, width=width).structure()
     wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None, "double")
@@ -358,6 +362,6 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
     }
     if found.limit != limits.DOM_DESIGN_FITS:
         raise DominoError(refusals.get(found.limit, "no such row falls"), limits(found.limit).name.removeprefix("DOM_"))
-    row = Row.of_train(found.steps + 1, h=first, s=found.s, r=found.r, d=d, q=q, friction=friction, slope=slope,
+    row = Row.of_train(found.steps + 1, h=first, s=found.s, r=found.r, d=d, q=q, width=width, friction=friction, slope=slope,
                        edges=edges, walls=walls * first, push=push, g=g)  # fmt: skip
     return Design(found.s, found.r, found.steps, found.feet, found.length, found.seconds, found.row, row)

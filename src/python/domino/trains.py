@@ -116,9 +116,9 @@ class Train:
 
     def __init__(self, s: Number = 0.4, r: Number = 1.5, d: Number = 7 / 48, q: Number | str = 4.0, *,
                  friction: Number = 0.0, slope: Number = 0.0, edges: Number = 0.0, walls: Number = 0.0,
-                 fuel: str = "exact"):  # fmt: skip
+                 width: Number = 0.5, fuel: str = "exact"):  # fmt: skip
         self.values = {"s": s, "r": r, "d": d, "q": _named(MASSES, q, "q"), "mu": friction, "alpha": slope, "rho": edges,
-                       "walls": walls}  # fmt: skip
+                       "walls": walls, "width": width}  # fmt: skip
         self.fuel = int(_named(FUELS, fuel, "fuel"))
 
     def structure(self) -> ctypes.Structure:

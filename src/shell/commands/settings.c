@@ -123,6 +123,10 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
                    "%s does not change the row, whose dominoes come from %s; 'set row N' makes a row from "
                    "s, r, d and h.",
                    p->name, effect_setting(query->scene, DOM_EFFECT_row));
+    if (next->scene.listed.domino && next->scene.listed.domino->width > 0 && p == parameter_find("width") &&
+        !query->run_context->sourced)
+        change_say(query, a, "width does not change the row, whose widths come from %s.",
+                   effect_setting(query->scene, DOM_EFFECT_row));
     const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
     if (kept > 0 && !next->scene.listed.domino && !query->run_context->sourced)
         change_say(query, a,

@@ -28,6 +28,14 @@ static const char d_help[] =
 static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
     "block, and 4 times if it is hollow, like a box whose boards have the same thickness at every size.";
+static const char width_help[] =
+    "The width is the size of a domino across the row. In a train, and in the row of 'set row N', every "
+    "domino has the same width relative to its height. If you give a length, as in 'set width 24 mm', it is "
+    "the width of the first domino. In a row from a file, a length is the width of all dominoes for which "
+    "the "
+    "file gives none. The width counts in masses that follow from a density, in the boxes of 'set walls', "
+    "and "
+    "in the sheet of 'plan'. 'w' is short for width.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
@@ -59,8 +67,8 @@ static const char hints_help[] =
     "that the command can still take. At the end of the line, the right arrow, ^E and End accept the rest of "
     "an earlier line, and M-f accepts its next word. On a terminal without colours there are no hints.";
 static const char density_help[] =
-    "If 'mass' is 0, the mass of the first domino is the density times the volume of a block that is half as "
-    "wide as it is tall. With 'set walls', only the volume of the walls counts.";
+    "If 'mass' is 0, the mass of the first domino is the density times its volume, for which 'set width' "
+    "gives the width. With 'set walls', only the volume of the walls counts.";
 static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
@@ -99,13 +107,14 @@ static void precision_before(struct state *state, domq_real precision)
 /* The library's parameter lists give only some members of an entry. These macros give the others. */
 #define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
-#define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
+#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help,
 #define MORE_q                                                                                               \
     .synonyms = "exponent wood block box weight material", .help = q_help,                                   \
     .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
-#define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
-#define MORE_h   .synonyms = "height size tall scale",
-#define MORE_g   .synonyms = "gravity acceleration weight moon planet",
+#define MORE_width .synonyms = "wide broad breadth", .help = width_help,
+#define MORE_tol   .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
+#define MORE_h     .synonyms = "height size tall scale",
+#define MORE_g     .synonyms = "gravity acceleration weight moon planet",
 
 /* The numbers of the output formats, and the words that 'set output' takes for them. */
 #define FORMAT_NUMBER(name) FORMAT_##name,

@@ -49,15 +49,32 @@ const struct parameter *parameter_by_synonym(const char *word, bool any)
     return found;
 }
 
+/* A list of names, without those of effects. */
+struct without_effects {
+    names_list *list;
+};
+
+static const char *without_effects_names(const void *context, int k)
+{
+    const struct without_effects *without = context;
+    const char *name;
+    for (int i = 0; (name = without->list(NULL, i)) != NULL; i++) {
+        const struct parameter *p = parameter_find(name);
+        if (!(p && p->effect) && k-- == 0)
+            break;
+    }
+    return name;
+}
+
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
-    int k = names_find(list, NULL, what, word, message);
-    const struct parameter *effect = k >= 0 ? parameter_find(list(NULL, k)) : NULL;
-    /* One or two letters probably mean a measure, not an effect: w is a width. */
-    if (effect && effect->effect && list != effect_names && strlen(word) < 3) {
-        snprintf(message, NAMES_MESSAGE, "unknown %s '%s'", what, names_shown(word));
-        k = NAMES_UNKNOWN;
-    }
+    /* One or two letters mean a measure, not an effect: w is the width, not the walls. */
+    const bool is_short = strlen(word) < 3 && list != effect_names && names_exact(list, NULL, word) < 0;
+    const struct without_effects without = {list};
+    int k = is_short ? names_find(without_effects_names, &without, what, word, message)
+                     : names_find(list, NULL, what, word, message);
+    if (is_short && k >= 0)
+        k = names_exact(list, NULL, without_effects_names(&without, k));
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
     if (!p || names_exact(list, NULL, p->name) < 0)
         return k;
@@ -138,6 +155,7 @@ static void lengths_apply(struct scene *scene)
         return;
     scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
     scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
+    scene->train.width = share[SHARE_width] > 0 ? share[SHARE_width] : scene->train.width;
     if (share[SHARE_walls] > 0)
         scene->effect[DOM_EFFECT_walls].value[0] = share[SHARE_walls];
     if (share[SHARE_edges] > 0)

@@ -16,7 +16,7 @@ bool scene_has_masses(const struct scene *scene)
  * mass of the first domino is chosen so that m g h/2 = 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
-    domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
+    domq_real mass = scene_first_mass(scene, domino);
     domq_real first = mass > 0 ? mass : 2 / (scene->scale.g * domino[0].height), by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;
@@ -29,14 +29,16 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         memcpy(domino, listed->domino, count * sizeof *domino);
     else
         domq_row_of_train(&scene->train, &scene->scale, 1, domino, count);
-    for (size_t k = 0; !listed->domino && k < count; k++) {
+    for (size_t k = 0; k < count; k++) {
         struct domq_domino *d = &domino[k];
-        d->width = d->height / 2;
-        if (scene_boxes_above(scene) > 0)
+        const bool has_width = d->width > 0;
+        if (!has_width)
+            d->width = scene_width(scene, d->height);
+        if (listed->from_volumes) /* with the width that the file gives, or with half the height */
+            d->mass *= (has_width ? 1 : d->width / (d->height / 2)) * scene_filled(scene, d);
+        else if (!listed->domino && scene_boxes_above(scene) > 0)
             d->mass = d->height * d->width * d->thickness * scene_filled(scene, d);
     }
-    for (size_t k = 0; listed->from_volumes && k < count; k++)
-        domino[k].mass *= scene_filled(scene, &domino[k]);
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
     for (size_t k = 0; k < count; k++)

@@ -25,8 +25,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the changes that the user has
- * made. The width of a domino is half its height, unless the file or 'change' gives the width. If 'change'
- * changes the height, the width stays as it was. */
+ * made. If 'change' changes the height, the width stays as it was. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
 /* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,

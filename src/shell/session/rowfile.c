@@ -132,13 +132,14 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
 static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *rows)
 {
     const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
-    domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : height / 2;
+    const domq_real width = csv->column[MEASURE_WIDTH] ? value[MEASURE_WIDTH] : 0;
     domq_real density = csv->column[DENSITY] ? value[DENSITY] : 1;
     struct domq_domino domino = {
         .height = height,
         .thickness = thickness,
         .gap = rows->count > 0 ? value[MEASURE_GAP] : 0,
-        .mass = csv->column[MEASURE_MASS] ? value[MEASURE_MASS] : density * height * thickness * width,
+        .mass = csv->column[MEASURE_MASS] ? value[MEASURE_MASS]
+                                          : density * height * thickness * (width > 0 ? width : height / 2),
         .radius = csv->column[MEASURE_RADIUS] ? value[MEASURE_RADIUS] : 0,
         .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0,
         .width = width};

@@ -28,7 +28,8 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  *     48, 7.5, -, 10
  *     5.2 cm, 52/6, 22, 12.5
  *
- * - If there is no column "width", the width of a domino is half its height.
+ * - If there is no column "width", 'set width' gives the width. Until scene_row_fill sets it, it is 0, and
+ *   the mass is that of a domino which is half as wide as it is tall.
  * - If there is no column "mass", the mass of a domino is density * height * thickness * width. In a box,
  *   only the walls count.
  * - If there is no column "density" either, the column "relative" may give the ratios of the masses. If it is

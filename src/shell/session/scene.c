@@ -86,17 +86,23 @@ domq_real scene_filled(const struct scene *scene, const struct domq_domino *d)
                                                                                                 : 1;
 }
 
-domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness)
+domq_real scene_width(const struct scene *scene, domq_real height)
 {
-    const struct domq_domino d = {.height = height, .thickness = thickness, .width = height / 2};
+    const domq_real length = scene->length[SHARE_width].m;
+    return length > 0 ? length : scene->train.width * height;
+}
+
+domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *d)
+{
     return scene->mass > 0 ? scene->mass
-                           : scene->density * height * d.width * thickness * scene_filled(scene, &d);
+                           : scene->density * d->height * d->width * d->thickness * scene_filled(scene, d);
 }
 
 domq_real scene_mass(const struct scene *scene)
 {
-    domq_real h = scene->scale.h;
-    return scene_block_mass(scene, h, scene->train.d * h);
+    struct domq_domino first;
+    domq_row_of_train(&scene->train, &scene->scale, 1, &first, 1);
+    return scene_first_mass(scene, &first);
 }
 
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)

@@ -51,7 +51,7 @@ struct listed_row {
 
 /* The parameters that are shares of the height h. If the user has given a length instead, it stays the same
  * length when h changes. */
-#define SHARES(X)        X(s) X(d) X(walls) X(edges)
+#define SHARES(X)        X(s) X(d) X(width) X(walls) X(edges)
 #define SHARE_ENUM(name) SHARE_##name,
 enum share { SHARES(SHARE_ENUM) SHARE_COUNT };
 #undef SHARE_ENUM
@@ -125,9 +125,11 @@ domq_real scene_boxes_above(const struct scene *scene);
 /* Returns the fraction of a domino's volume that its walls fill: 1 for a solid domino. */
 domq_real scene_filled(const struct scene *scene, const struct domq_domino *domino);
 
-/* Returns the mass in kg of the first domino, or 0 if the mass is not known. The size of the domino is given
- * in m. */
-domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
+/* Returns the width in m of a domino of a row from a file that gives no width. */
+domq_real scene_width(const struct scene *scene, domq_real height);
+
+/* Returns the mass in kg of a domino that is the first one of the row, or 0 if the mass is not known. */
+domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *domino);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
 domq_real scene_mass(const struct scene *scene);

@@ -15,11 +15,12 @@ const struct kernel *const kernels[] = {
 #endif
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
-#define BAD_s   DOM_BAD_S
-#define BAD_r   DOM_BAD_R
-#define BAD_d   DOM_BAD_D
-#define BAD_q   DOM_BAD_Q
-#define BAD_tol DOM_BAD_TOL
+#define BAD_s     DOM_BAD_S
+#define BAD_r     DOM_BAD_R
+#define BAD_d     DOM_BAD_D
+#define BAD_q     DOM_BAD_Q
+#define BAD_width DOM_BAD_WIDTH
+#define BAD_tol   DOM_BAD_TOL
 
 enum dom_status precision_check(enum dom_precision precision)
 {

@@ -47,7 +47,7 @@ dom_real dom_train_reach(const struct dom_train *train)
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
 {
     dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
-    return sqrt(train->walls != 0 ? solid * walls_box(d, WALLS_WIDTH, train->walls).inertia : solid);
+    return sqrt(train->walls != 0 ? solid * walls_box(d, train->width, train->walls).inertia : solid);
 }
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
@@ -95,6 +95,7 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
             .height = height,
             .thickness = train->d * height,
             .gap = k == 0 ? 0 : train->s * height,
+            .width = train->width * height,
             .mass =
                 product ? heavier * domino[k - 1].mass : mass * pow(train->r, (train->q - 1) * (dom_real)k),
         };

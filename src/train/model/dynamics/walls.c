@@ -17,6 +17,6 @@ KERNEL enum dom_status walls_apply(struct geometry *geometry, real value)
         geometry->work->entered[DOM_EFFECT_walls]++;
     if (!walls_fit(geometry->d, value))
         return DOM_NO_ROOM;
-    geometry->inertia_factor = walls_box(geometry->d, WALLS_WIDTH, value).inertia;
+    geometry->inertia_factor = walls_box(geometry->d, geometry->width, value).inertia;
     return DOM_OK;
 }

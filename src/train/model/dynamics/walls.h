@@ -38,7 +38,4 @@ KERNEL inline bool walls_fit(real d, real walls)
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
 }
 
-/* The default width of a domino, relative to its height. */
-#define WALLS_WIDTH ((real)1 / 2)
-
 #endif

@@ -77,6 +77,7 @@ struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
+    real width;                      /* width divided by height, for boxes */
     real inertia_factor;             /* moment of inertia divided by that of a solid block */
     const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
     struct flow *flow;               /* solution of the equation of motion; NULL if none is needed */

@@ -27,6 +27,7 @@ KERNEL struct geometry geometry_read(const struct request *t)
                                 .r = (real)t->r,
                                 .d = (real)t->d,
                                 .q = (real)t->q,
+                                .width = (real)t->width,
                                 .tol = (real)t->tol,
                                 .inertia_factor = 1,
                                 .n = CHAIN_ENDLESS,

@@ -17,6 +17,13 @@ static dom_real row_walls(const struct row_request *row, size_t k)
     return height > row->boxes_above ? row->effect[DOM_EFFECT_walls] / height : 0;
 }
 
+/* Returns the width of domino k divided by its height. */
+static real row_width(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *domino = &row->domino[k];
+    return domino->width > 0 ? (real)(domino->width / domino->height) : (real)1 / 2;
+}
+
 KERNEL struct block block_of(const struct row_request *row, size_t k)
 {
     if (row->block)
@@ -24,8 +31,7 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
     real g = (real)row->g, walls = (real)row_walls(row, k),
-         width = domino->width > 0 ? (real)(domino->width / domino->height) : WALLS_WIDTH,
-         factor = walls != 0 ? walls_box(d, width, walls).inertia : 1;
+         factor = walls != 0 ? walls_box(d, row_width(row, k), walls).inertia : 1;
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
 }
 
@@ -141,6 +147,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
                                   .interrupt = request->interrupt,
                                   .work = request->work,
                                   .d = block_of(request, k).d,
+                                  .width = row_width(request, k),
                                   .inertia_factor = 1,
                                   .lean = (real)request->domino[k].lean,
                                   .short_of = 1,
