@@ -50,7 +50,7 @@ PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslc
 # is compiled within compare/gsl.c, which includes precision/double.c. TYPED is compiled twice: once with the types of
 # <domino.h>, and once with the types of <domino_quad.h>, which the kernels in float and quad use.
 TRAIN   := src/train/model
-TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) $(wildcard $(TRAIN)/effects/*.c) \
+TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c)) \
            $(wildcard $(patsubst %,src/%/model/*.c,rows chance planning))
 DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c dispatch/bridge.c) \
            $(wildcard $(TRAIN)/compare/*.c src/proof/model/*.c)

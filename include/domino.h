@@ -564,28 +564,31 @@ struct dom_effect {
     const char *source; /* the publication from which the mathematics comes */
     const char *plan;   /* the equation that is solved, and how it is solved, in a few words */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
-    unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
-    bool dissipates; /* true if dominoes lose energy while they move; see dom_law */
+    unsigned needs; /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
+    /* What takes energy from moving dominoes, in a few words, or NULL if nothing does; see dom_law. */
+    const char *dissipates;
+    /* The equations that the effect adds or changes, one each, ended by NULL; NULL if there are none. */
+    const char *const *equations;
     /* true if the effect changes only tau, so that times in units of tau stay the same */
     bool cancels;
     const char *synonyms; /* search words for the effect, separated by blanks */
 };
 
-/* The descriptions of all effects, indexed by enum dom_effect_name. */
-extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
-
-/* Returns the description of an effect, or NULL if there is no such effect. */
+/* The descriptions of all effects. dom_effect returns one of them, or NULL if there is no such effect. */
+extern const struct dom_effect dom_effect_friction, dom_effect_slope, dom_effect_walls, dom_effect_edges,
+    dom_effect_row, dom_effect_push, dom_effect_placement, dom_effect_floor;
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
 /* Returns the first effect that is on in a train and changes anything besides tau, or NULL if there is
  * none. */
 const struct dom_effect *dom_first_effect(const struct dom_train *train);
 
-/* The law of motion of a train without effects: energy is conserved between collisions. */
-extern const struct dom_effect dom_energy_balance;
+/* The two laws of motion. With dom_energy_balance, energy is conserved between collisions. With
+ * dom_equation_of_motion, dominoes lose energy while they move. */
+extern const struct dom_effect dom_energy_balance, dom_equation_of_motion;
 
-/* Returns the law of motion of a train. It is the first effect that is on and dissipates energy. If there is
- * no such effect, it is dom_energy_balance. */
+/* Returns the law of motion of a train: dom_equation_of_motion if an effect that dissipates energy is on,
+ * otherwise dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */

@@ -198,17 +198,14 @@ static const char *words_of(struct derivation *d, const struct derived *q)
     char words[256];
     int n;
     if (ends & HAS_LOSS)
-        n = snprintf(
-            words, sizeof words,
-            "%s; with %s, energy is not conserved, so the equation of motion in 'help %s' is integrated",
-            q->words, domq_law(&d->state->scene.train)->name, domq_law(&d->state->scene.train)->name);
+        n = snprintf(words, sizeof words,
+                     "%s; with %s, energy is not conserved, so the equation of motion is integrated",
+                     q->words, losses_of(&d->state->scene.train));
     else if (ends & HAS_DETACHED_AT_TILT)
         n = snprintf(words, sizeof words, "%s; at this tilt the follower has slid off the head", q->words);
     else
-        n = snprintf(
-            words, sizeof words,
-            "%s; with rounded edges the contact is found by iteration: 'help edges' has its equation",
-            q->words);
+        n = snprintf(words, sizeof words, "%s; with rounded edges the contact is found by iteration",
+                     q->words);
     return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
 }
 

@@ -239,6 +239,38 @@ static void equations_write(const struct writer *w, bool deep)
     }
 }
 
+/* Writes the equations of an effect or of a law of motion. */
+static void effect_write(const struct writer *w, const char *with, const struct domq_effect *e)
+{
+    if (!e->equations)
+        return;
+    fprintf(w->formula.out, "\n%s%s", w->dialect ? "\\medskip\n" : "", with);
+    words_write(w, e->name);
+    fputs(w->dialect ? ":\\\\\n" : ":\n", w->formula.out);
+    for (const char *const *line = e->equations; *line; line++) {
+        fputs(w->dialect ? "\\hspace*{2em}" : "    ", w->formula.out);
+        words_write(w, *line);
+        fputs(w->dialect ? "\\\\\n" : "\n", w->formula.out);
+    }
+}
+
+/* If the derivation ends because of an effect, writes the equations of the law of motion and of the effects
+ * that are on. */
+static void effects_write(const struct writer *w)
+{
+    const struct derivation *d = w->derivation;
+    const struct scene *scene = &d->state->scene;
+    bool ends = false;
+    for (int k = 0; k < d->count; k++)
+        ends = ends || (d->step[k].derived->ends & d->has & (HAS_LOSS | HAS_EDGES)) != 0;
+    if (!ends)
+        return;
+    effect_write(w, "", domq_law(&scene->train));
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (scene->effect[k].on)
+            effect_write(w, "with ", effect_at(k));
+}
+
 /* Writes a lesson in TeX. */
 static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
@@ -254,6 +286,7 @@ static void document_write(const struct writer *w, const struct explained *e, bo
         fputs("\nwith\n\n", out);
         meanings_write(w, e);
     }
+    effects_write(w);
     fputs("\\end{document}\n", out);
 }
 
@@ -278,9 +311,10 @@ static bool text_write(struct writer *w, const struct explained *e, bool deep, s
         char *text = NULL;
         size_t size;
         w->formula.out = open_memstream(&text, &size);
-        if (w->formula.out && k == 0)
+        if (w->formula.out && k == 0) {
             equations_write(w, deep);
-        else if (w->formula.out)
+            effects_write(w);
+        } else if (w->formula.out)
             meanings_write(w, e);
         const bool whole = w->formula.out && fclose(w->formula.out) == 0;
         if (whole && k == 0)

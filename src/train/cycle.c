@@ -9,7 +9,7 @@ static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;
     if (domq_law(&query->scene->train)->dissipates)
-        return "no domino effect: friction and the larger dominoes take up all the energy that a cycle "
+        return "no domino effect: losses and the larger dominoes take up all the energy that a cycle "
                "releases; 'rmax' shows how large r may be";
     if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, because the smaller dominoes "
@@ -117,7 +117,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P by the formula that 'set fuel' chooses, minus the energy lost to friction", 0},
+    {"fuel", "mgh/2", "P by the formula that 'set fuel' chooses, minus the energy lost in the cycle", 0},
     {"fuel_exact", "mgh/2", "P from the energy balance over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},

@@ -82,7 +82,7 @@ static bool run_cycle(const struct query *query, struct answer *a, struct proble
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
     if (domq_law(&query->scene->train)->dissipates)
-        answer_detail(a, "Friction between dominoes has dissipated %.4g %s since the launch.",
+        answer_detail(a, "Energy lost to %s since the launch: %.4g %s.", losses_of(&query->scene->train),
                       (double)(table.last.friction_work * walk_units(query, 1).energy),
                       walk_units(query, 1).energy_unit);
     struct domq_least_force contact;

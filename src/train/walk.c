@@ -84,8 +84,8 @@ struct place {
     const struct domq_state *state;
     struct answer *answer;
     struct walk_units units;
-    bool has_friction; /* the inertia of the train is A instead of J */
-    bool has_losses, is_rounded;
+    bool has_losses; /* the equation of motion holds, with A instead of the inertia J */
+    bool is_rounded;
 };
 
 static struct measured angle_at(const struct place *p, domq_real theta)
@@ -140,7 +140,7 @@ static void say_launch(const struct place *p)
         domq_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
-    const char *inertia = p->has_friction ? "A(0)" : "J(0)";
+    const char *inertia = p->has_losses ? "A(0)" : "J(0)";
     answer_detail(
         p->answer,
         "Hit and launch, theta = 0. Domino 1 turns at %s and hits the head, domino 0, which is %s tall. "
@@ -149,12 +149,12 @@ static void say_launch(const struct place *p)
         omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
         omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
         p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
-    if (p->has_friction)
-        answer_detail(
-            p->answer,
-            "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) if there is friction. S_i is "
-            "the fraction of the torque that reaches domino i.",
-            p->is_rounded ? "i(theta_i) " : "");
+    if (p->has_losses)
+        answer_detail(p->answer,
+                      "A(0) = sum r^(-(q+1) i) S_i %stheta_i' takes the place of J(0) in the equation of "
+                      "motion. S_i is "
+                      "the fraction of the torque that reaches domino i.",
+                      p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
         answer_detail(p->answer,
                       "i(theta) is the inertia of a domino about its line of contact with the floor, "
@@ -171,7 +171,7 @@ static void say_launch(const struct place *p)
                       "0, and its impulse has no upper bound in this model (14; b10).");
     answer_detail(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s is left.",
                   (double)(100 * p->state->lost / p->state->before),
-                  p->has_friction ? ""
+                  p->has_losses   ? ""
                   : p->is_rounded ? " (the share i(0)/J(0))"
                                   : " (the share 1/J(0))",
                   energy_at(p, l.kinetic).text);
@@ -197,9 +197,8 @@ static void say_top(const struct place *p)
                       "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
                       "%s has taken %s, and a kinetic energy of %s is left. From here on, the train "
                       "gains more energy than it loses (26; c8).",
-                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-                      domq_law(&p->walk->train)->name, energy_at(p, s->friction_work).text,
-                      energy_at(p, s->kinetic).text);
+                      angle_at(p, s->theta).text, energy_at(p, s->climbed).text, losses_of(&p->walk->train),
+                      energy_at(p, s->friction_work).text, energy_at(p, s->kinetic).text);
     else
         answer_detail(
             p->answer,
@@ -265,7 +264,7 @@ static void say_hit(const struct place *p)
                   omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
                   measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_losses)
-        answer_detail(p->answer, "Of this energy, %s has taken %s.", domq_law(&p->walk->train)->name,
+        answer_detail(p->answer, "Of this energy, %s has taken %s.", losses_of(&p->walk->train),
                       energy_at(p, s->friction_work).text);
     answer_detail(
         p->answer,
@@ -362,8 +361,7 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
                                 .state = state,
                                 .answer = answer,
                                 .units = walk_units(query, walk->cycle),
-                                .has_friction = walk->train.mu != 0,
-                                .has_losses = domq_law(&walk->train)->dissipates,
+                                .has_losses = domq_law(&walk->train)->dissipates != NULL,
                                 .is_rounded = walk->train.rho != 0};
     event_say(&place);
     ledger_say(&place);

@@ -7,7 +7,7 @@
 
 const struct column why_columns[] = {
     {"verdict", "", "'goes on', 'stops' or 'no fuel' (no energy is released)", 7},
-    {"fuel", "mgh/2", "P, the energy that one cycle releases, minus friction losses (25; c7)", 0},
+    {"fuel", "mgh/2", "P, the energy that one cycle releases, minus losses (25; c7)", 0},
     {"J0", "", "J(0), the inertia of the train (50; d8, corrected)", 0},
     {"kinetic", "mgh/2", "K, the kinetic energy after the collision (24; c6)", 0},
     {"barrier", "mgh/2", "B, the energy that the train needs to keep falling (26; c8)", 0},
@@ -27,6 +27,7 @@ struct cell verdict_cell(enum dom_status verdict)
 void verdict_train_say(const struct query *query, struct answer *a, enum dom_status verdict,
                        const struct domq_barrier *b)
 {
+    const char *losses = losses_of(&query->scene->train);
     if (verdict == DOM_NO_FUEL)
         answer_say(a, "The train does not fall: falling releases no energy.");
     else if (verdict == DOM_LOCKS)
@@ -34,9 +35,8 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
     else if (b->barrier == 0)
         answer_say(a, "The train keeps falling: it has nothing to climb, so any motion is enough.");
     else
-        answer_say(a, "The train %s: to push the next domino over%s, it %s.",
-                   verdict == DOM_OK ? "keeps falling" : "stops",
-                   domq_law(&query->scene->train)->dissipates ? " in spite of friction" : "",
+        answer_say(a, "The train %s: to push the next domino over%s%s, it %s.",
+                   verdict == DOM_OK ? "keeps falling" : "stops", *losses ? " in spite of " : "", losses,
                    energy_words(b->kinetic / b->barrier).text);
 }
 

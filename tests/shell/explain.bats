@@ -47,7 +47,17 @@ check=$root/tests/derivations/check.py
 }
 
 @test "explain says where equations end, and has the equations of effects" {
-    "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction, energy is not conserved, so the equation of motion in 'help friction' is integrated"
+    cd "$BATS_TEST_TMPDIR"
+    "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction, energy is not conserved, so the equation of motion is integrated"
+    # The equations of the law of motion and of the effects that are on follow, and only then.
+    have=$("$DOMINO" -e 'effect friction 0.2; effect edges 0.01; explain launch deep')
+    for line in '(A/2) dw/dtheta + B w = C' 'a = Y/r - L x - mu d' 'l = 1 - 2 rho'; do
+        grep -qxF "    $line" <<<"$have"
+    done
+    "$DOMINO" -e 'effect friction 0.2; effect edges 0.01; explain launch > lesson.tex'
+    grep -qF 'S\_(i+1) = S\_i a\_i/b\_i' lesson.tex || { cat lesson.tex; false; }
+    [ "$("$DOMINO" -e 'effect slope 1 deg; effect walls 1 mm; explain launch' | grep -c '^with ')" -eq 0 ]
+    "$DOMINO" -e 'help friction' | grep -qxF '    b = (Y + mu X)/r'
     "$DOMINO" -e 'effect edges 0.01; explain theta1 0.2' | grep -q "with rounded edges the contact is found by iteration"
     "$DOMINO" -e 'effect slope 1 deg; explain fuel' | grep -q 'cos(start_i + alpha)'
     "$DOMINO" -e 'effect slope 1 deg; explain thetac' | grep -q 'theta_u = asin(d/sqrt(1 + d^2)) - alpha    (4; b1)'

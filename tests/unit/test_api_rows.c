@@ -300,7 +300,10 @@ static void effect_same(const struct dom_effect *e, const struct domq_effect *eq
 {
     text_same(e->name, eq->name), text_same(e->adds, eq->adds), text_same(e->help, eq->help);
     text_same(e->source, eq->source), text_same(e->plan, eq->plan);
-    assert_true(e->needs == eq->needs && e->dissipates == eq->dissipates);
+    text_same(e->dissipates, eq->dissipates);
+    assert_true(e->needs == eq->needs && !e->equations == !eq->equations);
+    for (int i = 0; e->equations && (i == 0 || e->equations[i - 1]); i++)
+        text_same(e->equations[i], eq->equations[i]);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
         const struct dom_effect_argument d = e->argument[i];
         const struct domq_effect_argument q = eq->argument[i];
@@ -319,10 +322,11 @@ TEST(effects)
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         effect_same(dom_effect((enum dom_effect_name)k), domq_effect((enum dom_effect_name)k));
     effect_same(&dom_energy_balance, &domq_energy_balance);
+    effect_same(&dom_equation_of_motion, &domq_equation_of_motion);
 #define NAMED(effect)                                                                                        \
-    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effects[DOM_EFFECT_##effect]);                    \
-    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effects[DOM_EFFECT_##effect]);                  \
-    assert_string_equal(dom_effects[DOM_EFFECT_##effect].name, #effect);
+    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effect_##effect);                                 \
+    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effect_##effect);                               \
+    assert_string_equal(dom_effect_##effect.name, #effect);
 #define NAMED_DYNAMICS(effect, member, status) NAMED(effect)
     DOM_DYNAMICS(NAMED_DYNAMICS)
     DOM_EFFECTS(NAMED)
@@ -337,17 +341,13 @@ TEST(laws)
     assert_ptr_equal(dom_law(&t), &dom_energy_balance);
     assert_ptr_equal(domq_law(&tq), &domq_energy_balance);
 #define LAW(effect, member, status)                                                                          \
-    t.member = tq.member = dom_effects[DOM_EFFECT_##effect].argument[0].highest;                             \
-    assert_ptr_equal(dom_first_effect(&t),                                                                   \
-                     dom_effects[DOM_EFFECT_##effect].cancels ? NULL : &dom_effects[DOM_EFFECT_##effect]);   \
-    assert_ptr_equal(domq_first_effect(&tq),                                                                 \
-                     domq_effects[DOM_EFFECT_##effect].cancels ? NULL : &domq_effects[DOM_EFFECT_##effect]); \
-    assert_ptr_equal(dom_law(&t), dom_effects[DOM_EFFECT_##effect].dissipates                                \
-                                      ? &dom_effects[DOM_EFFECT_##effect]                                    \
-                                      : &dom_energy_balance);                                                \
-    assert_ptr_equal(domq_law(&tq), domq_effects[DOM_EFFECT_##effect].dissipates                             \
-                                        ? &domq_effects[DOM_EFFECT_##effect]                                 \
-                                        : &domq_energy_balance);                                             \
+    t.member = tq.member = dom_effect_##effect.argument[0].highest;                                          \
+    assert_ptr_equal(dom_first_effect(&t), dom_effect_##effect.cancels ? NULL : &dom_effect_##effect);       \
+    assert_ptr_equal(domq_first_effect(&tq), domq_effect_##effect.cancels ? NULL : &domq_effect_##effect);   \
+    assert_ptr_equal(dom_law(&t),                                                                            \
+                     dom_effect_##effect.dissipates ? &dom_equation_of_motion : &dom_energy_balance);        \
+    assert_ptr_equal(domq_law(&tq),                                                                          \
+                     domq_effect_##effect.dissipates ? &domq_equation_of_motion : &domq_energy_balance);     \
     t.member = tq.member = 0;
     DOM_DYNAMICS(LAW)
 }

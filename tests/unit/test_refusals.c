@@ -161,10 +161,10 @@ TEST(parameters)
     DOM_TRAIN_PARAMETERS(OF_TRAIN)
     DOM_COMPUTE_PARAMETERS(OF_COMPUTE)
 #define OF_EFFECT(effect, member, status)                                                                    \
-    BAD(train, member, dom_effects[DOM_EFFECT_##effect].argument[0].lowest,                                  \
-        dom_effects[DOM_EFFECT_##effect].argument[0].highest, status)
+    BAD(train, member, dom_effect_##effect.argument[0].lowest, dom_effect_##effect.argument[0].highest,      \
+        status)
     DOM_DYNAMICS(OF_EFFECT)
-    assert_true(dom_effects[DOM_EFFECT_friction].argument[0].highest == DOM_MU_HIGHEST);
+    assert_true(dom_effect_friction.argument[0].highest == DOM_MU_HIGHEST);
 #undef BAD
     for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
         if (dom_arithmetic(p)->bits) {
@@ -313,8 +313,8 @@ TEST(rows)
     }
 #define ROW_EFFECT(effect, member, status)                                                                   \
     for (int k = 0; k < 5; k++) {                                                                            \
-        const double outside[] = {OUTSIDE(dom_effects[DOM_EFFECT_##effect].argument[0].lowest,               \
-                                          dom_effects[DOM_EFFECT_##effect].argument[0].highest)};            \
+        const double outside[] = {                                                                           \
+            OUTSIDE(dom_effect_##effect.argument[0].lowest, dom_effect_##effect.argument[0].highest)};       \
         row_make(&r);                                                                                        \
         r.row.member = outside[k];                                                                           \
         row_refused(&r.row, NULL, 0, status);                                                                \

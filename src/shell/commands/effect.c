@@ -176,9 +176,9 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     const char *version = NULL, *motion_why, *motion;
     bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
          is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
-         has_losses = law->dissipates;
-    char engine[96], loses[48];
-    snprintf(loses, sizeof loses, "%s is on", law->name);
+         has_losses = law->dissipates != NULL;
+    char engine[96], loses[LOSSES_TEXT + 8];
+    snprintf(loses, sizeof loses, "%s is on", losses_of(&scene->train));
     if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
         version = engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",

@@ -115,6 +115,10 @@ static void help_parameter(struct session *session, const struct topic *t)
         help_wrapped(out, t->text, 0);
         putc('\n', out);
     }
+    for (const char *const *e = p->effect ? p->effect->equations : NULL; e && *e; e++)
+        fprintf(out, "    %s\n", *e);
+    if (p->effect && p->effect->equations)
+        putc('\n', out);
     if (p->effect)
         help_effect_values(session, p);
     else {

@@ -72,9 +72,12 @@ enum topic_match topic_match(const struct topic *t, const char *word)
     bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
     bool in_details = mentions(t->text, word) || (t->command && mentions(t->equation, word));
     const struct word *w = t->parameter && !t->parameter->effect ? t->parameter->words : NULL;
+    const char *const *e = t->parameter && t->parameter->effect ? t->parameter->effect->equations : NULL;
     const struct column *k = t->command ? t->command->columns : NULL;
     for (; w && w->name; w++)
         is_about = is_about || mentions(w->name, word);
+    for (; e && *e; e++)
+        in_details = in_details || mentions(*e, word);
     for (; k && k->key; k++)
         in_details = in_details || mentions(k->key, word) || mentions(k->meaning, word);
     return is_about ? MATCH_TOPIC : in_details ? MATCH_DETAILS : MATCH_NONE;

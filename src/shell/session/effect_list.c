@@ -23,7 +23,7 @@ const struct domq_effect engine_effect_feet = {
                   .highest = 100,
                   .usual = (domq_real)1 / 2}},
     .needs = 1U << DOM_EFFECT_row,
-    .dissipates = true,
+    .dissipates = "sliding feet",
 };
 
 const struct domq_effect engine_effect_bounce = {
@@ -43,7 +43,7 @@ const struct domq_effect engine_effect_bounce = {
                   .highest = 1,
                   .usual = (domq_real)1 / 5}},
     .needs = 1U << DOM_EFFECT_row,
-    .dissipates = true,
+    .dissipates = "bounces",
 };
 
 const struct domq_effect *effect_at(int k)

@@ -135,7 +135,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name) EFFECT_ENTRY(name, domq_effects[DOM_EFFECT_##name], DOM_EFFECT_##name)
+#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name)
 #define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
 #define ERROR_EFFECT(name) EFFECT_ENTRY(error_##name, error_effect_##name, EFFECT_error_##name)
 #define EFFECT_ENTRY(name_, of, number) \

@@ -2,6 +2,7 @@
 #include "session/scene.h"
 #include "answer/measure.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -176,6 +177,18 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_TOO_LONG)
         return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
     return problem_no_answer(problem, "%s", dom_status_text(status));
+}
+
+const char *losses_write(const struct domq_train *train, char text[LOSSES_TEXT])
+{
+#define VALUE(name, member, status) train->member,
+    const domq_real value[] = {DOM_DYNAMICS(VALUE)};
+#undef VALUE
+    text[0] = '\0';
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (value[k] != 0 && effect_at(k)->dissipates)
+            text_add(text, LOSSES_TEXT, "%s%s", *text ? " and " : "", effect_at(k)->dissipates);
+    return text;
 }
 
 domq_real lean_offset(const struct domq_domino *domino)

@@ -140,6 +140,12 @@ static inline bool scene_has_mass(const struct scene *scene)
     return scene_mass(scene) > 0;
 }
 
+/* Returns what takes energy from the moving dominoes of a train, such as "friction". Returns "" if nothing
+ * does. The text lives until the end of the caller's block. */
+enum { LOSSES_TEXT = 64 };
+#define losses_of(train) losses_write(train, (char[LOSSES_TEXT]){""})
+const char *losses_write(const struct domq_train *train, char text[LOSSES_TEXT]);
+
 /* Returns how far the top of a domino is off plumb, in m. A backward lean is negative. */
 domq_real lean_offset(const struct domq_domino *domino);
 

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, physical units, and rows with the proportions of a train, always in dom_real. */
+/* Defaults, and rows with the proportions of a train, always in dom_real. */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
-#include "dynamics/walls.h"
 #include "geometry/reach.h"
 #include "numerics/real.h"
 
@@ -29,31 +28,9 @@ struct dom_row dom_row_default(void)
     return (struct dom_row){.g = dom_scale_default().g, .push = DOM_NAN};
 }
 
-enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
-                             struct dom_box *box)
-{
-    if (!(height > 0 && width > 0 && walls_fit(thickness / height, walls / height)))
-        return DOM_NO_ROOM;
-    struct box found = walls_box(thickness / height, width / height, walls / height);
-    *box = (struct dom_box){found.filled, found.inertia};
-    return DOM_OK;
-}
-
 dom_real dom_train_reach(const struct dom_train *train)
 {
     return reach_span(train->rho) / train->s;
-}
-
-dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
-{
-    dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
-    return sqrt(train->walls != 0 ? solid * walls_box(d, train->width, train->walls).inertia : solid);
-}
-
-dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
-{
-    dom_real seconds = duration * dom_scale_tau(scale, train);
-    return (train->s + train->d) * train->r * scale->h / seconds;
 }
 
 /* The smallest tolerance of each precision is 4 to 10 times its epsilon. */

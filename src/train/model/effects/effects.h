@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions for the values of the effects of DOM_DYNAMICS. The values are in an array indexed by enum
- * dom_effect_name. */
+/*
+ * Functions for the values of the effects of DOM_DYNAMICS. The values are in an array indexed by enum
+ * dom_effect_name.
+ *
+ * Each effect has a file in this folder, which fills one table. An effect of DOM_DYNAMICS fills a second
+ * one, struct terms (choose.h). The kernels include this part of its file, with KERNEL_SOURCE defined.
+ */
 #ifndef DOM_EFFECTS_H
 #define DOM_EFFECTS_H
 
@@ -18,5 +23,8 @@ int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT]);
 /* Returns DOM_OK, or the status of the first effect whose value is outside its range. 0 (off) is always
  * allowed. */
 enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT]);
+
+/* Returns true if one of the effects that are on takes energy from moving dominoes. */
+bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT]);
 
 #endif

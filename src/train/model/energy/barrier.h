@@ -2,7 +2,7 @@
 #ifndef DOM_BARRIER_H
 #define DOM_BARRIER_H
 
-#include "dynamics/choose.h"
+#include "effects/choose.h"
 #include "numerics/numerics.h"
 
 /*

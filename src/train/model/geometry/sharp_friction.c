@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pass down a chain with sharp edges and friction (equations: dynamics/friction.c). */
+/* The pass down a chain with sharp edges and friction (equations: dynamics/losses.h). */
 #include "geometry/far.h"
 #include "geometry/law.h"
 

@@ -6,16 +6,8 @@
  */
 #include "row/joint.h"
 #include "dynamics/flow.h"
-#include "dynamics/walls.h"
+#include "effects/walls.h"
 #include <stdlib.h>
-#include <string.h>
-
-/* Returns the thickness of the walls of domino k divided by its height, or 0 if the domino is solid. */
-static dom_real row_walls(const struct row_request *row, size_t k)
-{
-    const dom_real height = row->domino[k].height;
-    return height > row->boxes_above ? row->effect[DOM_EFFECT_walls] / height : 0;
-}
 
 /* Returns the width of domino k divided by its height. */
 static real row_width(const struct row_request *row, size_t k)
@@ -30,7 +22,7 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
         return row->block[k];
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    real g = (real)row->g, walls = (real)row_walls(row, k),
+    real g = (real)row->g, walls = (real)walls_of_domino(row, k),
          factor = walls != 0 ? walls_box(d, row_width(row, k), walls).inertia : 1;
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
 }
@@ -120,25 +112,6 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
     return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
 
-/* Returns the radius of the edges of domino k divided by its height, or 0 for sharp edges. */
-static dom_real row_radius(const struct row_request *row, size_t k)
-{
-    const struct dom_domino *domino = &row->domino[k];
-    dom_real rho = row->effect[DOM_EFFECT_edges];
-    return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
-}
-
-/* Chooses the dynamics of domino k. Most effects are the same for all dominoes of a row. But the thickness of
- * the walls and the radius of the edges, both divided by the height, can differ from domino to domino. */
-static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
-{
-    dom_real effect[DOM_DYNAMICS_COUNT];
-    memcpy(effect, row->effect, sizeof effect);
-    effect[DOM_EFFECT_walls] = row_walls(row, k);
-    effect[DOM_EFFECT_edges] = row_radius(row, k);
-    return dynamics_choose(effect, geometry);
-}
-
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
 {
     struct geometry *geometry = &row[k];
@@ -154,7 +127,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
                                   .n = k + 1};
     geometry->steepest = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
-    enum dom_status status = row_effects(request, k, geometry);
+    enum dom_status status = dynamics_of_domino(request, k, geometry);
     geometry->c = row_end(request, k, geometry);
     if (k > 0)
         joint_make(request, k, &row[k - 1], geometry);
@@ -179,7 +152,7 @@ static enum dom_status settings_check(const struct row_request *row)
 
 static bool walls_room(const struct row_request *row, size_t k, const struct block *self)
 {
-    const dom_real walls = row_walls(row, k);
+    const dom_real walls = walls_of_domino(row, k);
     return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
@@ -202,12 +175,13 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
            : !(d->gap >= 0) || !isfinite((real)d->gap)    ? DOM_BAD_GAP
            : !(d->radius >= 0 && (!dynamics_on(row->effect[DOM_EFFECT_edges]) || d->radius < d->height / 2))
                ? DOM_BAD_RADIUS
-           : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
+           : dynamics_on(row->effect[DOM_EFFECT_edges]) &&
+                   2 * edges_of_domino(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
-           : !walls_room(row, k, &self)              ? DOM_NO_ROOM
-           : d->lean != 0 && row_radius(row, k) != 0 ? DOM_NO_LEAN
-           : d->lean != 0 && !lean_stands(row, d)    ? DOM_BAD_LEAN
-                                                     : DOM_OK;
+           : !walls_room(row, k, &self)                   ? DOM_NO_ROOM
+           : d->lean != 0 && edges_of_domino(row, k) != 0 ? DOM_NO_LEAN
+           : d->lean != 0 && !lean_stands(row, d)         ? DOM_BAD_LEAN
+                                                          : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)

@@ -166,7 +166,7 @@ static enum dom_status study_random(struct study *s, struct dom_verdict *verdict
     s->quick = true;
     for (size_t k = 0; k < request->count; k++)
         s->quick = s->quick && request->domino[k].lean == 0;
-    s->rough = s->quick && request->effect[DOM_EFFECT_friction] != 0;
+    s->rough = s->quick && dynamics_dissipate(request->effect);
     request->tol = s->rough && tol < (dom_real)ROUGH_TOL ? (dom_real)ROUGH_TOL : tol;
     enum dom_status status = row_read(&s->row, &verdict->domino);
     if (status == DOM_OK)

@@ -1,28 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)). The tip of a
- * follower slides down the face of its leader. The Coulomb force mu N along the face brakes both dominoes.
- * The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
- *
- * Friction dissipates energy, so an equation of motion takes the place of the energy balance (21; c3). To
- * obtain it, multiply the equation of motion of each domino i by a factor S_i and add all equations. The
- * factors are S_0 = 1 and S_(i+1) = S_i a_i / b_i (55; e4). They make the contact forces cancel in the sum.
- * With w = tau^2 omega^2, the sum is
- *
- *     (A/2) dw/dtheta + B w = C,
- *     A = sum of r^(-(q+1) i) S_i theta_i',   B = sum of r^(-(q+1) i) S_i theta_i'',
- *     C = sum of r^(-q i) S_i (x_i - d y_i) / 2.
- *
- * The equation is linear in w, so flow.h solves it. Without friction, S_i = theta_i', A = J and C = -H'/2.
- */
+#include "dynamics/losses.h"
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
 #include <stdlib.h>
 
 /* ---- The collision ---- */
 
-static enum dom_status friction_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
-                                              struct tilt at, real J, real *inertia_ratio)
+static enum dom_status losses_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
+                                            struct tilt at, real J, real *inertia_ratio)
 {
     (void)J;
     struct equation_of_motion at_hit;
@@ -41,8 +26,8 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* Sets *slope to a number that has the sign of the derivative of the required energy. The number is du/dtheta
  * if `rough` is true, and -2 C otherwise. */
-static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
-                                      real *slope)
+static enum dom_status losses_slope(const struct geometry *geometry, struct tilt head, bool rough,
+                                    real *slope)
 {
     struct equation_of_motion equation = {.C = 0};
     if (rough) {
@@ -54,8 +39,8 @@ static enum dom_status friction_slope(const struct geometry *geometry, struct ti
     return status;
 }
 
-static enum dom_status friction_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                             real *acceleration, size_t *n)
+static enum dom_status losses_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                           real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
     /* The energy pass counts the dominoes that the forces depend on. */
@@ -67,7 +52,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
     return status;
 }
 
-static enum dom_status friction_begin(struct geometry *geometry)
+static enum dom_status losses_begin(struct geometry *geometry)
 {
     geometry->flow = calloc(1, sizeof *geometry->flow);
     const bool endless = geometry->n == CHAIN_ENDLESS && !geometry->follower;
@@ -76,33 +61,26 @@ static enum dom_status friction_begin(struct geometry *geometry)
     return geometry->flow ? DOM_OK : DOM_NO_MEMORY;
 }
 
-static void friction_end(struct geometry *geometry)
+static void losses_end(struct geometry *geometry)
 {
     flow_free(geometry->flow);
     geometry->flow = NULL;
 }
 
-static const struct dynamics friction = {
-    .begin = friction_begin,
-    .end = friction_end,
+static const struct dynamics losses = {
+    .begin = losses_begin,
+    .end = losses_end,
     .solve = flow_solve,
     .solve_piece = flow_solve_piece,
     .spent = flow_spent,
     .braked = flow_braked,
     .collide = flow_collide,
-    .inertia_ratio = friction_inertia_ratio,
-    .slope = friction_slope,
+    .inertia_ratio = losses_inertia_ratio,
+    .slope = losses_slope,
     .required_energy = flow_required,
     .required_energy_error = flow_required_error,
     .speed = flow_speed,
     .before_rest = flow_before_rest,
-    .acceleration = friction_acceleration,
+    .acceleration = losses_acceleration,
     .gain = flow_gain,
 };
-
-KERNEL enum dom_status friction_apply(struct geometry *geometry, real value)
-{
-    geometry->mu = value;
-    geometry->dynamics = &friction;
-    return DOM_OK;
-}

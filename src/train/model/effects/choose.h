@@ -6,8 +6,29 @@
 #include "dynamics/energy_balance.h"
 #include "effects/effects.h"
 
+/* What an effect adds to the law of motion. Each effect of DOM_DYNAMICS has such a table in its file. */
+struct terms {
+    /* Switches the effect on, with this value, for a train or for one domino of a row. The geometry has its
+     * d, and the effects before this one. */
+    enum dom_status (*apply)(struct geometry *geometry, real value);
+    /* Returns the value for domino k of a row, counted from 0. NULL if all dominoes have the value of the
+     * row. */
+    dom_real (*of_domino)(const struct row_request *row, size_t k);
+};
+
+#define TERMS_DECLARE(effect, member, status) static const struct terms effect##_terms;
+DOM_DYNAMICS(TERMS_DECLARE)
+#undef TERMS_DECLARE
+
+/* The values of walls and edges, divided by the height, for domino k of a row. */
+KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k);
+KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k);
+
 /* Chooses the law of motion and the potential energy for the effects that are on. geometry->d must be set. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
+
+/* The same for domino k of a row. */
+KERNEL enum dom_status dynamics_of_domino(const struct row_request *row, size_t k, struct geometry *geometry);
 
 /* Prepares the geometry and the law of motion. geometry_set must then set the separation and the growth. */
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);

@@ -1,26 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dynamics/choose.h"
+#include "effects/choose.h"
 #include "geometry/far.h"
 
-/* Each effect in DOM_DYNAMICS has a source file and a function that switches it on. */
-#define DYNAMICS_DECLARE(effect, member, status)                                                             \
-    KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
-DOM_DYNAMICS(DYNAMICS_DECLARE)
-#undef DYNAMICS_DECLARE
+static const struct terms *const terms[] = {
+#define DYNAMICS_TERMS(effect, member, status) &effect##_terms,
+    DOM_DYNAMICS(DYNAMICS_TERMS)
+#undef DYNAMICS_TERMS
+};
 
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry)
 {
-    static enum dom_status (*const apply[])(struct geometry *, real) = {
-#define DYNAMICS_APPLY(effect, member, status) effect##_apply,
-        DOM_DYNAMICS(DYNAMICS_APPLY)
-#undef DYNAMICS_APPLY
-    };
     enum dom_status status = DOM_OK;
     geometry->dynamics = &energy_balance;
     for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
         if (dynamics_on(effect[i]))
-            status = apply[i](geometry, (real)effect[i]);
+            status = terms[i]->apply(geometry, (real)effect[i]);
     return status;
+}
+
+KERNEL enum dom_status dynamics_of_domino(const struct row_request *row, size_t k, struct geometry *geometry)
+{
+    dom_real effect[DOM_DYNAMICS_COUNT];
+    for (int i = 0; i < DOM_DYNAMICS_COUNT; i++)
+        effect[i] = terms[i]->of_domino ? terms[i]->of_domino(row, k) : row->effect[i];
+    return dynamics_choose(effect, geometry);
 }
 
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry)

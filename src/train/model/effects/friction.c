@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Friction between dominoes. The tip of a follower slides down the face of its leader. The Coulomb force mu N
+ * along the face brakes both dominoes. The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu
+ * X)/r (table 1). They change the factors S_i of the equation of motion (dynamics/losses.h).
+ *
+ * Source: van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010).
+ */
+#include "effects/effects.h"
+
+#ifdef KERNEL_SOURCE
+
+#include "dynamics/losses.h"
+#include "effects/choose.h"
+
+static enum dom_status friction_apply(struct geometry *geometry, real value)
+{
+    geometry->mu = value;
+    geometry->dynamics = &losses;
+    return DOM_OK;
+}
+
+static const struct terms friction_terms = {.apply = friction_apply};
+
+#else
+
+const struct dom_effect dom_effect_friction = {
+    .name = "friction",
+    .synonyms = "mu rub rough sandpaper slippery coefficient",
+    .adds = "Coulomb friction between dominoes, in motion and in the collision",
+    .help =
+        "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's model. "
+        "The tip of each follower slides down the face of its leader, and a friction force mu N acts "
+        "along the face, where N is the contact force. This changes the lever arms of a contact: a on the "
+        "leader and b on the follower. The barrier is the kinetic energy that "
+        "the train needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
+        "friction: near r s = 1 the force on the struck domino passes on the wrong side of its hinge "
+        "and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's closed form "
+        "of the fuel does not include this effect.",
+    .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
+    .plan = "equation of motion, linear in omega^2: Chebyshev series",
+    .dissipates = "friction",
+    .equations = (const char *const[]){"a = Y/r - L x - mu d", "b = (Y + mu X)/r", NULL},
+    .argument = {{.name = "MU",
+                  .unit = "",
+                  .meaning = "friction coefficient",
+                  .lowest = 0,
+                  .highest = DOM_MU_HIGHEST,
+                  .usual = (dom_real)0.2}},
+};
+
+#endif

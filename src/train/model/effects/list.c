@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The list of the effects, which have a file each, and the units of time that depend on them. */
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "effects/effects.h"
+#include "effects/walls.h"
+
+const struct dom_effect dom_energy_balance = {
+    .name = "energy balance",
+    .adds = "no effect: contacts without friction dissipate no energy",
+    .help = "The sum of kinetic and potential energy is constant during a cycle (21; c3), and the collision "
+            "conserves angular momentum (22; c4). This gives a closed form for the kinetic energy of a train "
+            "whose cycles repeat (24; c6).",
+    .source = "J. M. J. van Leeuwen, Domino Magnification",
+    .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
+};
+
+const struct dom_effect dom_equation_of_motion = {
+    .name = "equation of motion",
+    .adds = "the loss of energy while dominoes move",
+    .help =
+        "Energy is not conserved during a cycle, so the equations of motion of all dominoes are added up. "
+        "Domino i has the weight S_i in this sum, so that the contact forces cancel. The sum is an equation "
+        "for w = tau^2 omega^2, which is solved over the whole cycle. In the collision the angular velocity "
+        "is multiplied by (A(0) - 1)/A(0).",
+    .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
+    .plan = "equation of motion, linear in omega^2: Chebyshev series",
+    .dissipates = "losses",
+    .equations =
+        (const char *const[]){"(A/2) dw/dtheta + B w = C", "A = sum r^(-(q+1) i) S_i theta_i'",
+                              "B = sum r^(-(q+1) i) S_i theta_i''", "C = 1/2 sum r^(-q i) S_i (x_i - d y_i)",
+                              "S_0 = 1, S_(i+1) = S_i a_i/b_i", NULL},
+};
+
+static const struct dom_effect *const effects[DOM_EFFECT_COUNT] = {
+#define EFFECT(effect)                   [DOM_EFFECT_##effect] = &dom_effect_##effect,
+#define DYNAMICS(effect, member, status) EFFECT(effect)
+    DOM_DYNAMICS(DYNAMICS) DOM_EFFECTS(EFFECT)};
+
+const struct dom_effect *dom_effect(enum dom_effect_name name)
+{
+    return name < DOM_EFFECT_COUNT ? effects[name] : NULL;
+}
+
+int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
+{
+    int k = 0;
+    while (k < DOM_DYNAMICS_COUNT && (!dynamics_on(effect[k]) || effects[k]->cancels))
+        k++;
+    return k;
+}
+
+enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
+{
+#define STATUS(effect, member, status) status,
+    static const enum dom_status bad[] = {DOM_DYNAMICS(STATUS)};
+#undef STATUS
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
+        const struct dom_effect_argument *argument = effects[k]->argument;
+        if (dynamics_on(effect[k]) && !(effect[k] >= argument->lowest && effect[k] <= argument->highest))
+            return bad[k];
+    }
+    return DOM_OK;
+}
+
+bool dynamics_dissipate(const dom_real effect[DOM_DYNAMICS_COUNT])
+{
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (dynamics_on(effect[k]) && effects[k]->dissipates)
+            return true;
+    return false;
+}
+
+#define VALUE(effect, member, status) train->member,
+
+const struct dom_effect *dom_first_effect(const struct dom_train *train)
+{
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    int k = dynamics_first(value);
+    return k < DOM_DYNAMICS_COUNT ? effects[k] : NULL;
+}
+
+const struct dom_effect *dom_law(const struct dom_train *train)
+{
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    return dynamics_dissipate(value) ? &dom_equation_of_motion : &dom_energy_balance;
+}
+
+dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
+{
+    dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
+    return sqrt(train->walls != 0 ? solid * walls_box(d, train->width, train->walls).inertia : solid);
+}
+
+dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
+{
+    dom_real seconds = duration * dom_scale_tau(scale, train);
+    return (train->s + train->d) * train->r * scale->h / seconds;
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Walls: a domino is a hollow box with six walls. Its moment of inertia is larger than that of a solid block
+ * with the same mass (walls.h), and its centre of mass is the same.
+ *
+ * In a train, walls multiply all moments of inertia by the same factor. The time scale tau contains this
+ * factor: tau^2 is proportional to it. So in units of tau, a train moves just as it would without walls, and
+ * only the force of the floor changes. In a row, the factor may differ from domino to domino.
+ */
+#include "effects/effects.h"
+
+#ifdef KERNEL_SOURCE
+
+#include "effects/choose.h"
+#include "effects/walls.h"
+
+KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)
+{
+    const dom_real height = row->domino[k].height;
+    return height > row->boxes_above ? row->effect[DOM_EFFECT_walls] / height : 0;
+}
+
+/* Switches the effect on; value is the thickness of the walls, relative to the height. */
+static enum dom_status walls_apply(struct geometry *geometry, real value)
+{
+    if (geometry->work)
+        geometry->work->entered[DOM_EFFECT_walls]++;
+    if (!walls_fit(geometry->d, value))
+        return DOM_NO_ROOM;
+    geometry->inertia_factor = walls_box(geometry->d, geometry->width, value).inertia;
+    return DOM_OK;
+}
+
+static const struct terms walls_terms = {.apply = walls_apply, .of_domino = walls_of_domino};
+
+#else
+
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "effects/walls.h"
+
+enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
+                             struct dom_box *box)
+{
+    if (!(height > 0 && width > 0 && walls_fit(thickness / height, walls / height)))
+        return DOM_NO_ROOM;
+    struct box found = walls_box(thickness / height, width / height, walls / height);
+    *box = (struct dom_box){found.filled, found.inertia};
+    return DOM_OK;
+}
+
+const struct dom_effect dom_effect_walls = {
+    .name = "walls",
+    .synonyms = "box hollow boards plywood inertia shell",
+    .adds = "the moment of inertia of boxes made of six walls",
+    .help = "Without this effect the moment of inertia is that of a solid block, even if 'q' "
+            "is hollow. In a train, the thickness of the walls is the same fraction of the "
+            "height for every domino. The walls then change only tau, the unit of time, and "
+            "the friction that the floor needs. For the standard domino with thin walls, all "
+            "times are 2.8 % longer.\n\n"
+            "In a row, all dominoes are boxes made of the same "
+            "boards, whose thickness is THICKNESS times the height of the first domino, or a "
+            "length as in 'set walls 12 mm'. With ABOVE, as in 'set walls 12 mm 30 cm', "
+            "only the dominoes of a row that are taller than ABOVE are boxes, and all others "
+            "are solid. The endless train then consists of solid dominoes. If ABOVE is given "
+            "and the row does not come from a file, masses follow from the volumes of the "
+            "blocks and boxes, and 'q' has no effect.\n\n"
+            "The moments of inertia of boxes, and "
+            "masses computed from a density, take the walls into account. Walls half as thick "
+            "as the domino make a solid block. 'set width', a file or 'change' gives the width of "
+            "a domino; by default it is half of the height. The moment of inertia is taken about the lower "
+            "edge; v is "
+            "the volume of the "
+            "hollow.",
+    .source = "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
+    .plan = "moment of inertia of a box, in closed form",
+    .equations =
+        (const char *const[]){"I = I_solid (1 + v (1 - u)/(4 (1 - v)))", "v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t)",
+                              "u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2)", NULL},
+    .argument = {{.name = "THICKNESS",
+                  .unit = "h",
+                  .meaning = "thickness of the walls divided by the height of the domino, or a length",
+                  .lowest = (dom_real)1 / 1000000000,
+                  .highest = 1,
+                  .usual = (dom_real)1 / 48},
+                 {.name = "ABOVE",
+                  .unit = "m",
+                  .meaning = "height; in a row, only taller dominoes are boxes",
+                  .lowest = 0,
+                  .highest = (dom_real)1e9,
+                  .usual = 0,
+                  .optional = true}},
+    .cancels = true,
+};
+
+#endif
