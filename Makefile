@@ -46,18 +46,44 @@ THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
-# The remaining files of src/train/model are the source of the kernels, and precision/*.c include them. The kernel in double
-# is compiled within compare/gsl.c, which includes precision/double.c. TYPED is compiled twice: once with the types of
-# <domino.h>, and once with the types of <domino_quad.h>, which the kernels in float and quad use.
+# ---- Features ----
+
+# A feature is a folder with a feature.mk, which names what it needs. A folder within it that has a feature.mk, too, is
+# what the feature does together with others, such as the charts of rows; it is built if all that it needs is built.
+# 'make FEATURES="rows sweeps"' builds these two with what they need, and 'make FEATURES=' builds the shell and the train
+# alone. The default is all.
+FEATURE_MK := $(wildcard src/*/feature.mk src/*/*/feature.mk)
+include $(FEATURE_MK)
+EVERY    := $(subst /,_,$(patsubst src/%/feature.mk,%,$(FEATURE_MK)))
+JOINT    := $(foreach f,$(EVERY),$(if $(findstring _,$f),$f))
+FEATURES ?= $(filter-out $(JOINT),$(EVERY))
+$(foreach f,$(filter-out $(EVERY),$(FEATURES)),$(error there is no feature '$f'; the features are $(filter-out $(JOINT) train,$(EVERY))))
+# Each name once, after those that it needs.
+with_needs = $(foreach f,$(1),$(call with_needs,$(NEEDS_$f)) $f)
+once       = $(if $(1),$(firstword $(1)) $(call once,$(filter-out $(firstword $(1)),$(1))))
+BUILT    := $(call once,train $(call with_needs,$(FEATURES)))
+BUILT    += $(foreach f,$(JOINT),$(if $(filter-out $(BUILT),$(NEEDS_$f)),,$f))
+PART     := $(filter-out $(BUILT),$(EVERY))
+FOLDERS  := $(subst _,/,$(BUILT))
+
+# src/train/model/precision includes the sources of the kernels. The kernel in double is compiled within compare/gsl.c,
+# which includes precision/double.c. TYPED is compiled twice: once with the types of <domino.h>, and once with the types
+# of <domino_quad.h>, which the kernels in float and quad use.
 TRAIN   := src/train/model
-TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c)) \
-           $(wildcard $(patsubst %,src/%/model/*.c,rows chance planning))
+MODELS  := $(wildcard $(patsubst %,src/%/model/*.c,$(filter-out train,$(BUILT))))
+TYPED   := $(addprefix $(TRAIN)/,model.c many.c dynamics/train.c dispatch/dispatch.c) \
+           $(filter-out %/choose.c,$(wildcard $(TRAIN)/effects/*.c $(TRAIN)/search/*.c)) $(filter-out $(wildcard $(IN_DOUBLE:%=src/%/model/*.c)),$(MODELS))
 DOUBLE  := $(addprefix $(TRAIN)/,texts.c numerics/quiet.c numerics/interrupt.c dispatch/bridge.c) \
-           $(wildcard $(TRAIN)/compare/*.c src/proof/model/*.c)
+           $(wildcard $(TRAIN)/compare/*.c) $(filter $(wildcard $(IN_DOUBLE:%=src/%/model/*.c)),$(MODELS))
 QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
-ENGINE_C := $(wildcard src/engine/*.c)
-SHELL_C := src/main.c $(filter-out $(ENGINE_C),$(wildcard src/*/*.c src/shell/*/*.c src/pictures/*/*.c))
+ENGINE_C := $(filter-out %/feature.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
+# The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
+SHELL_C := src/main.c src/features.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
+           $(foreach f,$(EVERY),$(if $(filter $f,$(BUILT)),,src/$(subst _,/,$f)/%)) src/train/model/% $(BUILT:%=src/%/model/%), \
+           $(wildcard $(FOLDERS:%=src/%/*.c) $(FOLDERS:%=src/%/*/*.c)))
+SHELL_C := $(sort $(SHELL_C))
+
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
@@ -72,7 +98,8 @@ endef
 
 .PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format \
         install uninstall deb dist clean
-all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
+# A part of the library must not look like the whole.
+all: $(B)/domino $(B)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc)
 
 # ---- Dependencies, but only those that the goals of this call need ----
 
@@ -108,7 +135,7 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h \
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h $(B)/feature_list.h \
            $(B)/system_features.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
@@ -119,11 +146,17 @@ $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %
 
 # Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
 # Linux.
-FEATURES := src/shell/io/features
+SYSTEM := src/shell/io/features
 $(B)/portable/system_features.h: PORTABLE := 1
-$(B)/system_features.h $(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
+$(B)/system_features.h $(B)/portable/system_features.h: $(SYSTEM) | $(FIRST)
 	@mkdir -p $(@D)
-	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
+	@PORTABLE=$(PORTABLE) $(SYSTEM) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
+
+# The list of features, for src/features.c.
+$(B)/feature_list.h: FORCE
+	@mkdir -p $(@D)
+	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
+	@cmp -s $@.new $@ || mv $@.new $@
 
 # Renames each function of the kernels after its precision, as in chain_sum_double, for debuggers.
 KERNEL_C := $(filter-out $(MODEL),$(wildcard $(TRAIN)/*/*.c $(TRAIN)/*/*.h))
@@ -182,10 +215,10 @@ $(B)/objq/%.o: %.c | $(FIRST)
 
 $(LIB_OBJ): $(B)/library.h
 # Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one with the other.
-$(B)/libdomino.a: $(LIB_OBJ)
+$(B)/libdomino.a: $(LIB_OBJ) $(B)/feature_list.h
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
-	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $^
+	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $(LIB_OBJ)
 
 # If a structure or a function changes, the major version must increase. It is the number in the soname.
 MAJOR  := $(firstword $(subst ., ,$(VERSION)))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/io.h"
 #include "io/terminal.h"
@@ -272,7 +272,7 @@ int main(int argc, char **argv)
      * large. They are ignored, so that write(2) fails instead. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
-    command_registry(all_commands);
+    features_register(every_feature);
     FILE *out = io_stdout(&ended);
     terminal_pass(NULL, out);
     session_init(&session, out);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
-#include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "rows/rows.h"

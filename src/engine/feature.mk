@@ -1,1 +1,2 @@
-NEEDS_engine := 
+# What this feature needs besides the shell and the train.
+NEEDS_engine :=

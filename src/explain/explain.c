@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'explain', which shows where a number comes from. */
-#include "commands/tables.h"
+#include "answer/extension.h"
 #include "explain/derivation.h"
 #include "explain/paper.h"
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "language/text.h"
-#include "pictures/picture/show.h"
 #include "train/falling.h"
 #include <ctype.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'recipe', which compares the steps of the paper's recipe with the results of the program. */
-#include "commands/tables.h"
 #include "explain/paper.h"
+#include "interpreter/feature.h"
 #include "language/quad.h"
 
 const struct column recipe_columns[] = {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations as text and as TeX documents. */
+#include "answer/extension.h"
 #include "answer/wrap.h"
 #include "explain/derivation.h"
 #include "io/escape.h"
 #include "language/quad.h"
-#include "pictures/picture/show.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

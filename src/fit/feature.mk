@@ -1,1 +1,2 @@
-NEEDS_fit := pictures
+# What this feature needs besides the shell and the train.
+NEEDS_fit := sweeps

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
 #include "language/text.h"
-#include "planning/planning.h"
+#include "sweeps/sweeps.h"
 #include "train/falling.h"
 #include <gsl/gsl_cdf.h>
 #include <stdlib.h>

@@ -1,1 +1,2 @@
-NEEDS_pictures := rows chance sweeps
+# What this feature needs besides the shell and the train.
+NEEDS_pictures :=

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'prove', which computes rigorous bounds on an answer. */
-#include "commands/tables.h"
 #include "domino_proof.h"
 #include "language/quad.h"
+#include "proof/proof.h"
 #include "train/row_start.h"
 
 enum what { PROVE_RMAX, PROVE_PAIR, PROVE_BARRIER, PROVE_VERDICT, PROVE_COUNT };

@@ -128,7 +128,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
             "Chipmunk %s, a rigid-body engine, ran the row with at least %g time steps per sqrt(h/g), where "
             "h is the height of the domino that was hit last. With half as many steps the verdict is the "
             "same, and times agree within %.2g %%.",
-            engine_version(), s->grain.steps, 100 * s->change);
+            scene_engine_version(), s->grain.steps, 100 * s->change);
 }
 
 /* ---- The run ---- */

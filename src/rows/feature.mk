@@ -1,1 +1,2 @@
-NEEDS_rows := 
+# What this feature needs besides the shell and the train.
+NEEDS_rows :=

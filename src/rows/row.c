@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'row', 'rowmax', 'change' and 'place', and the table of all commands about a row. */
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include "rows/rows.h"

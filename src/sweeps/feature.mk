@@ -1,1 +1,2 @@
-NEEDS_sweeps := 
+# What this feature needs besides the shell and the train.
+NEEDS_sweeps :=

@@ -2,7 +2,7 @@
 /* Finds the values of a parameter at which an answer is equal to a given value. */
 #include "interpreter/symbols.h"
 #include "language/quad.h"
-#include "planning/planning.h"
+#include "sweeps/sweeps.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <stdlib.h>

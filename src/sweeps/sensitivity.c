@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'sensitivity', which shows how much an answer changes with each parameter. */
 #include "language/quad.h"
-#include "planning/planning.h"
+#include "sweeps/sweeps.h"
 #include "train/falling.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 /* The command 'solve', which finds where an answer has a given value, or where a verdict changes. The parser
  * for the arguments of 'watch' is also here. */
 #include "language/quad.h"
-#include "planning/planning.h"
 #include "session/parameters.h"
+#include "sweeps/sweeps.h"
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>

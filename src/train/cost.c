@@ -2,11 +2,11 @@
 /* The command 'cost', which measures computing time. It uses a single thread: more threads would compete for
  * caches and memory, and lower the clock rate. */
 #include "train/cost.h"
-#include "commands/tables.h"
-#include "domino_proof.h"
+#include "interpreter/feature.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "train/seconds.h"
+#include "train/train.h"
 
 /* ---- The quantities that can be measured ---- */
 
@@ -189,32 +189,6 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
     answer_row(a, cells, NULL);
 }
 
-/* Adds a row for each proof of 'rmax' or 'pair', with smaller and smaller tolerances until a proof fails. A
- * proof takes a long time, so it is timed only once. Returns how many seconds the proof with a tolerance of
- * 1e-12 takes, or NaN. */
-static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
-{
-    static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
-    struct dom_train train = proof_train(&query->scene->train);
-    struct dom_compute compute = {.interrupt = query->scene->compute.interrupt};
-    double twelve = (double)NAN;
-    for (size_t k = 0; which >= COST_RMAX && k < sizeof proved / sizeof *proved; k++) {
-        struct dom_proof proof = {.low = DOM_NAN};
-        compute.tol = proved[k];
-        double begun = terminal_clock();
-        enum dom_status status =
-            (which == COST_RMAX ? dom_prove_rmax : dom_prove_pair)(&train, &compute, &proof);
-        if (status != DOM_OK || (proof.ends != DOM_PROVED_BARRIER && proof.ends != DOM_PROVED_REACH))
-            break;
-        double seconds = terminal_clock() - begun, error = (proof.high - proof.low) / (2 * proof.low);
-        answer_cells(a, cell_word("proved"), cell_word("double"), cell_brief(proved[k]), cell_brief(error),
-                     cell_real(DOMQ_NAN), cell_count((domq_real)proof.work.chains), cell_brief(1e6 * seconds),
-                     cell_brief(seconds / cost->cheapest));
-        twelve = proved[k] == 1e-12 ? seconds : twelve;
-    }
-    return twelve;
-}
-
 /* Returns the shortest time in s in which a method reached this relative error, or NaN if it never did. */
 static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
                           double error)
@@ -237,7 +211,7 @@ static void times_say(struct answer *a, const char *what, double seconds, double
 
 /* Compares the times for 3, 6 and 12 correct digits. The true error, not the tolerance, decides how many
  * digits are correct. */
-static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
+static void cost_say(struct answer *a, const struct cost *cost, int which, const struct cost_more *more)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
     double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
@@ -249,7 +223,8 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     times_say(a, "quad", quad * twelve, twelve, "ours, for 12 digits");
     times_say(a, "GSL", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
     times_say(a, "paper", seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "ours, for 6 digits");
-    times_say(a, "proved", proved, twelve, "ours, for 12 digits");
+    if (more->method)
+        times_say(a, more->method, more->twelve, twelve, "ours, for 12 digits");
     if (isnan(twelve))
         answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
                       "on the parameters.");
@@ -263,7 +238,12 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(a, &cost, &cost.row[k]);
-    cost_say(a, &cost, which, cost_proved(query, a, &cost, which));
+    struct cost_more more = {which == COST_RMAX, which == COST_PAIR, cost.cheapest, NULL, (double)NAN};
+    const struct feature_extension *e;
+    for (int k = 0; (e = feature_extension("cost", k)) != NULL; k++)
+        if (e->add)
+            e->add(query, a, &more);
+    cost_say(a, &cost, which, &more);
     return true;
 }
 
@@ -278,9 +258,7 @@ const struct command cost_commands[] = {
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer several times, with smaller and smaller tolerances. Our method "
              "is measured in every precision, the others only in double. The error in the table is the true "
-             "error, which includes the effect of rounding the parameters. For rmax and pair, the table also "
-             "has rows for proofs, which 'prove' explains. The error of a proof is half the distance between "
-             "its bounds, divided by the lower bound.",
+             "error, which includes the effect of rounding the parameters.",
      .see = "plot",
      .sweep.refusal =
          "it measures computing time, and points computed at the same time would slow each other down",

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about one cycle of the train, from one collision to the next. */
-#include "commands/tables.h"
 #include "language/quad.h"
 #include "session/parameters.h"
+#include "train/train.h"
 
 /* Returns a message that explains why a cycle releases no energy. */
 static const char *no_fuel(const struct query *query)

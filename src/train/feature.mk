@@ -1,1 +1,2 @@
-NEEDS_train := 
+# What this feature needs besides the shell and the train.
+NEEDS_train :=

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
-#include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 #include "train/row_start.h"
+#include "train/train.h"
 #include <math.h>
 
 static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)

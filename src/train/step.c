@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'cycle', 'step', 'back', 'goto' and 'where'. The command 'why' is in why.c. */
-#include "commands/tables.h"
 #include "language/quad.h"
+#include "train/train.h"
 #include "train/walk.h"
 
 /* ---- cycle ---- */

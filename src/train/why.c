@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'why', which explains why the train keeps falling or stops. */
-#include "commands/tables.h"
 #include "language/quad.h"
 #include "train/falling.h"
+#include "train/train.h"
 #include "train/walk.h"
 
 const struct column why_columns[] = {

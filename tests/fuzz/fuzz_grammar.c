@@ -5,8 +5,8 @@
  * a function. Half of the sessions may not use files. The others do so in a scratch folder, and no file name
  * leads out of it. See 'make fuzz'.
  */
-#include "commands/tables.h"
 #include "interpreter/command.h"
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "session.h"
 #include "sweeps/grid.h"
@@ -414,7 +414,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!there && (!mkdtemp(scratch) || chdir(scratch) != 0 || atexit(scratch_remove) != 0))
         abort();
     there = true;
-    command_registry(all_commands);
+    features_register(every_feature);
     scratch_fill();
     struct maker m = {.data = data, .size = size, .line = open_memstream(&text, &length)};
     if (!m.line)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
 #include "io/io.h"
@@ -76,7 +76,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r"), *to = open_memstream(&out, &length);
     if (!in || !to)
         abort();
-    command_registry(all_commands);
+    features_register(every_feature);
     session_init(&session, to);
     session.run_context.safe = safe;
     session.state.scene.compute.interrupt = &enough;

@@ -83,7 +83,7 @@ draw train |forces
 animate |speed rate slow train tower
 animate a.gif |speed rate slow train tower
 animate a.gif speed 2 r|rate
-plot f|fall fit
+plot f|fit fall
 plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot placement |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot growth |width height font family title xlabel ylabel xrange yrange xscale yscale legend paper

@@ -3,7 +3,7 @@
  * command. */
 #include "support.h"
 
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "interpreter/preview.h"
 #include "prompt/input.h"
@@ -142,7 +142,7 @@ static void explore(const char *line, int depth)
 /* Begins a session in which every answer has a value, including 'ans'. */
 static void begin(void)
 {
-    command_registry(all_commands);
+    features_register(every_feature);
     session_init(&session, fopen("/dev/null", "w"));
     assert_non_null(session.output->out);
     command_run_text(&session, "effect row 4; effect push 6; effect placement 1 mm; rmax");

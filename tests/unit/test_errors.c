@@ -6,7 +6,7 @@
  */
 #include "support.h"
 
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "language/quad.h"
 #include <stdio.h>
@@ -28,7 +28,7 @@ static const char *answer_to(const char *line)
 
 static void begin(void)
 {
-    command_registry(all_commands);
+    features_register(every_feature);
     session_init(&session, open_memstream(&text, &length));
     answer_to("set output json; set errors on");
     assert_int_equal(session.errors, 0);

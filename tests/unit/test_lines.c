@@ -6,8 +6,8 @@
 #include "answer/answer.h"
 #include "answer/format.h"
 #include "answer/wrap.h"
-#include "commands/tables.h"
 #include "interpreter/command_read.h"
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "language/quad.h"
@@ -163,7 +163,7 @@ TEST(a_command_before_a_number_is_that_command)
     FILE *null = fopen("/dev/null", "w");
     int commands = 0;
     assert_non_null(null);
-    command_registry(all_commands);
+    features_register(every_feature);
     session_init(&session, null);
     for (int k = 0, n = 0; n < (int)(sizeof more / sizeof *more); k++) {
         char number[64], value[64];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'animate', which makes a film of the falling row or of the train. */
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "language/names.h"
 #include "language/quad.h"
 #include "pictures/drawing/animate_train.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film of several cycles of the train, each r times as large as the one before. */
 #include "pictures/drawing/animate_train.h"
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "language/quad.h"
 #include "train/walk.h"
 #include <math.h>

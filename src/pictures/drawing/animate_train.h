@@ -31,4 +31,8 @@ bool film_frame(struct film *film, const struct stage *stage);
 
 bool animate_train(const struct film *film);
 
+/* The command 'animate', for the table in draw.c. */
+extern const struct column animate_columns[];
+bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
+
 #endif

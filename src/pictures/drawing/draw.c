@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'draw', which shows the row or the train at a given moment, to scale. */
-#include "commands/tables.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "pictures/drawing/animate_train.h"
 #include "pictures/drawing/draw_words.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/drawing/tower.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/picture/play.h"
+#include "answer/extension.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include <errno.h>
@@ -9,8 +10,6 @@
 #include <string.h>
 #include <termios.h>
 #include <unistd.h>
-
-enum { LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
 
 struct frame {
     char *text;
@@ -149,8 +148,8 @@ static bool frame_add(struct player *p, const struct stage *stage)
     if (!text)
         return false;
     terminal_size(p->out, &width, &height);
-    width = width > LEAST_WIDTH ? width - 1 : LEAST_WIDTH;
-    height = height > LEAST_HEIGHT ? height - 1 : LEAST_HEIGHT;
+    width = width > PICTURE_LEAST_WIDTH ? width - 1 : PICTURE_LEAST_WIDTH;
+    height = height > PICTURE_LEAST_HEIGHT ? height - 1 : PICTURE_LEAST_HEIGHT;
     const bool is_drawn = stage_text(stage, display_of(p->out), width, height, text);
     if (fclose(text) != 0 || !is_drawn) {
         free(f->text);

@@ -7,36 +7,9 @@
 #include <string.h>
 #include <strings.h>
 
-enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
 enum { TERMINAL_TEXT = 256 };
 enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height of a sheet, in dots */
-
-/* ---- File extensions ---- */
-
-#define EXTENSION_OF_FORMAT(name) {.text = "." #name, .kind = EXTENSION_DATA, .format = &format_##name},
-static const struct extension extensions[] = {
-    FORMATS(EXTENSION_OF_FORMAT){.text = ".txt", .kind = EXTENSION_TEXT},
-    {.text = ".svg", .kind = EXTENSION_SHEET, .terminal = "svg"},
-    {.text = ".png", .kind = EXTENSION_SHEET, .terminal = "pngcairo"},
-    {.text = ".pdf", .kind = EXTENSION_SHEET, .terminal = "pdfcairo"},
-    {.text = ".gp", .kind = EXTENSION_SHEET, .terminal = "pdfcairo", .is_script = true},
-    {.text = ".tex", .kind = EXTENSION_SHEET, .terminal = "tikz", .is_document = true},
-    {.text = ".gif", .kind = EXTENSION_FILM},
-    {.text = ".webm", .kind = EXTENSION_FILM},
-    {.text = ".mp4", .kind = EXTENSION_FILM},
-};
-
-const struct extension *extension_of(const char *path)
-{
-    static const struct extension none = {.kind = EXTENSION_NONE}, other = {.kind = EXTENSION_OTHER};
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' has no extension */
-        return &none;
-    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
-        if (strcasecmp(extensions[i].text, dot) == 0)
-            return &extensions[i];
-    return &other;
-}
 
 /* ---- Before a picture is drawn ---- */
 
@@ -44,17 +17,6 @@ const struct extension *extension_of(const char *path)
 static bool is_filed(const struct answer *a)
 {
     return a->path && extension_of(a->path)->terminal;
-}
-
-bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
-{
-    int width, height;
-    terminal_size(a->out, &width, &height);
-    return width == 0 || height == 0 || (width >= LEAST_WIDTH && height >= LEAST_HEIGHT) ||
-           problem_error(problem,
-                         "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge the "
-                         "terminal, or enter '%s > %s.txt'",
-                         width, height, LEAST_WIDTH, LEAST_HEIGHT, command, command);
 }
 
 bool picture_ready(const struct answer *a, struct problem *problem)
@@ -78,8 +40,9 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     struct display display = display_of(a->out);
     progress_end();
     terminal_size(a->out, &width, &height);
-    width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
-    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
+    width = width >= PICTURE_LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
+    height =
+        height >= PICTURE_LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
     /* The height is at most half of the usual width, because characters are twice as tall as wide. */
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
     return chart ? chart_text(chart, display, width, height, a->out)

@@ -4,34 +4,11 @@
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 
-#include "answer/format.h"
+#include "answer/extension.h"
 #include "pictures/picture/chart.h"
 #include "pictures/picture/stage.h"
 #include "session/problem.h"
 #include <signal.h>
-
-enum extension_kind {
-    EXTENSION_NONE,  /* no extension: the session's settings decide */
-    EXTENSION_OTHER, /* an unknown extension, which is an error */
-    EXTENSION_TEXT,  /* .txt, which has the same effect as no extension */
-    EXTENSION_DATA,  /* the extension of an answer format, such as .csv */
-    EXTENSION_FILM,  /* an extension for animations (.gif) */
-    EXTENSION_SHEET, /* an extension for pictures (.png), or also for documents (.tex) */
-};
-
-/* A file extension, and how files with this extension are written. */
-struct extension {
-    const char *text; /* the extension, such as ".csv"; NULL for EXTENSION_NONE and EXTENSION_OTHER */
-    enum extension_kind kind;
-    const struct format *format; /* for EXTENSION_DATA: the format of the answer */
-    bool is_document;            /* for EXTENSION_SHEET: the file can be a document with formulas */
-    bool is_script;              /* the script of the picture is written instead of the picture */
-    const char *terminal;        /* the name of the gnuplot terminal that draws the picture, or NULL */
-};
-const struct extension *extension_of(const char *path);
-
-/* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
-bool picture_has_room(const struct answer *a, const char *command, struct problem *problem);
 
 /* Returns true if a picture can be drawn to the destination of the answer. Otherwise sets *problem. */
 bool picture_ready(const struct answer *a, struct problem *problem);

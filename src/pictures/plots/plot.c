@@ -1,21 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'plot', and the table of all plots. */
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "pictures/plots/plots.h"
-#include "sweeps/sweep.h"
 #include <string.h>
 
-/* The tables of plots, in the order in which completion lists them. */
-static const struct plot *const tables[] = {row_plots,   placement_plots, limit_plots, sweep_plots,
-                                            cycle_plots, cost_plots,      fit_plots,   NULL};
-
-/* Returns plot number k, counted from 0, or NULL if there are no more. */
+/* Returns plot number k of all features, counted from 0, or NULL if there are no more. */
 static const struct plot *plot_at(int k)
 {
-    for (size_t i = 0; tables[i]; i++)
-        for (const struct plot *plot = tables[i]; plot->name; plot++)
-            if (k-- == 0)
-                return plot;
+    const struct feature *f;
+    for (int i = 0; (f = feature_at(i)) != NULL; i++)
+        for (const struct plot *const *table = f->plots; table && *table; table++)
+            for (const struct plot *plot = *table; plot->name; plot++)
+                if (k-- == 0)
+                    return plot;
     return NULL;
 }
 
@@ -40,7 +37,7 @@ static const struct column *plot_columns(int k, const char **name, const char **
 struct plot_parsed {
     struct look_parsed look;
     bool has_argument;
-    void *argument; /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
+    void *argument; /* the result of plot->argument->parse, or NULL */
 };
 
 /* A struct plot_parsed after binding. The question of a fit is not bound yet; plot_fit binds it. */
@@ -54,11 +51,9 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
 {
     if (!plot->argument)
         return problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
+    if (plot->argument->parse)
+        return plot->argument->parse(r, q);
     switch (plot->argument->kind) {
-    case ARGUMENT_GRID:
-        return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);
-    case ARGUMENT_COMMAND:
-        return plot_fit_parse(r, q);
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, plot->argument, &q->item[1]);
     default:
@@ -91,12 +86,12 @@ static bool more_bind(const struct question *q, const struct query *query, struc
 {
     const struct plot_parsed *p = q->parsed;
     const struct argument *kind = plot_at((int)q->item[0].number)->argument;
-    const bool is_grid = p->argument && kind->kind == ARGUMENT_GRID;
+    const bool is_bound = p->argument && kind->bind;
     struct question inner = *q;
     inner.parsed = p->argument;
-    if (is_grid && !sweep_bind(&inner, query, given, problem))
+    if (is_bound && !kind->bind(&inner, query, given, problem))
         return false;
-    void *argument = is_grid ? given->bound : p->argument;
+    void *argument = is_bound ? given->bound : p->argument;
     struct plot_given *g = arguments_take(given, sizeof *g, query, problem);
     if (!g)
         return false;

@@ -71,10 +71,6 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
-/* The plots by the files that compute them. The name of the last element is NULL. */
-extern const struct plot row_plots[], placement_plots[], limit_plots[], sweep_plots[], cycle_plots[],
-    cost_plots[], fit_plots[];
-
 /* Writes the rows of a plot as csv or json, or draws them with the look that the user chose. */
 bool plot_write(const struct plot *plot, const struct chart_look *look, const struct query *query,
                 struct answer *a, struct problem *problem);
@@ -108,9 +104,6 @@ struct look_parsed {
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);
-
-/* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */
-bool plot_fit_parse(struct reader *reader, struct question *q);
 
 /* Draws the answer of the command 'sweep', for output to a picture file. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);

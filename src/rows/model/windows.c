@@ -4,7 +4,7 @@
  * changes. The position, the height, the thickness and the lean of a domino have windows too, and so does the
  * friction. A row that does not fall is mended by a gap within the window that is nearest to the gap. */
 #include "rows/model/boxes.h"
-#include "rows/model/trial.h"
+#include "search/trial.h"
 
 /* ---- The value that is changed ---- */
 

@@ -266,6 +266,22 @@ const struct command session_commands[] = {
      .typed.shortest = "se",
      .access.changes = true,
      .run = run_set},
+    {.name = "effect",
+     .typed.is_hidden = true,
+     .synonyms = "switch turn",
+     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
+                  {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
+                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
+                  {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
+     .summary = "turn an effect on with these values, or off with 'off'",
+     .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
+             "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "
+             "'set floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'set "
+             "friction off' turns friction off; an effect that is off costs no computing time.",
+     .example = "set q hollow; set friction 0.2; rmax; set friction off",
+     .see = "effects",
+     .access.changes = true,
+     .run = run_set},
     {.name = "show",
      .synonyms = "list settings values parameter",
      .argument = {{.name = "NAME",

@@ -156,18 +156,18 @@ struct command {
     /* Called instead of `run` if the command needs the whole session, not only its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
-    /* Called instead of `run` if the answer goes to a picture file, such as 'train.svg'. */
-    bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
+
+/* The columns and the function of a command that prints an answer, both named after the command. */
+#define ANSWER(name_) .columns = name_##_columns, .run = run_##name_
 
 struct command_group {
     const char *title;
-    const char *word;               /* the word that 'help' accepts; consecutive groups can share it */
+    const char *word;               /* the word that 'help' accepts; groups that share it follow each other */
     const struct command *commands; /* the name of the last element is NULL */
 };
 
-/* Registers the groups of all commands. This function must be called before the first command runs. The list
- * ends with a group whose title is NULL. */
+/* Registers the groups of commands; the title of the last one is NULL. */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 

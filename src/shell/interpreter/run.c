@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/run.h"
+#include "answer/extension.h"
 #include "answer/format.h"
 #include "interpreter/compute.h"
+#include "interpreter/feature.h"
 #include "interpreter/question.h"
 #include "io/io.h"
 #include "io/terminal.h"
-#include "pictures/picture/show.h"
 #include "session/engine.h"
 #include "session/undo.h"
 #include <ctype.h>
@@ -41,8 +42,20 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS || c->writes == WRITES_FILMS;
 }
 
-/* Runs the command's function for this answer: `act`, `picture` or `run` (see struct command). If the
- * terminal is too small for a picture, reports a problem instead. */
+/* Returns true if the terminal is large enough for a picture. Otherwise reports a problem. */
+static bool picture_has_room(const struct answer *a, const char *command, struct problem *problem)
+{
+    int width, height;
+    terminal_size(a->out, &width, &height);
+    return width == 0 || height == 0 || (width >= PICTURE_LEAST_WIDTH && height >= PICTURE_LEAST_HEIGHT) ||
+           problem_error(problem,
+                         "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge the "
+                         "terminal, or enter '%s > %s.txt'",
+                         width, height, PICTURE_LEAST_WIDTH, PICTURE_LEAST_HEIGHT, command, command);
+}
+
+/* Runs the command's function for this answer: `act` or `run` (see struct command), or the function of a
+ * feature that draws the answer. If the terminal is too small for a picture, reports a problem instead. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -52,8 +65,8 @@ static bool run_function(struct session *session, const struct command *c, const
         return false;
     if (c->act)
         return c->act(session, query->given, answer, problem);
-    if (answer->path && c->picture && extension_of(answer->path)->terminal)
-        return c->picture(query, answer, problem);
+    if (answer->path && extension_of(answer->path)->terminal && feature_picture(c))
+        return feature_picture(c)->picture(query, answer, problem);
     return command_compute(c, query, answer, problem);
 }
 
@@ -189,7 +202,7 @@ static const char *endings_of(const struct command *c)
            : c->writes == WRITES_CHARTS  ? ".svg, .png, .pdf, .tex, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt (for the data: .csv or .json)"
            : c->writes == WRITES_FILMS    ? ".gif, .webm or .mp4 (for the data: .csv or .json)"
-           : c->picture ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
+           : feature_picture(c) ? ".csv, .json or .txt (for a picture: .svg, .png, .pdf, .tex or .gp)"
            : c->columns || c->access.runs ? ".csv, .json or .txt"
                                           : ".txt";
 }
@@ -197,7 +210,7 @@ static const char *endings_of(const struct command *c)
 static bool extension_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct extension *extension = extension_of(path);
-    const bool charts = c->writes == WRITES_CHARTS || c->picture, draws = charts || is_picture(c);
+    const bool charts = c->writes == WRITES_CHARTS || feature_picture(c), draws = charts || is_picture(c);
     bool fits = true;
     if (extension->kind == EXTENSION_OTHER)
         return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),

@@ -4,6 +4,23 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const struct engine_driver *driver;
+
+void scene_engine_use(const struct engine_driver *used)
+{
+    driver = used;
+}
+
+bool scene_engine_exists(void)
+{
+    return driver != NULL;
+}
+
+const char *scene_engine_version(void)
+{
+    return driver ? driver->version() : NULL;
+}
+
 bool scene_has_engine(const struct scene *scene)
 {
     bool wanted = scene->method == METHOD_ENGINE;
@@ -169,7 +186,7 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
     if (times && !hit)
         status = DOM_NO_MEMORY;
     if (status == DOM_OK)
-        status = status_of(engine_settle(&engine, times, compute->interrupt, hit, &settled));
+        status = status_of(driver->settle(&engine, times, compute->interrupt, hit, &settled));
     if (status == DOM_OK && times && !settled.same)
         status = DOM_NOT_CONVERGED;
     if (status == DOM_OK)
@@ -198,14 +215,14 @@ static enum dom_status run_once(const struct domq_row *row, const struct domq_co
     struct engine_box *box;
     enum dom_status status = row_convert(row, &engine, &box);
     if (status == DOM_OK)
-        status = status_of(engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
+        status = status_of(driver->run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
     free(box);
     return status;
 }
 
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute)
 {
-    return run_once(row, compute, &engine_coarsest, NULL, NULL);
+    return run_once(row, compute, driver->coarsest, NULL, NULL);
 }
 
 struct watch {
@@ -311,7 +328,9 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
                              "a row of %zu dominoes is too long for the rigid-body engine, which runs this "
                              "row because %s; the maximum is %d; enter, for example, 'set row 20'",
                              count, why, ENGINE_MOST);
-    const enum engine_status loaded = engine_load();
+    if (!driver)
+        return problem_error(problem, "%s, but this build of the program has no rigid-body engine", why);
+    const enum engine_status loaded = driver->load();
     if (loaded == ENGINE_NO_MEMORY)
         return problem_status(problem, scene, DOM_NO_MEMORY);
     if (loaded != ENGINE_OK)

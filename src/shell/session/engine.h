@@ -5,7 +5,7 @@
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
-#include "engine/engine.h"
+#include "session/engine_api.h"
 #include "session/scene.h"
 
 /* The values of the parameter 'method'. */
@@ -24,6 +24,15 @@ struct scene_engine {
     /* Each run that computes times fills in this report. NULL if no report is needed, as in studies. */
     struct engine_report *report;
 };
+
+/* Sets the engine of this build. Without one, no row can be run that needs it. */
+void scene_engine_use(const struct engine_driver *driver);
+
+/* Returns true if this build has an engine, even if its library is not installed. */
+bool scene_engine_exists(void);
+
+/* Returns the version of the engine, or NULL if it cannot be loaded. */
+const char *scene_engine_version(void);
 
 /* Returns true if the rigid-body engine, rather than the model, runs the row of the scene. */
 bool scene_has_engine(const struct scene *scene);

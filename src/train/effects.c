@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'effect', 'effects' and 'scene'. */
-#include "commands/tables.h"
+/* The commands 'effects' and 'scene'. */
+#include "interpreter/feature.h"
 #include "language/text.h"
 #include "session/random_errors.h"
 #include "train/falling.h"
 #include "train/seconds.h"
+#include "train/train.h"
 #include "train/walk.h"
 #include <stdlib.h>
 
@@ -17,16 +18,17 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     struct domq_floor floor;
     struct domq_barrier barrier;
     struct domq_verdict verdict;
-    struct domq_study study;
     struct domq_compute compute = scene->compute;
     compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
         return scene_engine_rough(&row->row, &compute); /* a single run, with coarse steps */
     if (scene->effect[DOM_EFFECT_row].on) {
-        struct domq_placement p = {.seed = 1, .rows = 1};
-        if (!scene_errors(scene, p.error))
-            return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
-        return domq_placement_study(&row->row, &compute, &p, &study, NULL);
+        enum dom_status status;
+        const struct feature *f;
+        for (int i = 0; (f = feature_at(i)) != NULL; i++)
+            if (f->row_answer && f->row_answer(scene, &row->row, &compute, &status))
+                return status;
+        return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
     }
     enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
@@ -180,7 +182,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     char engine[96], loses[LOSSES_TEXT + 8];
     snprintf(loses, sizeof loses, "%s is on", losses_of(&scene->train));
     if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
-        version = engine_version();
+        version = scene_engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
     motion_why = is_engine ? scene_engine_why(scene) : has_losses ? loses : "no losses";
@@ -291,22 +293,6 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 }
 
 const struct command effect_commands[] = {
-    {.name = "effect",
-     .typed.is_hidden = true,
-     .synonyms = "switch turn",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .noun = "effect", .choices = effect_names},
-                  {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
-     .summary = "turn an effect on with these values, or off with 'off'",
-     .help = "Effects add to the paper's model: 'set friction 0.2', 'set slope 1 deg', 'set walls 1 "
-             "mm', 'set row 13', 'set row record.csv', 'set push 3', 'set placement 1 mm', "
-             "'set floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'set "
-             "friction off' turns friction off; an effect that is off costs no computing time.",
-     .example = "set q hollow; set friction 0.2; rmax; set friction off",
-     .see = "effects",
-     .access.changes = true,
-     .run = run_set},
     {.name = "effects",
      .synonyms = "list switch scene",
      .summary = "what effects there are, which are on, and what each adds",

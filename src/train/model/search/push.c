@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the weakest push and the growths at which all dominoes of a row fall. */
-#include "rows/model/trial.h"
+#include "search/trial.h"
 
 /* ---- A push ---- */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "rows/model/trial.h"
+#include "search/trial.h"
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {

@@ -217,7 +217,14 @@ static bool plot_sweep_rows(const struct query *query, struct answer *a, struct 
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 static const struct column sweep_columns[] = {{NULL, NULL, NULL, 0}};
-static const struct argument grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
+
+static bool whole_parse(struct reader *r, struct question *q)
+{
+    return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);
+}
+
+static const struct argument grid_argument = {
+    .name = "GRID", .kind = ARGUMENT_GRID, .parse = whole_parse, .bind = sweep_bind};
 
 const struct plot sweep_plots[] = {
     {"sweep", plot_sweep_rows,

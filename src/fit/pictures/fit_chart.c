@@ -75,7 +75,8 @@ bool picture_fit(const struct query *query, struct answer *a, struct problem *pr
     return plot_write(&plot, &usual, query, a, problem);
 }
 
-bool plot_fit_parse(struct reader *r, struct question *q)
+/* Parses the arguments of 'fit' after 'plot fit' and stores them as a question in q->parsed. */
+static bool plot_fit_parse(struct reader *r, struct question *q)
 {
     struct question *fit = q->parsed = reader_memory(r, sizeof *fit);
     if (!fit)
@@ -102,7 +103,8 @@ static bool plot_fit(const struct query *query, struct answer *a, struct chart *
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 static const struct column fit_plot_columns[] = {{NULL, NULL, NULL, 0}};
-static const struct argument fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
+static const struct argument fit_argument = {
+    .name = "NAME FILE", .kind = ARGUMENT_COMMAND, .parse = plot_fit_parse};
 
 const struct plot fit_plots[] = {
     {"fit", plot_fit,

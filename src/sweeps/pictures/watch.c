@@ -3,8 +3,8 @@
  * stores the value in the session. */
 #include "io/terminal.h"
 #include "pictures/picture/chart.h"
-#include "planning/planning.h"
 #include "session/session.h"
+#include "sweeps/sweeps.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <poll.h>
@@ -159,8 +159,8 @@ static void watch_show(struct watch *w, FILE *out)
     tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
 }
 
-bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
-               struct problem *problem)
+static bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
+                      struct problem *problem)
 {
     const struct solve *solve = given->bound;
     const struct query query = session_query(session);
@@ -187,3 +187,23 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
                    w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
 }
+
+const struct command watch_commands[] = {
+    {.name = "watch",
+     .synonyms = "interactive slider live keys explore",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = watch_parse_answer,
+           .bind = solve_bind,
+           .choices = question_names}},
+     .summary = "vary a parameter with the arrow keys, and see ANSWER on a curve",
+     .help =
+         "An example is 'watch s 0.1 0.9 : rmax'. The left and right arrow keys make large steps, and the up "
+         "and down keys make small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
+     .see = "solve sweep plot",
+     .access.changes = true,
+     .act = run_watch},
+    {.name = NULL},
+};

@@ -1,0 +1,1 @@
+NEEDS_chance_pictures := chance pictures

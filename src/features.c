@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The features of this build. The build makes the macro FEATURES from the folders that have a feature.mk. */
+#include "feature_list.h"
+#include "interpreter/feature.h"
+
+#define FEATURE_DECLARE(name) extern const struct feature name##_feature;
+FEATURES(FEATURE_DECLARE)
+
+#define FEATURE_LIST(name) &name##_feature,
+const struct feature *const every_feature[] = {FEATURES(FEATURE_LIST) NULL};

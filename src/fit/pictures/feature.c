@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
+#include "fit/fit.h"
+#include "pictures/plots/plots.h"
+
+extern const struct plot fit_plots[];
+
+static const struct plot *const plots[] = {fit_plots, NULL};
+
+static const struct feature_extension extension[] = {{.command = "fit", .picture = picture_fit},
+                                                     {.command = NULL}};
+
+const struct feature fit_pictures_feature = {.name = "fit_pictures", .plots = plots, .extension = extension};

@@ -1,0 +1,1 @@
+NEEDS_fit_pictures := fit pictures

@@ -1,0 +1,1 @@
+NEEDS_rows_pictures := rows pictures

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
+#include "session/engine.h"
+#include <string.h>
+
+enum { GROUPS_MOST = 48 };
+
+/* Adds a group after the last one with the same word. */
+static void group_add(struct command_group *all, size_t count, const struct command_group *group)
+{
+    size_t at = count;
+    for (size_t k = count; k > 0 && at == count; k--)
+        at = strcmp(all[k - 1].word, group->word) == 0 ? k : at;
+    memmove(&all[at + 1], &all[at], (count - at) * sizeof *all);
+    all[at] = *group;
+}
+
+static const struct feature *const none[] = {NULL};
+static const struct feature *const *features = none;
+
+void features_register(const struct feature *const *list)
+{
+    features = list;
+    static struct command_group all[GROUPS_MOST + 1];
+    size_t count = 0;
+    for (const struct feature *const *f = features; *f; f++) {
+        if ((*f)->engine)
+            scene_engine_use((*f)->engine);
+        for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++)
+            group_add(all, count++, g);
+    }
+    all[count] = (struct command_group){NULL, NULL, NULL};
+    command_registry(all);
+}
+
+const struct feature *feature_at(int k)
+{
+    return features[k];
+}
+
+const struct feature_extension *feature_extension(const char *command, int k)
+{
+    for (const struct feature *const *f = features; *f; f++)
+        for (const struct feature_extension *e = (*f)->extension; e && e->command; e++)
+            if (strcmp(e->command, command) == 0 && k-- == 0)
+                return e;
+    return NULL;
+}
+
+const struct feature_extension *feature_picture(const struct command *command)
+{
+    const struct feature_extension *e;
+    for (int k = 0; (e = feature_extension(command->name, k)) && !e->picture;)
+        k++;
+    return e;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A feature is a part of the program that a build can leave out: a folder of src/ with a feature.mk, which
+ * names the features that it needs, and one record. The shell knows features only by this record. */
+#ifndef SHELL_FEATURE_H
+#define SHELL_FEATURE_H
+
+#include "interpreter/command.h"
+
+struct engine_driver;
+struct plot;
+
+/* What a feature adds to a command of another feature. */
+struct feature_extension {
+    const char *command;
+    /* draws the answer if it goes to a picture file, such as 'train.svg'; may be NULL */
+    bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
+    /* adds to the answer; the command says in its header what it passes as `context`; may be NULL */
+    void (*add)(const struct query *query, struct answer *answer, void *context);
+};
+
+struct feature {
+    const char *name;                          /* its folder; a_b for a folder b in a folder a */
+    const struct command_group *groups;        /* its commands; the last title is NULL */
+    const struct plot *const *plots;           /* tables of charts for 'plot'; the last one is NULL */
+    const struct feature_extension *extension; /* the last command is NULL */
+    const struct engine_driver *engine;        /* a rigid-body engine */
+    /* Computes the main answer of a row that has an effect of this feature. Returns false if it has none. */
+    bool (*row_answer)(const struct scene *scene, const struct domq_row *row,
+                       const struct domq_compute *compute, enum dom_status *status);
+};
+
+/* The features of this build, each after those that it needs. The last one is NULL (features.c). */
+extern const struct feature *const every_feature[];
+
+/* Registers a list of features and all their commands. Must be called before the first command runs. */
+void features_register(const struct feature *const *list);
+
+/* Returns feature number k, counted from 0, or NULL if there are no more. */
+const struct feature *feature_at(int k);
+
+/* Returns the extension number k, counted from 0, of this command, or NULL if there are no more. */
+const struct feature_extension *feature_extension(const char *command, int k);
+
+/* Returns an extension that draws the command's answer, or NULL. */
+const struct feature_extension *feature_picture(const struct command *command);
+
+#endif

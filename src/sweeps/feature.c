@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/feature.h"
+#include "sweeps/sweep.h"
+#include "sweeps/sweeps.h"
+
+/* The list is empty, because the columns depend on the arguments. */
+static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
+
+static const struct command sweep_commands[] = {
+    {.name = "sweep",
+     .synonyms = "loop batch table scan grid",
+     .argument =
+         {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid},
+          {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
+     .summary = "the answers of a command over a grid of parameter values",
+     .help = "GRID names parameters or effects, each followed by its values. NAME FROM TO N stands for N "
+             "values in equal steps, and NAME FROM TO N log for N values with equal ratios. NAME VALUE, "
+             "VALUE, ... lists the values. The first parameter changes slowest. ANSWER is a command or an "
+             "expression, evaluated at each point, as in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several "
+             "answers, separated by commas, have a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax "
+             "with q hollow'. Every line of the output begins with the values of the parameters, even if the "
+             "answer at a point has several lines. If a point has no answer, csv and json give the reason. "
+             "The parameters of the session do not change. Points are computed on all cores, unless 'set "
+             "threads' gives another number of threads. The output does not depend on this number. 'domino "
+             "--shard 2/7' computes only the second of seven parts.",
+     .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
+     .see = "curve set effects",
+     .columns = sweep_answers,
+     .sweep.refusal = "name all parameters in one grid, as in 'sweep s 0.1 0.5 3 q hollow, solid : rmax'",
+     .rows = true,
+     .run = run_sweep},
+    {.name = "solve",
+     .has_errors = true,
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = solve_parse_answer,
+           .bind = solve_bind,
+           .choices = question_names}},
+     .summary = "the values of a parameter at which ANSWER has a given value",
+     .help = "'solve d : rmax = 5/3' is an example of 'solve NAME : ANSWER = VALUE'. It finds the values of "
+             "the parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls there. "
+             "ANSWER is a command, or an expression with the names of commands: 'solve s : rmax(s) - "
+             "pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. If '= VALUE' is "
+             "left out, ANSWER must be a command that 'assert' accepts, and 'solve' finds where its verdict "
+             "changes: 'solve friction : verdict'. The search tries 241 values and looks between them; it "
+             "can miss a dip that is narrower than one step.",
+     .example = "solve d : rmax = 5/3; solve friction : barrier",
+     .see = "sensitivity sweep assert",
+     .sweep.refusal = "it already varies a parameter",
+     .rows = true,
+     ANSWER(solve)},
+    {.name = "sensitivity",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = sensitivity_parse,
+                   .choices = question_names}},
+     .summary = "how much each parameter changes the answer of COMMAND",
+     .help =
+         "'sensitivity' decreases and increases each parameter of the model by 1 %. It changes friction and "
+         "edges by 0.01 and slope by 1 degree, even if they are off. The answer shows by what percentage "
+         "the result of COMMAND changes, with the largest change first. COMMAND may have arguments and a "
+         "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
+         "'sensitivity h*r^10'.",
+     .example = "set friction 0.2; sensitivity rmax",
+     .see = "solve sweep",
+     .sweep.refusal = "it already varies the parameters",
+     .rows = true,
+     ANSWER(sensitivity)},
+    {.name = "assert",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .noun = "command with a verdict",
+                   .parse = assert_parse,
+                   .choices = assert_names}},
+     .summary = "report an error unless COMMAND answers yes or the comparison is true",
+     .help =
+         "'assert' runs the command, and reports an error if its verdict is no: for example, if the row does "
+         "not fall, or if no row meets the wishes. A script then ends at once with exit status 1; a "
+         "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove, "
+         "or a condition, as in 'assert rmax(0.4) < 1.7'.",
+     .example = "set row 5; assert verdict",
+     .see = "verdict design barrier count",
+     .sweep.refusal = "it is about one scene",
+     .access.runs = true,
+     .run = run_assert},
+    {.name = NULL},
+};
+
+static const struct command_group groups[] = {
+    {"Any answer over a grid", "sweeps", sweep_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature sweeps_feature = {.name = "sweeps", .groups = groups};

@@ -1,0 +1,1 @@
+NEEDS_sweeps_pictures := sweeps pictures
