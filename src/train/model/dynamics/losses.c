@@ -14,7 +14,7 @@ static enum dom_status losses_inertia_ratio(const struct geometry *next, const s
     const struct link rest = next->law->begin(next, geometry_rest(next)).link;
     const struct arms arms = next->law->arms(&rest);
     *inertia_ratio = 0;
-    if (!(arms.a > 0))
+    if (next->mu != 0 && !(arms.a > 0))
         return DOM_LOCKS;
     enum dom_status status = hitting->law->equation(hitting, at, &at_hit);
     if (status == DOM_OK)
@@ -50,6 +50,19 @@ static enum dom_status losses_acceleration(const struct geometry *geometry, stru
     if (status == DOM_OK)
         *acceleration = (equation.C - equation.B * w) / equation.A;
     return status;
+}
+
+KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omegasq)
+{
+    struct geometry alone = *geometry;
+    alone.n = 1;
+    real hi = tilt_angle(geometry->c), ln_G, u;
+    enum dom_status status = flow_solve_piece(&alone, REAL_NAN, geometry_theta_u(geometry), &hi);
+    if (status != DOM_OK)
+        return status;
+    flow_at(&alone, hi, &ln_G, &u);
+    *omegasq = fmax(-exp(ln_G) * u, 0);
+    return DOM_OK;
 }
 
 static enum dom_status losses_begin(struct geometry *geometry)

@@ -4,7 +4,7 @@
 #define REAL_QUAD
 #endif
 #include "effects/effects.h"
-#include "effects/walls.h"
+#include "effects/inertia.h"
 
 const struct dom_effect dom_energy_balance = {
     .name = "energy balance",
@@ -90,7 +90,7 @@ const struct dom_effect *dom_law(const struct dom_train *train)
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
 {
     dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
-    return sqrt(train->walls != 0 ? solid * walls_box(d, train->width, train->walls).inertia : solid);
+    return sqrt(solid * inertia_factor(d, train->width, train->walls));
 }
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)

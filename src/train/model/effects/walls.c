@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Walls: a domino is a hollow box with six walls. Its moment of inertia is larger than that of a solid block
- * with the same mass (walls.h), and its centre of mass is the same.
+ * with the same mass (inertia.h), and its centre of mass is the same.
  *
  * In a train, walls multiply all moments of inertia by the same factor. The time scale tau contains this
  * factor: tau^2 is proportional to it. So in units of tau, a train moves just as it would without walls, and
@@ -12,7 +12,7 @@
 #ifdef KERNEL_SOURCE
 
 #include "effects/choose.h"
-#include "effects/walls.h"
+#include "effects/inertia.h"
 
 KERNEL dom_real walls_of_domino(const struct row_request *row, size_t k)
 {
@@ -38,7 +38,7 @@ static const struct terms walls_terms = {.apply = walls_apply, .of_domino = wall
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
-#include "effects/walls.h"
+#include "effects/inertia.h"
 
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box)

@@ -78,9 +78,12 @@ struct geometry {
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
     real width;                      /* width divided by height, for boxes */
-    real inertia_factor;             /* moment of inertia divided by that of a solid block */
-    const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;               /* solution of the equation of motion; NULL if none is needed */
+    /* A domino that moves is braked by the torque drag I omega^2, even if it touches no other domino. */
+    real drag;
+    real inertia_factor;           /* moment of inertia divided by that of a solid block */
+    real entrained;                /* the share of this moment of inertia that is outside the domino */
+    const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
+    struct flow *flow;             /* solution of the equation of motion; NULL if none is needed */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     /* The number of dominoes visited in the current search so far, and its limit. `effort` is NULL if there

@@ -386,7 +386,7 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
     struct walk b = shifted && rolls /* only the tilts of the upright chain are needed */
                         ? (struct walk){.link = {.tilt = from, .leads = geometry->n > 1}}
                         : walk_begin(geometry, from, rolls);
-    bool pushes = pass == PASS_PUSHES;
+    bool pushes = pass == PASS_PUSHES && geometry->drag == 0; /* the proof is for a chain without drag */
     const bool closes = geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS &&
                         !(rolls && pass == PASS_PUSHES);
     for (;;) {

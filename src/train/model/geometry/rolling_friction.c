@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Friction between dominoes with rounded edges (rounded.h). rounded_arms gives the lever arms. With rounded
+ * Losses of dominoes with rounded edges (rounded.h). rounded_arms gives the lever arms. With rounded
  * edges, a domino's inertia i depends on its tilt. So its term in A contains i theta', and its term in B
- * contains i theta'' + i' theta'^2 / 2. Here i' is the derivative of i with respect to the domino's tilt, and
- * theta' and theta'' are the derivatives of this tilt with respect to the tilt of the head.
+ * contains i theta'' + (i'/2 + drag) theta'^2. Here i' is the derivative of i with respect to the domino's
+ * tilt, and theta' and theta'' are the derivatives of this tilt with respect to the tilt of the head.
  */
 #include "geometry/rounded.h"
 
@@ -45,21 +45,22 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
         if (status != DOM_OK)
             return status;
         real i = geometry_inertia(self, link->tilt), half_i1 = geometry_inertia_slope(self, link->tilt) / 2,
-             slope = link->slope, turns = i * k.second_derivative + slope * slope * half_i1, size = fabs(S),
-             lift = self->steepest + fabs(self->rounded.roll);
+             slope = link->slope, turns = i * k.second_derivative + slope * slope * (half_i1 + self->drag),
+             size = fabs(S), lift = self->steepest + fabs(self->rounded.roll);
         series_add(&A, link->inertia * S * i * slope);
         series_add(&B, link->inertia * S * turns);
         series_add(&C, -link->weight * S * geometry_lift(self, link->tilt) / 2);
         A_error += link->inertia * i * (e.S * fabs(slope) + size * e.slope);
-        B_error += link->inertia *
-                   (e.S * fabs(turns) +
-                    size * (i * e.second_derivative + 2 * fabs(half_i1 * slope) * (e.slope + fabs(slope))));
+        B_error +=
+            link->inertia *
+            (e.S * fabs(turns) + size * (i * e.second_derivative +
+                                         2 * fabs((half_i1 + self->drag) * slope) * (e.slope + fabs(slope))));
         C_error += link->weight * (e.S + size) * lift;
         if (link->i + 1 >= geometry->n || !link->leads)
             break;
         const struct arms arms = rounded_arms(link);
         real a = arms.a, b = arms.b, ratio = fabs(arms.ratio),
-             curve = fabs(k.second_derivative) + slope * slope * (fabs(k.curve) + 1),
+             curve = fabs(k.second_derivative) + slope * slope * (fabs(k.curve) + 1 + self->drag),
              next = fmax(self->inertia * ratio, fmax(self->decay, self->decay_J));
         if (series_done(&C, link->weight * size * lift, fmax(self->weight * ratio, self->decay),
                         geometry->tol) &&
@@ -73,7 +74,7 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
     }
     chain_count(geometry, k.link.i + 1);
     rounded_count(geometry);
-    if (geometry->work)
+    if (geometry->work && geometry->mu != 0)
         geometry->work->entered[DOM_EFFECT_friction]++;
     *equation = (struct equation_of_motion){.A = A.sum + A.lost,
                                             .B = B.sum + B.lost,

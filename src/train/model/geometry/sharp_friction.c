@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pass down a chain with sharp edges and friction (equations: dynamics/losses.h). */
+/* The pass down a chain with sharp edges and losses (equations: dynamics/losses.h). */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
@@ -36,7 +36,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
     f.A[0] = 1 / (1 - m * a[0]);
     f.A[1] = m * a[1] * f.A[0] / (1 - m * a[0] * k);
     f.A[2] = m * (a[2] * f.A[0] + (2 * a[1] * k + a[0] * k1) * f.A[1]) / (1 - m * a[0] * k * k);
-    f.B[0] = m * c[0] * f.A[0] / (1 - m * b[0]);
+    f.B[0] = (geometry->drag + m * c[0] * f.A[0]) / (1 - m * b[0]);
     f.B[1] = m * (b[1] * f.B[0] + c[1] * f.A[0] + c[0] * k * f.A[1]) / (1 - m * b[0] * k);
     f.B[2] = m *
              (b[2] * f.B[0] + (2 * b[1] * k + b[0] * k1) * f.B[1] + c[2] * f.A[0] +
@@ -60,10 +60,11 @@ struct friction_link {
 static void friction_next(struct friction_link *k)
 {
     const struct contact *contact = &k->link.contact;
+    const bool has_friction = k->link.geometry->mu != 0;
     real b = contact_arm_b(&k->link);
-    k->wrong_side = k->wrong_side || b <= 0;
+    k->wrong_side = k->wrong_side || (has_friction && b <= 0);
     k->noise += contact->X < 0 ? (contact->Y - k->link.geometry->mu * contact->X) / fabs(b) - 1 : 0;
-    k->S *= torque_ratio(&k->link);
+    k->S *= has_friction ? torque_ratio(&k->link) : k->link.contact_slope;
     k->second_derivative = link_second_derivative(&k->link, k->second_derivative);
     link_next(&k->link);
 }
@@ -78,7 +79,7 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
     real S = fabs(k->S), Y = link->contact.Y, passed = fabs(torque_ratio(link)),
-         margin_slope = geometry->r * geometry->L / (Y * Y) * link->slope * link->slope;
+         margin_slope = (geometry->r * geometry->L / (Y * Y) + geometry->drag) * link->slope * link->slope;
     real ratio = fmax(geometry->inertia * passed, fmax(geometry->decay, geometry->decay_J));
     return series_done(C, link->weight * S * geometry->steepest,
                        fmax(geometry->weight * passed, geometry->decay), geometry->tol) &&
@@ -139,14 +140,15 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
         if (friction_closes(&k, &A, &B, &C))
             break;
         series_add(&A, link->inertia * k.S * link->slope);
-        series_add(&B, link->inertia * k.S * k.second_derivative);
+        series_add(&B, link->inertia * k.S *
+                           (k.second_derivative + link->geometry->drag * link->slope * link->slope));
         series_add(&C, -link->weight * k.S * geometry_height_slope(link->geometry, link->tilt) / 2);
         if (link->i + 1 >= geometry->n || !link->leads || friction_done(&k, &A, &B, &C))
             break;
         friction_next(&k);
     }
     chain_count(geometry, k.link.i + 1);
-    if (geometry->work)
+    if (geometry->work && geometry->mu != 0)
         geometry->work->entered[DOM_EFFECT_friction]++;
     *equation = (struct equation_of_motion){.A = A.sum + A.lost,
                                             .B = B.sum + B.lost,

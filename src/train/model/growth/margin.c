@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
+#include "dynamics/losses.h"
 #include "geometry/far.h"
 
 /* The series for the far tail is built once for each growth. About this many passes then use it. */
@@ -87,8 +88,15 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real kinetic = (geometry->upright_inertia + k) * geometry->r * geometry->law->tipped_omegasq(geometry) *
-                   share * share;
+    real tipped = 0;
+    if (!losses_end_alone(geometry) && sine > 0) {
+        status = losses_tipped(geometry, &tipped);
+        geometry->flow->solution.panels = 0; /* the flow is needed for the pair */
+    } else
+        tipped = geometry->law->tipped_omegasq(geometry);
+    if (status != DOM_OK)
+        return status;
+    real kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
     *m = (struct margin){.kinetic = sine > 0 ? kinetic : 0};
     two.n = c->dominoes;
     return margin_barrier(&two, c, NULL, m);

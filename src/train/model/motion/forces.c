@@ -27,7 +27,8 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
         real inertia = self->inertia * geometry_inertia(self->geometry, self->tilt),
              grows = self->inertia * geometry_inertia_slope(self->geometry, self->tilt),
              omegasq = self->slope * self->slope * kinematics->omegasq;
-        rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
+        rest = gravity - inertia * theta_2 - (grows / 2 + self->inertia * self->geometry->drag) * omegasq +
+               torque_share * rest;
         push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
         /* the dominoes past the end of the list all move alike, so their torques form a geometric series */
         if (j + 1 == n && endless) {
@@ -75,17 +76,21 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     real omegasq = self->slope * self->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
-    hinge_load->x =
-        momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x + onto.x;
-    hinge_load->z =
-        momentum * (-across * theta_2 - up * omegasq) + mass * self->geometry->g.down - from.z + onto.z;
+    /* The torque of the drag acts like a force at 3/4 of the height. What moves with the domino outside of it
+     * acts like a force at 2/3. Both forces are normal to the face. */
+    const real by = self->inertia / k->size, entrained = self->geometry->entrained * by * 3 / 2,
+               back = self->geometry->drag * omegasq * by * 4 / 3 + entrained * theta_2;
+    hinge_load->x = momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x +
+                    onto.x + back * self->tilt.y;
+    hinge_load->z = momentum * (-across * theta_2 - up * omegasq) + mass * self->geometry->g.down - from.z +
+                    onto.z - back * self->tilt.x;
     if (!kinematics->hit)
         return;
     real change = leader ? -self->slope * kinematics->omega_lost : kinematics->omega;
     from = push_on(k, leaned ? k->impulse : 0);
     onto = leader ? push_on(leader, leader->impulse) : none;
-    hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
-    hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
+    hinge_load->impulse_x = momentum * high * change - from.x + onto.x + entrained * change * self->tilt.y;
+    hinge_load->impulse_z = -momentum * across * change - from.z + onto.z - entrained * change * self->tilt.x;
     /* at r s = 1, no finite impulse turns the struck domino, so the required friction is infinite */
     if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
+#include "dynamics/losses.h"
 #include <stdlib.h>
 
 /* Finds the tilt of the head at which domino i behind it has the tilt *tilt. */
@@ -70,7 +71,7 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     start->J = at.J;
     st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
-    if (st->geometry.n == 1) /* a single domino has no contacts, hence no friction */
+    if (st->geometry.n == 1 && losses_end_alone(&st->geometry))
         st->geometry.dynamics = &energy_balance;
     if (status == DOM_OK && st->geometry.dynamics->solve_piece && st->lo < st->hi)
         status = st->geometry.dynamics->solve_piece(&st->geometry, start->J, st->lo, &st->hi);

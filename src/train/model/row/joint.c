@@ -6,7 +6,7 @@
  */
 #include "row/joint.h"
 #include "dynamics/flow.h"
-#include "effects/walls.h"
+#include "effects/inertia.h"
 #include <stdlib.h>
 
 /* Returns the width of domino k divided by its height. */
@@ -23,7 +23,7 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
     real g = (real)row->g, walls = (real)walls_of_domino(row, k),
-         factor = walls != 0 ? walls_box(d, row_width(row, k), walls).inertia : 1;
+         factor = inertia_factor(d, row_width(row, k), walls);
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
 }
 

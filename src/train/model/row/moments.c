@@ -5,6 +5,7 @@
  * given time is found from the tilt at the time before, by Newton's method.
  */
 #include "row/moments.h"
+#include "dynamics/losses.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
 
@@ -223,7 +224,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 
 /* ---- Before the first hit ---- */
 
-/* A single domino with rounded edges, which falls from theta_u. */
+/* A single domino with rounded edges or with drag, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
     real end;  /* p = ln tan(phi / 4) at the hit */
@@ -240,11 +241,17 @@ static real tipping_phi(real p)
 static real tipping_rate(const struct segment *st, real phi)
 {
     const struct geometry *geometry = &st->geometry;
+    const real close = (real)1e-4;
+    real omegasq = 0;
+    if (!losses_end_alone(geometry) && phi > close) {
+        st->geometry.dynamics->speed(geometry, &st->start, st->lo + phi, &omegasq);
+        return sqrt(fmax(omegasq, 0)) / sin(phi / 2);
+    }
     const struct tilt u = tilt_half(geometry_half_u(geometry)),
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
     /* released energy divided by sin^2(phi / 2), here its limit for phi = 0 */
-    real energy = 2 * geometry_height(geometry, u);
-    if (phi > cbrt(REAL_EPSILON))
+    real energy = 2 * geometry_height(geometry, u) * (1 - 2 * geometry->drag * phi / 3);
+    if (losses_end_alone(geometry) && phi > cbrt(REAL_EPSILON))
         energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
     return sqrt(energy / geometry_inertia(geometry, at));
 }
@@ -264,7 +271,7 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* A domino with rounded edges tips over from theta_u. Returns the angle phi by which it has turned beyond
+/* A domino tips over from theta_u. Returns the angle phi by which it has turned beyond
  * theta_u when the time `left`, in tau, remains until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {
@@ -293,7 +300,7 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
         w->tilt[0] = tip->hi;
         return;
     }
-    const bool closed = tip->geometry.law->closed_form;
+    const bool closed = tip->geometry.law->closed_form && losses_end_alone(&tip->geometry);
     const real u = tip->geometry.steepest, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};

@@ -161,8 +161,7 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
     if (!s || !s->quick || !(run->omegasq > 0))
         return false;
     head->n = run->moving;
-    /* a domino that moves alone has no friction */
-    if (head->dynamics->conservative || run->moving == 1)
+    if (head->dynamics->conservative || (run->moving == 1 && losses_end_alone(head)))
         return head->law->closed_form && quick_glides(run, head, at);
     return s->rough && quick_rolls(run, k, at);
 }

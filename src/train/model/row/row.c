@@ -9,6 +9,7 @@
  * The unit of length is the height of the current head, the unit of energy is its m g h / 2, and the unit of
  * time is its tau.
  */
+#include "dynamics/losses.h"
 #include "row/run.h"
 #include <stdlib.h>
 
@@ -180,17 +181,23 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     *d = (struct descent){.st = {.geometry = *geometry,
                                  .start = {.from = top, .J = geometry_inertia(geometry, top)},
                                  .gain = 1}};
-    /* the first domino has no follower, so it falls without friction */
-    d->st.geometry.dynamics = &energy_balance;
+    enum dom_status status = DOM_OK;
+    real omegasq = tips ? geometry->law->tipped_omegasq(geometry) : 0;
+    const real released = geometry_inertia(geometry, geometry->c) * omegasq;
     d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
-    enum dom_status status =
-        run->request->floor && tips ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction) : DOM_OK;
+    if (losses_end_alone(geometry)) /* the first domino has no follower */
+        d->st.geometry.dynamics = &energy_balance;
+    else if (tips)
+        status = losses_tipped(geometry, &omegasq);
+    if (status == DOM_OK && run->request->floor && tips)
+        status = floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction);
     watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
-    d->st.start.omegasq = tips ? geometry->law->tipped_omegasq(geometry) : 0;
-    run->carried = d->st.start.J * d->st.start.omegasq * block.unit;
+    d->st.start.omegasq = omegasq;
+    run->carried = d->st.start.J * omegasq * block.unit;
+    fall->friction_work = losses_end_alone(geometry) ? 0 : released * block.unit - run->carried;
     run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;
 }

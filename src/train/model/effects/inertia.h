@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
+ * What effects add to the moment of inertia of a domino.
+ *
  * A hollow box whose six walls have the same thickness. Let d be the thickness of the domino, w its width and
  * t the thickness of a wall, all relative to the height. The hollow is smaller than the box by these
  * fractions of the height, the thickness and the width:
@@ -11,8 +13,8 @@
  *
  *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
  */
-#ifndef DOM_WALLS_H
-#define DOM_WALLS_H
+#ifndef DOM_INERTIA_H
+#define DOM_INERTIA_H
 
 #include "numerics/real.h"
 
@@ -36,6 +38,13 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
 KERNEL inline bool walls_fit(real d, real walls)
 {
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
+}
+
+/* Returns the moment of inertia of a domino relative to that of a solid block of the same size and mass.
+ * `walls` is the value of this effect for the domino, or 0. */
+KERNEL inline real inertia_factor(real d, real width, real walls)
+{
+    return walls != 0 ? walls_box(d, width, walls).inertia : 1;
 }
 
 #endif
