@@ -171,6 +171,19 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
+/* Reports that the walls do not fit into the first domino, and how only taller dominoes become boxes. Returns
+ * false. */
+static bool thin_first(const struct scene *scene, struct problem *problem)
+{
+    const domq_real walls = scene_walls(scene), d = scene->train.d;
+    const int cm = (int)ceil((double)(100 * 2 * walls / d) + 0.5);
+    return problem_no_answer(problem,
+                             "walls of %s do not fit into the first domino, which is %s thick; enter 'set "
+                             "walls %s %d cm', and only dominoes taller than %d cm are boxes",
+                             measured(walls, "m", 4).text, measured(d * scene->scale.h, "m", 4).text,
+                             measured(walls, "m", 4).text, cm, cm);
+}
+
 /* If the scene runs rows in the rigid-body engine, the design must also fall there. */
 static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
                         struct scene_engine *engine, struct domq_design *d, struct problem *problem)
@@ -186,6 +199,8 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
     const struct domq_compute *compute = &query->scene->compute;
     enum dom_status status =
         limits ? domq_design_fit(train, wish, limits, compute, d) : domq_design_find(train, wish, compute, d);
+    if (status == DOM_NO_ROOM && !(wish->boxes_above > 0))
+        return thin_first(query->scene, problem);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (d->limit == DOM_DESIGN_FAILED)
@@ -216,6 +231,26 @@ static void design_say(const struct query *query, struct answer *a, const struct
     answer_detail(a, "%s", "");
     if (list.out)
         designed_list(&list, plan, false);
+}
+
+/* Says what the design replaces in the session, as in ", in place of the row from hall.csv". If there was no
+ * row, these are a separation and a growth that the user has set. */
+enum { REPLACED = EFFECT_SETTING + 64 };
+static void replaced_write(const struct scene *before, char text[REPLACED])
+{
+    const struct domq_train usual = domq_train_default();
+    const struct typed_length *gap = &before->length[SHARE_s];
+    const bool has_s = gap->m > 0 || before->train.s != usual.s, has_r = before->train.r != usual.r;
+    const char *place = ", in place of ";
+    if (before->effect[DOM_EFFECT_row].on)
+        snprintf(text, REPLACED, "%sthe row %s %s%s", place, before->listed.domino ? "from" : "of",
+                 effect_setting(before, DOM_EFFECT_row), row_unsaved(before) ? ", with its changes" : "");
+    else if (has_s)
+        text_add(text, REPLACED, "%ss = %s", place,
+                 gap->m > 0 ? length_write(gap->m, gap->unit, (char[LENGTH_TEXT]){""})
+                            : quad_text(before->train.s, 6));
+    if (!before->effect[DOM_EFFECT_row].on && has_r)
+        text_add(text, REPLACED, "%sr = %s", has_s ? " and " : place, quad_text(before->train.r, 6));
 }
 
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
@@ -288,6 +323,9 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
                           struct domq_study *study, struct problem *problem)
 {
     const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink.take && query->next;
+    char replaced[REPLACED] = "";
+    if (keeps)
+        replaced_write(&query->next->scene, replaced);
     if ((keeps && !design_keep(query, problem, d, plan)) ||
         (keeps && w->probability > 0 && !design_improve(query, w, a, plan, d, study, problem)))
         return false;
@@ -298,7 +336,8 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
     if (answer_for_people(a))
         design_say(query, a, wish, d, plan);
     if (keeps)
-        answer_say(a, "The session now has this row: 'row' lists it, 'fall' runs it, 'undo' takes it back.");
+        answer_say(a, "The session now has this row%s: 'row' lists it, 'fall' runs it, 'undo' takes it back.",
+                   replaced);
     return true;
 }
 

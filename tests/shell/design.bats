@@ -53,6 +53,27 @@ END
         json "$wood; sweep friction 0.3, 0.4 : design 8; print s" | values value)"
 }
 
+# Prints what the last line of people's answer to COMMANDS says about the session.
+session_has() { "$DOMINO" -e "$1" | grep 'session now has'; } # COMMANDS
+
+@test "design: keeps walls, width and thickness as they were typed, and says what it replaces" {
+    local kept='set d 8 mm; set width 24 mm; set walls 2 mm 9 cm; set h 60 mm'
+    same 'kept' 'd 8 mm,width 24 mm,walls 2 mm' \
+        "$("$DOMINO" -e "$kept; design 1 m; show" | awk '/^(d|width|walls) / { print $1, $2, $3 }' | paste -sd ,)"
+    same 'and in the row' '0.008 0.024' "$(json "$kept; design 1 m; row" | values thickness | sed -n 1p) $(json "$kept; design 1 m; row" | values width | sed -n 1p)"
+    json "$kept; design 1 m > made.csv" >made
+    same 'and in a file' "$(json "$kept; design 1 m; row" | tail -n 1 | keys)" "$(json "set row made.csv; set walls 2 mm 9 cm; row" | keys)"
+    same 'a gap and a growth' "The session now has this row, in place of s = 20 mm and r = 1.3: 'row' lists it, 'fall' runs it, 'undo' takes it back." \
+        "$(session_has 'set s 20 mm; set r 1.3; design 1 m')"
+    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n60, 8, 20\n' >hall.csv
+    [[ $(session_has 'set row hall.csv; design 1 m') == *'in place of the row from hall.csv: '* ]]
+    [[ $(session_has 'set row hall.csv; change 2 gap 1 cm; design 1 m') == *'in place of the row from hall.csv, with its changes: '* ]]
+    [[ $(session_has 'set row 5; design 1 m') == *'in place of the row of 5: '* ]]
+    same 'nothing' "The session now has this row: 'row' lists it, 'fall' runs it, 'undo' takes it back." "$(session_has 'design 1 m')"
+    wrong 'set walls 12 mm; design 1 m' "walls of 1.2 cm do not fit into the first domino, which is 7 mm thick; enter 'set walls 1.2 cm 17 cm', and only dominoes taller than 17 cm are boxes"
+    [ "$(json 'set walls 1.2 cm 17 cm; design 1 m' | values steps)" -gt 3 ]
+}
+
 @test "design: a table lists sizes and places for the builder, with masses if they are known" {
     run -0 "$DOMINO" -e "$wood; set mass 0.01; design 8 m details"
     grep -qE '^domino +height +thickness +gap +at +mass +surface$' <<<"$output"
