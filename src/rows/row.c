@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands 'row', 'rowmax', 'change' and 'place', and the table of all commands about a row. */
+/* The commands 'row' and 'rowmax', and the table of all commands about a row. */
 #include "interpreter/feature.h"
-#include "interpreter/question.h"
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "session/rowfile.h"
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,8 +26,14 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
 {
     struct scene_row scene;
     bool has_radii = false, has_leans = false, has_widths = false;
+    char *others = NULL;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
+    if (a->path && !rowfile_others(&query->scene->listed, &others)) {
+        free(scene.domino);
+        free(others);
+        return query_status(query, problem, DOM_NO_MEMORY);
+    }
     for (size_t k = 0; k < scene.row.count; k++) {
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
@@ -44,7 +48,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         answer_leave_out(a, "width");
     a->csv.units = true;
     a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
-    a->csv.extra = a->path ? query->scene->listed.others : NULL;
+    a->csv.extra = others;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
             const struct domq_domino *d = &scene.domino[k];
@@ -59,6 +63,8 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
             if (writes)
                 answer_row(a, cells, NULL);
         }
+    a->csv.extra = NULL;
+    free(others);
     free(scene.domino);
     if (query->next && a->path)
         query->next->scene.listed.saved = true;
@@ -106,243 +112,6 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                    "fall' shows.",
                    (double)growth.r_min);
     return more;
-}
-
-/* ---- change and place: parsing ---- */
-
-/* An element of the linked list of selected dominoes. */
-struct selected {
-    struct row_range range;
-    /* An expression for the number of one domino. If numbers were typed, such as 4 or 3-7, `range` holds
-     * them, and item.argument is NULL. */
-    struct item item;
-    struct selected *next;
-};
-
-struct change_parsed {
-    struct selected *first; /* NULL selects all dominoes */
-    int count;
-    struct item value;
-    bool is_set;   /* an '=' precedes the value */
-    bool has_sign; /* the value begins with a sign */
-    bool is_share; /* the value ends with '%' */
-};
-
-/* Reads a number or a range, such as "4", "3-7", "3:7" or "3..7". If the text is anything else, returns false
- * and reads nothing. */
-static bool range_read(struct reader *r, struct row_range *range)
-{
-    char *end;
-    if (!isdigit((unsigned char)*r->at))
-        return false;
-    range->first = range->last = strtoul(r->at, &end, 10);
-    const char *after = end + (strncmp(end, "..", 2) == 0 ? 2 : *end == '-' || *end == ':');
-    if (after > end && isdigit((unsigned char)*after))
-        range->last = strtoul(after, &end, 10);
-    if (!isspace((unsigned char)*end) && *end != ',' && !command_ends(end))
-        return false;
-    r->at = end;
-    return true;
-}
-
-static bool selected_parse(struct reader *r, struct selected *s)
-{
-    static const struct argument number = {.name = "K", .kind = ARGUMENT_COUNT};
-    const char *begin = r->at, *stops = r->stops;
-    reader_place(r, begin);
-    if (!r->offer && range_read(r, &s->range))
-        return s->range.first <= s->range.last ||
-               problem_error(r->problem, "'%zu-%zu' names no dominoes; write the smaller number first",
-                             s->range.first, s->range.last);
-    r->stops = ",";
-    bool good = item_parse(r, &number, &s->item);
-    r->stops = stops;
-    return good;
-}
-
-static bool change_parse_dominoes(struct reader *r, struct question *q)
-{
-    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
-    if (!c)
-        return false;
-    r->last = false;
-    if (reader_takes(r, "all"))
-        return true;
-    for (struct selected **last = &c->first;; last = &(*last)->next) {
-        *last = reader_memory(r, sizeof **last);
-        if (!*last || !selected_parse(r, *last))
-            return false;
-        c->count++;
-        const char *next = skip_blanks(r->at);
-        if (*next != ',')
-            return true;
-        r->at = skip_blanks(next + 1);
-    }
-}
-
-static bool change_parse_value(struct reader *r, struct question *q)
-{
-    static const struct argument value = {.name = "X", .kind = ARGUMENT_ANY};
-    struct change_parsed *c = q->parsed;
-    c->is_set = *r->at == '=';
-    r->at = skip_blanks(r->at + c->is_set);
-    const char *begin = r->at;
-    reader_place(r, begin);
-    c->has_sign = *begin == '+' || *begin == '-';
-    r->last = true;
-    if (!item_parse(r, &value, &c->value))
-        return false;
-    c->is_share = r->at > begin && r->at[-1] == '%';
-    return true;
-}
-
-/* ---- change and place: binding ---- */
-
-/* A bound change. */
-struct changing {
-    struct row_change change;
-    int ranges; /* the number of ranges; 0 stands for all dominoes */
-    struct row_range range[];
-};
-
-/* Checks the unit of the typed value X. Decides whether X replaces the old value, is added to it or
- * multiplies it. */
-static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
-                       struct row_change *change, struct problem *problem)
-{
-    const char *name = row_measure_names(NULL, (int)change->measure),
-               *unit = rowfile_kind.column[change->measure].unit;
-    const struct quantity wanted = expression_unit(unit);
-    const bool is_relative = parsed->has_sign && !parsed->is_set, is_bare = quantity_is_number(*value);
-    change->value = value->value;
-    change->is_angle =
-        change->measure == MEASURE_LEAN && quantity_alike(*value, (struct quantity){.angle = 1});
-    if (parsed->is_share && is_bare) {
-        change->how = CHANGE_TIMES;
-        change->value += is_relative;
-        return true;
-    }
-    if (!is_bare && !change->is_angle && !quantity_alike(*value, wanted))
-        return problem_error(problem, "the %s is %s, not %s; enter a value such as '%s'", name,
-                             expression_kind(wanted), expression_kind(*value), expression_example(wanted));
-    if (is_relative && is_bare)
-        return problem_error(problem,
-                             "a change of the %s by %s needs a unit, as in '%+.4g %s'; to change the %s by a "
-                             "percentage, write a percent sign, as in '+10 %%'",
-                             name, quad_text(value->value, 10), (double)value->value, unit, name);
-    change->how = is_relative ? CHANGE_BY : CHANGE_TO;
-    change->is_bare = is_bare;
-    return true;
-}
-
-static bool change_bind(const struct question *q, const struct query *query, struct arguments *given,
-                        struct problem *problem)
-{
-    const struct change_parsed *parsed = q->parsed;
-    const size_t size = sizeof(struct changing) + (size_t)parsed->count * sizeof(struct row_range);
-    struct quantity value;
-    domq_real number;
-    struct changing *c = arguments_take(given, size, query, problem);
-    if (!c)
-        return false;
-    c->change.measure = q->count > 2 ? (enum row_measure)(int)given->number[1] : MEASURE_GAP;
-    for (const struct selected *s = parsed->first; s; s = s->next) {
-        struct row_range *range = &c->range[c->ranges++];
-        *range = s->range;
-        if (!s->item.argument)
-            continue;
-        if (!item_bind(&s->item, q->text, query, NULL, &number, problem))
-            return false;
-        range->first = range->last = (size_t)number;
-    }
-    return item_bind(&parsed->value, q->text, query, &value, &number, problem) &&
-           value_bind(parsed, &value, &c->change, problem);
-}
-
-/* ---- change and place: the answer ---- */
-
-enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
-
-/* Prints the old and the new measurement of domino k, counted from 1. If masses are not known, prints the
- * factor by which the mass changes. */
-static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
-                       domq_real from, domq_real to)
-{
-    const enum row_measure measure = change->measure;
-    const char *name = row_measure_names(NULL, (int)measure);
-    const struct measure unit =
-        measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
-    const char *one = quad_text(measure_number(unit, from), 6),
-               *other = quad_text(measure_number(unit, to), 6);
-    if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
-        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6));
-    else if (strcmp(one, other) == 0)
-        answer_say(a, "domino %zu: %s stays %s %s", k, name, other, unit.unit);
-    else
-        answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
-}
-
-static bool is_selected(const struct row_range *range, int ranges, size_t k)
-{
-    bool is_in = false;
-    for (int i = 0; i < ranges; i++)
-        is_in = is_in || (range[i].first <= k && k <= range[i].last);
-    return is_in;
-}
-
-static void changes_say(const struct query *query, struct answer *a, const struct row_change *change,
-                        const struct row_range *range, int ranges, size_t count, const domq_real *before,
-                        const domq_real *after)
-{
-    size_t changed = 0;
-    for (size_t k = 1; k <= count; k++)
-        if (is_selected(range, ranges, k) && changed++ < LINES)
-            change_say(query, a, change, k, before[k - 1], after[k - 1]);
-    if (changed > LINES)
-        answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
-    a->wrote_text = true;
-}
-
-/* Returns one measurement of each domino, such as its height. The caller frees the array. */
-static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
-                                struct problem *problem)
-{
-    struct scene_row row;
-    if (!scene_row_list(scene, &row, problem))
-        return NULL;
-    *count = row.row.count;
-    domq_real *list = calloc(*count, sizeof *list);
-    for (size_t k = 0; list && k < *count; k++)
-        list[k] = scene_row_measure(scene, &row.domino[k], measure);
-    free(row.domino);
-    if (!list)
-        problem_status(problem, scene, DOM_NO_MEMORY);
-    return list;
-}
-
-static bool run_change(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const struct changing *c = query->given->bound;
-    const enum row_measure measure = c->change.measure;
-    size_t count;
-    if (!query->next)
-        return true;
-    domq_real *before = measures_list(query->scene, measure, &count, problem), *after = NULL;
-    if (!before)
-        return false;
-    struct row_range all = {measure == MEASURE_GAP ? 2 : 1, count};
-    const struct row_range *range = c->ranges ? c->range : &all;
-    const int ranges = c->ranges ? c->ranges : 1;
-    bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
-    if (good && answer_for_people(a) && !query->run_context->sourced) {
-        after = measures_list(&query->next->scene, measure, &count, problem);
-        good = after;
-        if (good)
-            changes_say(query, a, &c->change, range, ranges, count, before, after);
-    }
-    free(before);
-    free(after);
-    return good;
 }
 
 const struct command row_commands[] = {
@@ -422,7 +191,7 @@ const struct command row_commands[] = {
              "heavier, because it keeps its density. The gaps beside it and its other sizes stay the same. "
              "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
      .example = "set row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
-     .see = "row place mend tolerance",
+     .see = "row insert remove place mend",
      .access.changes = true,
      .run = run_change},
     {.name = "place",
@@ -436,6 +205,35 @@ const struct command row_commands[] = {
      .see = "change row mend",
      .access.changes = true,
      .run = run_change},
+    {.name = "remove",
+     .synonyms = "delete take out fewer shorten",
+     .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes, .bind = remove_bind}},
+     .summary = "take dominoes out of the row",
+     .help =
+         "K is the number of a domino, or several numbers as in 4,5 or 3-7. The dominoes after them move up, "
+         "and the gaps before these dominoes stay the same. 'undo' puts the dominoes back.",
+     .example = "set row 5; remove 2,4; row",
+     .see = "insert change row",
+     .access.changes = true,
+     .run = run_remove},
+    {.name = "insert",
+     .synonyms = "add append extend more copy",
+     .argument = {{.name = "K", .kind = ARGUMENT_COUNT},
+                  {.name = "height X",
+                   .kind = ARGUMENT_WORDS,
+                   .optional = true,
+                   .parse = insert_parse,
+                   .bind = insert_bind}},
+     .summary = "put another domino into the row, as number K",
+     .help =
+         "The new domino is a copy of the one that was number K, with the same gap before it. With a height, "
+         "as in 'insert 3 height 30 cm', its thickness, its width, its gap and its mass change in "
+         "proportion. The domino that was number K and those after it move on. If the row has 5 dominoes, "
+         "'insert 6' adds one at the end, like the last.",
+     .example = "set row 5; insert 3 height 9 cm; row",
+     .see = "remove change row",
+     .access.changes = true,
+     .run = run_insert},
     {.name = "row",
      .synonyms = "list export csv spacing",
      .summary = "the dominoes of the row",

@@ -3,6 +3,7 @@
 #ifndef SHELL_ROWS_H
 #define SHELL_ROWS_H
 
+#include "interpreter/question.h"
 #include "session/random_errors.h"
 #include "train/falling.h"
 
@@ -14,6 +15,20 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
+
+/* The parts of 'change', 'place', 'remove' and 'insert' (change.c). */
+bool change_parse_dominoes(struct reader *reader, struct question *question);
+bool change_parse_value(struct reader *reader, struct question *question);
+bool change_bind(const struct question *question, const struct query *query, struct arguments *given,
+                 struct problem *problem);
+bool remove_bind(const struct question *question, const struct query *query, struct arguments *given,
+                 struct problem *problem);
+bool insert_parse(struct reader *reader, struct question *question);
+bool insert_bind(const struct question *question, const struct query *query, struct arguments *given,
+                 struct problem *problem);
+bool run_change(const struct query *query, struct answer *a, struct problem *problem);
+bool run_remove(const struct query *query, struct answer *a, struct problem *problem);
+bool run_insert(const struct query *query, struct answer *a, struct problem *problem);
 
 /* The friction that a foot needs so that it does not slip, either while the domino `head` falls or at the
  * instant when this domino is hit. Dominoes are counted from 1. */

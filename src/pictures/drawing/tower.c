@@ -31,7 +31,7 @@ static bool tower_stand(struct tower *tower, size_t dominoes)
         return false;
     scene->listed = listed;
     tower->change = listed.change;
-    struct domq_domino *change = &tower->change[dominoes];
+    struct domq_domino *change = &tower->change[dominoes].to;
     change->height = height;
     change->thickness = train->d * height;
     change->width = train->width * height;

@@ -9,7 +9,7 @@
 struct tower {
     struct query query;
     struct state state; /* shares memory with the state of the original query */
-    struct domq_domino *change;
+    struct changed_domino *change;
     domq_real height; /* m */
 };
 

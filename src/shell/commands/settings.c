@@ -66,7 +66,7 @@ static size_t gaps_changed(const struct listed_row *row)
 {
     size_t count = 0;
     for (size_t k = 0; k < row->changes; k++)
-        count += isnan(row->change[k].gap) ? 0 : 1;
+        count += isnan(row->change[k].to.gap) ? 0 : 1;
     return count;
 }
 
@@ -298,7 +298,7 @@ const struct command session_commands[] = {
      ANSWER(show)},
     {.name = "reset",
      .typed.shortest = "re",
-     .synonyms = "undo default clear restore variable delete remove unset forget del kill",
+     .synonyms = "undo default clear restore variable delete unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "set the parameter NAME, or the whole model, to the default",
      .help = "Without NAME, 'reset' also turns off all effects. It does not change the settings of the "

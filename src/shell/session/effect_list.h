@@ -3,7 +3,8 @@
  * Descriptions of all effects: first the effects of the library, then the effects of the rigid-body engine,
  * and then random errors.
  *
- * To add an effect of the model, follow src/train/model/dynamics/README.md. To add an effect of the engine, add
+ * To add an effect of the model, follow src/train/model/dynamics/README.md. To add an effect of the engine,
+ * add
  * - its name to effect_kinds.h
  * - its description to effect_list.c
  * - its value to scene_engine_make (engine.c)

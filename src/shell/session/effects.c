@@ -35,6 +35,9 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
                  of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10),
                  *of->unit ? " " : "", of->unit);
     }
+    /* a row from which dominoes were removed, or into which some were inserted */
+    if (effect == DOM_EFFECT_row && scene_row_count(scene) != scene_row_planned(scene))
+        text_add(setting, EFFECT_SETTING, ", now %zu", scene_row_count(scene));
     return setting;
 }
 
@@ -180,5 +183,5 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
                                          : quad_exact(state->value[i], WIDE_DIGITS, number));
     putc('\n', out);
     if (effect == DOM_EFFECT_row)
-        row_changes_save(&scene->listed, out);
+        row_changes_save(scene, out);
 }

@@ -11,6 +11,14 @@ const char *row_measure_names(const void *context, int k)
     return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
 }
 
+bool row_selected(const struct row_range *range, int ranges, size_t k)
+{
+    bool is_in = false;
+    for (int i = 0; i < ranges; i++)
+        is_in = is_in || (range[i].first <= k && k <= range[i].last);
+    return is_in;
+}
+
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
 {
     static const size_t member[ROW_MEASURES] = {
@@ -28,7 +36,7 @@ domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
 /* Returns the stored change of a measurement, or NaN if the measurement has not been changed. */
 static domq_real changed(const struct listed_row *row, size_t k, enum row_measure measure)
 {
-    return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
+    return k < row->changes ? *row_measure_at(&row->change[k].to, measure) : DOMQ_NAN;
 }
 
 void row_changes_apply(const struct scene *scene, size_t k, struct domq_domino *d)
@@ -54,9 +62,11 @@ bool row_changes_open(struct listed_row *row, size_t count)
         return true;
     row->change = malloc(count * sizeof *row->change);
     row->changes = row->change ? count : 0;
-    for (size_t k = 0; k < row->changes; k++)
+    for (size_t k = 0; k < row->changes; k++) {
+        row->change[k].origin = k;
         for (enum row_measure m = 0; m < ROW_MEASURES; m++)
-            *row_measure_at(&row->change[k], m) = DOMQ_NAN;
+            *row_measure_at(&row->change[k].to, m) = DOMQ_NAN;
+    }
     return row->change;
 }
 
@@ -69,21 +79,50 @@ size_t row_changes_count(const struct listed_row *row)
     return count;
 }
 
-bool row_changes_equal(const struct listed_row *a, const struct listed_row *b)
+static size_t origin_of(const struct listed_row *row, size_t k)
 {
-    const size_t count = a->changes > b->changes ? a->changes : b->changes;
-    bool equal = true;
-    for (size_t k = 0; k < count && equal; k++)
+    return row->changes > 0 ? row->change[k].origin : k;
+}
+
+bool row_changes_equal(const struct scene *a, const struct scene *b)
+{
+    const size_t count = scene_row_count(a);
+    bool equal = count == scene_row_count(b);
+    for (size_t k = 0; k < count && equal; k++) {
+        equal = origin_of(&a->listed, k) == origin_of(&b->listed, k);
         for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
-            domq_real one = changed(a, k, m), other = changed(b, k, m);
+            domq_real one = changed(&a->listed, k, m), other = changed(&b->listed, k, m);
             equal = equal && (one == other || (isnan(one) && isnan(other)));
         }
+    }
     return equal;
 }
 
-void row_changes_save(const struct listed_row *row, FILE *out)
+/* Writes the commands that remove and insert dominoes. Dominoes are removed from the end of the row, so that
+ * the numbers of those before them stay the same. */
+static void origins_save(const struct listed_row *row, size_t planned, FILE *out)
 {
+    for (size_t k = row->changes, end = planned; end > 0;) {
+        const size_t last = k > 0 ? row->change[k - 1].origin + 1 : 0; /* the last domino that is left */
+        if (last + 1 < end)
+            fprintf(out, "remove %zu-%zu\n", last + 1, end);
+        else if (last < end)
+            fprintf(out, "remove %zu\n", end);
+        end = last > 0 ? last - 1 : 0;
+        while (k > 0 && row->change[k - 1].origin + 1 == last)
+            k--;
+    }
+    for (size_t k = 1; k < row->changes; k++)
+        if (row->change[k].origin == row->change[k - 1].origin)
+            fprintf(out, "insert %zu\n", k);
+}
+
+void row_changes_save(const struct scene *scene, FILE *out)
+{
+    const struct listed_row *row = &scene->listed;
     char number[WIDE_TEXT];
+    if (row->changes > 0)
+        origins_save(row, scene_row_planned(scene), out);
     for (size_t k = 0; k < row->changes; k++)
         for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
             domq_real value = changed(row, k, m);

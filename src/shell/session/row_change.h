@@ -11,6 +11,9 @@ struct row_range {
     size_t first, last;
 };
 
+/* Returns true if domino k is in one of the ranges. */
+bool row_selected(const struct row_range *range, int ranges, size_t k);
+
 struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
@@ -19,8 +22,8 @@ struct row_change {
     bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member that holds a measurement. `domino` may be an element of
- * listed_row.change. */
+/* Returns a pointer to the member that holds a measurement. `domino` may be the
+ * member `to` of struct changed_domino. */
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
 /* Returns true if the measurement is a size: the height, the thickness or the width. When a size changes, the
@@ -39,10 +42,11 @@ bool row_changes_open(struct listed_row *row, size_t count);
 /* Returns the number of measurements that have been changed. */
 size_t row_changes_count(const struct listed_row *row);
 
-bool row_changes_equal(const struct listed_row *a, const struct listed_row *b);
+/* Returns true if two scenes have made the same changes to a row. */
+bool row_changes_equal(const struct scene *a, const struct scene *b);
 
-/* Writes the stored changes as 'change' commands, for a saved script. */
-void row_changes_save(const struct listed_row *row, FILE *out);
+/* Writes the changes as commands for a saved script: 'remove', 'insert' and 'change'. */
+void row_changes_save(const struct scene *scene, FILE *out);
 
 /* A names_list (see names.h) of the measurements that can change. */
 const char *row_measure_names(const void *context, int k);

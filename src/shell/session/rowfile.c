@@ -192,3 +192,24 @@ bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *row
         listed_free(rows);
     return good;
 }
+
+bool rowfile_others(const struct listed_row *row, char **others)
+{
+    size_t size;
+    *others = NULL;
+    if (!row->others)
+        return true;
+    FILE *out = io_memory(others, &size);
+    const char *line = row->others; /* the names of the columns */
+    if (!out)
+        return false;
+    fwrite(line, 1, strlen(line) + 1, out);
+    for (size_t k = 0, i = 0; k < (row->changes ? row->changes : row->count); k++) {
+        /* the line of domino i follows that of domino i - 1 or, at first, the names */
+        for (const size_t origin = row->changes ? row->change[k].origin : k; i <= origin; i++)
+            line += strlen(line) + 1;
+        fwrite(line, 1, strlen(line) + 1, out);
+    }
+    const bool good = !ferror(out);
+    return fclose(out) == 0 && good;
+}

@@ -52,4 +52,8 @@ enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope
  * *rows with listed_free. */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 
+/* Stores the unknown columns of the row's dominoes, in the form of row->others, in *others. The caller frees
+ * them. They are NULL if there are no such columns. Returns false if memory runs out. */
+bool rowfile_others(const struct listed_row *row, char **others);
+
 #endif

@@ -37,7 +37,7 @@ void listed_free(struct listed_row *row)
 bool listed_share(struct listed_row *to, const struct listed_row *from)
 {
     size_t size = from->changes * sizeof *from->change;
-    struct domq_domino *change = size ? malloc(size) : NULL;
+    struct changed_domino *change = size ? malloc(size) : NULL;
     *to = (struct listed_row){.domino = NULL};
     if (size && !change)
         return false;
@@ -46,6 +46,18 @@ bool listed_share(struct listed_row *to, const struct listed_row *from)
     if (from->holders)
         ++*from->holders;
     return true;
+}
+
+size_t scene_row_planned(const struct scene *scene)
+{
+    const struct effect_state *row = &scene->effect[DOM_EFFECT_row];
+    return !row->on ? 0 : scene->listed.domino ? scene->listed.count : (size_t)row->value[0];
+}
+
+size_t scene_row_count(const struct scene *scene)
+{
+    return scene->effect[DOM_EFFECT_row].on && scene->listed.changes > 0 ? scene->listed.changes
+                                                                         : scene_row_planned(scene);
 }
 
 domq_real scene_boxes_above(const struct scene *scene)

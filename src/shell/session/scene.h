@@ -28,6 +28,16 @@ enum row_measure {
     ROW_MEASURES
 };
 
+/* A domino of a row that has been changed. */
+struct changed_domino {
+    /* The domino that it is, or that it was copied from: its index in the file, or in the row that 'set row
+     * N' makes. Along the row, these indices never decrease. */
+    size_t origin;
+    /* The changed measurements, and NaN for the others. A changed mass is stored as a factor, because the
+     * mass also changes with the size. */
+    struct domq_domino to;
+};
+
 /* The dominoes of a row that was read from a file, and the changes to any row. */
 struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
@@ -39,12 +49,9 @@ struct listed_row {
      * of these columns. It is followed by one line for each domino. A comma precedes each cell, and each line
      * ends with a NUL byte. */
     char *others;
-    /* The changed measurements of each domino. If a measurement has not been changed, it is NaN. If nothing
-     * has been changed, the pointer is NULL. A changed mass is stored as a factor, because the mass also
-     * changes with the size. */
-    struct domq_domino *change;
-    size_t changes; /* the number of elements of `change` */
-    bool saved;     /* the changes have been saved to a file */
+    struct changed_domino *change; /* all dominoes of the row, or NULL if nothing has been changed */
+    size_t changes;                /* the number of elements of `change` */
+    bool saved;                    /* the changes have been saved to a file */
     /* the reference count of `domino`, `path` and `others`; NULL if these are NULL */
     size_t *holders;
 };
@@ -109,6 +116,13 @@ static inline bool row_unsaved(const struct scene *scene)
 {
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
+
+/* Returns the number of dominoes in the row of the file or of 'set row N', before any are removed or
+ * inserted. Returns 0 if there is no row. */
+size_t scene_row_planned(const struct scene *scene);
+
+/* Returns the number of dominoes in the row, or 0 if there is no row. */
+size_t scene_row_count(const struct scene *scene);
 
 /* Copies a row. The arrays that were read from a file are not copied: both rows share them. Returns false if
  * memory runs out. */

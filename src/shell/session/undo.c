@@ -55,8 +55,7 @@ static bool state_equal(const struct state *a, const struct state *b)
             if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])
                 return false;
     }
-    return a->scene.listed.domino == b->scene.listed.domino &&
-           row_changes_equal(&a->scene.listed, &b->scene.listed) &&
+    return a->scene.listed.domino == b->scene.listed.domino && row_changes_equal(&a->scene, &b->scene) &&
            variables_equal(&a->variables, &b->variables);
 }
 

@@ -1,0 +1,321 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The commands 'change', 'place', 'remove' and 'insert'. */
+#include "interpreter/question.h"
+#include "language/quad.h"
+#include "rows/rows.h"
+#include "session/rowfile.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- change and place: parsing ---- */
+
+/* An element of the linked list of selected dominoes. */
+struct selected {
+    struct row_range range;
+    /* An expression for the number of one domino. If numbers were typed, such as 4 or 3-7, `range` holds
+     * them, and item.argument is NULL. */
+    struct item item;
+    struct selected *next;
+};
+
+struct change_parsed {
+    struct selected *first; /* NULL selects all dominoes */
+    int count;
+    struct item value;
+    bool is_set;   /* an '=' precedes the value */
+    bool has_sign; /* the value begins with a sign */
+    bool is_share; /* the value ends with '%' */
+};
+
+/* Reads a number or a range, such as "4", "3-7", "3:7" or "3..7". If the text is anything else, returns false
+ * and reads nothing. */
+static bool range_read(struct reader *r, struct row_range *range)
+{
+    char *end;
+    if (!isdigit((unsigned char)*r->at))
+        return false;
+    range->first = range->last = strtoul(r->at, &end, 10);
+    const char *after = end + (strncmp(end, "..", 2) == 0 ? 2 : *end == '-' || *end == ':');
+    if (after > end && isdigit((unsigned char)*after))
+        range->last = strtoul(after, &end, 10);
+    if (!isspace((unsigned char)*end) && *end != ',' && !command_ends(end))
+        return false;
+    r->at = end;
+    return true;
+}
+
+static bool selected_parse(struct reader *r, struct selected *s)
+{
+    static const struct argument number = {.name = "K", .kind = ARGUMENT_COUNT};
+    const char *begin = r->at, *stops = r->stops;
+    reader_place(r, begin);
+    if (!r->offer && range_read(r, &s->range))
+        return s->range.first <= s->range.last ||
+               problem_error(r->problem, "'%zu-%zu' names no dominoes; write the smaller number first",
+                             s->range.first, s->range.last);
+    r->stops = ",";
+    bool good = item_parse(r, &number, &s->item);
+    r->stops = stops;
+    return good;
+}
+
+bool change_parse_dominoes(struct reader *r, struct question *q)
+{
+    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
+    if (!c)
+        return false;
+    r->last = false;
+    if (reader_takes(r, "all"))
+        return true;
+    for (struct selected **last = &c->first;; last = &(*last)->next) {
+        *last = reader_memory(r, sizeof **last);
+        if (!*last || !selected_parse(r, *last))
+            return false;
+        c->count++;
+        const char *next = skip_blanks(r->at);
+        if (*next != ',')
+            return true;
+        r->at = skip_blanks(next + 1);
+    }
+}
+
+bool change_parse_value(struct reader *r, struct question *q)
+{
+    static const struct argument value = {.name = "X", .kind = ARGUMENT_ANY};
+    struct change_parsed *c = q->parsed;
+    c->is_set = *r->at == '=';
+    r->at = skip_blanks(r->at + c->is_set);
+    const char *begin = r->at;
+    reader_place(r, begin);
+    c->has_sign = *begin == '+' || *begin == '-';
+    r->last = true;
+    if (!item_parse(r, &value, &c->value))
+        return false;
+    c->is_share = r->at > begin && r->at[-1] == '%';
+    return true;
+}
+
+/* ---- change and place: binding ---- */
+
+/* A bound change. */
+struct changing {
+    struct row_change change;
+    int ranges; /* the number of ranges; 0 stands for all dominoes */
+    struct row_range range[];
+};
+
+/* Checks the unit of the typed value X. Decides whether X replaces the old value, is added to it or
+ * multiplies it. */
+static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
+                       struct row_change *change, struct problem *problem)
+{
+    const char *name = row_measure_names(NULL, (int)change->measure),
+               *unit = rowfile_kind.column[change->measure].unit;
+    const struct quantity wanted = expression_unit(unit);
+    const bool is_relative = parsed->has_sign && !parsed->is_set, is_bare = quantity_is_number(*value);
+    change->value = value->value;
+    change->is_angle =
+        change->measure == MEASURE_LEAN && quantity_alike(*value, (struct quantity){.angle = 1});
+    if (parsed->is_share && is_bare) {
+        change->how = CHANGE_TIMES;
+        change->value += is_relative;
+        return true;
+    }
+    if (!is_bare && !change->is_angle && !quantity_alike(*value, wanted))
+        return problem_error(problem, "the %s is %s, not %s; enter a value such as '%s'", name,
+                             expression_kind(wanted), expression_kind(*value), expression_example(wanted));
+    if (is_relative && is_bare)
+        return problem_error(problem,
+                             "a change of the %s by %s needs a unit, as in '%+.4g %s'; to change the %s by a "
+                             "percentage, write a percent sign, as in '+10 %%'",
+                             name, quad_text(value->value, 10), (double)value->value, unit, name);
+    change->how = is_relative ? CHANGE_BY : CHANGE_TO;
+    change->is_bare = is_bare;
+    return true;
+}
+
+/* Stores the selected dominoes in given->bound. */
+static struct changing *dominoes_bind(const struct question *q, const struct query *query,
+                                      struct arguments *given, struct problem *problem)
+{
+    const struct change_parsed *parsed = q->parsed;
+    const size_t size = sizeof(struct changing) + (size_t)parsed->count * sizeof(struct row_range);
+    domq_real number;
+    struct changing *c = arguments_take(given, size, query, problem);
+    for (const struct selected *s = parsed->first; s && c; s = s->next) {
+        struct row_range *range = &c->range[c->ranges++];
+        *range = s->range;
+        if (!s->item.argument)
+            continue;
+        if (!item_bind(&s->item, q->text, query, NULL, &number, problem))
+            return NULL;
+        range->first = range->last = (size_t)number;
+    }
+    return c;
+}
+
+bool change_bind(const struct question *q, const struct query *query, struct arguments *given,
+                 struct problem *problem)
+{
+    const struct change_parsed *parsed = q->parsed;
+    struct quantity value;
+    domq_real number;
+    struct changing *c = dominoes_bind(q, query, given, problem);
+    if (!c)
+        return false;
+    c->change.measure = q->count > 2 ? (enum row_measure)(int)given->number[1] : MEASURE_GAP;
+    return item_bind(&parsed->value, q->text, query, &value, &number, problem) &&
+           value_bind(parsed, &value, &c->change, problem);
+}
+
+bool remove_bind(const struct question *q, const struct query *query, struct arguments *given,
+                 struct problem *problem)
+{
+    return dominoes_bind(q, query, given, problem) != NULL;
+}
+
+bool insert_parse(struct reader *r, struct question *q)
+{
+    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
+    if (!c)
+        return false;
+    if (!reader_takes(r, "height"))
+        return reader_ends(r) || problem_error(r->problem, "after the number, enter only the height, as in "
+                                                           "'insert 3 height 30 cm'; 'change' sets the rest");
+    return change_parse_value(r, q);
+}
+
+bool insert_bind(const struct question *q, const struct query *query, struct arguments *given,
+                 struct problem *problem)
+{
+    const struct change_parsed *parsed = q->parsed;
+    struct quantity value;
+    domq_real number;
+    if (!parsed || !parsed->value.argument)
+        return true;
+    struct row_change *change = arguments_take(given, sizeof *change, query, problem);
+    if (!change)
+        return false;
+    change->measure = MEASURE_HEIGHT;
+    return item_bind(&parsed->value, q->text, query, &value, &number, problem) &&
+           value_bind(parsed, &value, change, problem);
+}
+
+/* ---- change and place: the answer ---- */
+
+enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
+
+/* Prints the old and the new measurement of domino k, counted from 1. If masses are not known, prints the
+ * factor by which the mass changes. */
+static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
+                       domq_real from, domq_real to)
+{
+    const enum row_measure measure = change->measure;
+    const char *name = row_measure_names(NULL, (int)measure);
+    const struct measure unit =
+        measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
+    const char *one = quad_text(measure_number(unit, from), 6),
+               *other = quad_text(measure_number(unit, to), 6);
+    if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
+        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6));
+    else if (strcmp(one, other) == 0)
+        answer_say(a, "domino %zu: %s stays %s %s", k, name, other, unit.unit);
+    else
+        answer_say(a, "domino %zu: %s %s to %s %s", k, name, one, other, unit.unit);
+}
+
+static void changes_say(const struct query *query, struct answer *a, const struct row_change *change,
+                        const struct row_range *range, int ranges, size_t count, const domq_real *before,
+                        const domq_real *after)
+{
+    size_t changed = 0;
+    for (size_t k = 1; k <= count; k++)
+        if (row_selected(range, ranges, k) && changed++ < LINES)
+            change_say(query, a, change, k, before[k - 1], after[k - 1]);
+    if (changed > LINES)
+        answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
+    a->wrote_text = true;
+}
+
+/* Returns one measurement of each domino, such as its height. The caller frees the array. */
+static domq_real *measures_list(const struct scene *scene, enum row_measure measure, size_t *count,
+                                struct problem *problem)
+{
+    struct scene_row row;
+    if (!scene_row_list(scene, &row, problem))
+        return NULL;
+    *count = row.row.count;
+    domq_real *list = calloc(*count, sizeof *list);
+    for (size_t k = 0; list && k < *count; k++)
+        list[k] = scene_row_measure(scene, &row.domino[k], measure);
+    free(row.domino);
+    if (!list)
+        problem_status(problem, scene, DOM_NO_MEMORY);
+    return list;
+}
+
+bool run_change(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct changing *c = query->given->bound;
+    const enum row_measure measure = c->change.measure;
+    size_t count;
+    if (!query->next)
+        return true;
+    domq_real *before = measures_list(query->scene, measure, &count, problem), *after = NULL;
+    if (!before)
+        return false;
+    struct row_range all = {measure == MEASURE_GAP ? 2 : 1, count};
+    const struct row_range *range = c->ranges ? c->range : &all;
+    const int ranges = c->ranges ? c->ranges : 1;
+    bool good = scene_row_change(&query->next->scene, &c->change, range, ranges, problem);
+    if (good && answer_for_people(a) && !query->run_context->sourced) {
+        after = measures_list(&query->next->scene, measure, &count, problem);
+        good = after;
+        if (good)
+            changes_say(query, a, &c->change, range, ranges, count, before, after);
+    }
+    free(before);
+    free(after);
+    return good;
+}
+
+/* ---- remove and insert: the answer ---- */
+
+bool run_remove(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct changing *c = query->given->bound;
+    if (!query->next)
+        return true;
+    const struct row_range all = {1, scene_row_count(query->scene)};
+    struct scene *scene = &query->next->scene;
+    const size_t before = scene_row_count(scene);
+    if (!scene_row_remove(scene, c->ranges ? c->range : &all, c->ranges ? c->ranges : 1, problem))
+        return false;
+    const size_t count = scene_row_count(scene), removed = before - count;
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "%zu domino%s removed; the row has %zu.", removed, removed == 1 ? "" : "es", count);
+    a->wrote_text = answer_for_people(a);
+    return true;
+}
+
+bool run_insert(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const size_t k = (size_t)query->given->number[0];
+    struct scene_row row;
+    if (!query->next)
+        return true;
+    if (!scene_row_insert(&query->next->scene, k, query->given->bound, problem) ||
+        !scene_row_list(&query->next->scene, &row, problem))
+        return false;
+    const struct domq_domino *d = &row.domino[k - 1];
+    char gap[CELL_TEXT + 48] = "";
+    if (k > 1)
+        snprintf(gap, sizeof gap, ", %s after domino %zu", measured(d->gap, "m", 4).text, k - 1);
+    if (answer_for_people(a) && !query->run_context->sourced)
+        answer_say(a, "domino %zu: %s tall and %s thick%s; the row has %zu.", k,
+                   measured(d->height, "m", 4).text, measured(d->thickness, "m", 4).text, gap, row.row.count);
+    a->wrote_text = answer_for_people(a);
+    free(row.domino);
+    return true;
+}

@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Changes the dominoes of a row, removes them, and inserts others. */
+#include "answer/measure.h"
+#include "language/quad.h"
+#include "session/row.h"
+#include "session/rowfile.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* A value without a unit is probably a mistake if it is at least this many times the current value. */
+#define SLIP_OF_UNIT 50
+
+/* Checks a value that was typed without a unit. Such a value is in m or kg, but the user may have meant mm or
+ * g: a height of 25 would be 25 m. If the value is not plausible, reports the problem and returns false. */
+static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
+                        domq_real value, struct problem *problem)
+{
+    const bool is_gap = measure == MEASURE_GAP, is_mass = measure == MEASURE_MASS;
+    const char *unit = is_mass ? "kg" : "m", *write = is_mass ? "g" : "mm";
+    const domq_real tall = is_gap ? row[k - 1].height : now;
+    /* a gap is not plausible if it exceeds the heights of both its dominoes */
+    if (is_gap ? value <= tall || value <= row[k].height
+               : measure == MEASURE_RADIUS || measure == MEASURE_LEAN || value < SLIP_OF_UNIT * now)
+        return true;
+    return problem_error(problem,
+                         "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or "
+                         "the unit that you mean",
+                         row_measure_names(NULL, (int)measure), quad_text(value, 10),
+                         measured(value, unit, 6).text, k + !is_gap, measured(tall, unit, 4).text,
+                         is_gap || measure == MEASURE_HEIGHT ? " tall"
+                         : is_mass                           ? " now"
+                         : measure == MEASURE_WIDTH          ? " wide"
+                                                             : " thick",
+                         quad_text(value, 10), write);
+}
+
+/* Returns the lean angle of a domino whose top is off plumb by `off` metres. */
+static domq_real lean_angle(domq_real off, domq_real height)
+{
+    return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
+}
+
+/* Returns what a change makes of a measurement that is `now`. */
+static domq_real changed_value(const struct row_change *change, domq_real now)
+{
+    return change->how == CHANGE_TO   ? change->value
+           : change->how == CHANGE_BY ? now + change->value
+                                      : now * change->value;
+}
+
+/* Computes the value that a measurement of domino k, counted from 0, has after a change. Stores the value in
+ * *kept in the form of listed_row.change: a mass as a factor, and a lean as an angle. If the domino cannot
+ * have this value, sets *problem and returns false. */
+static bool domino_change(const struct scene *scene, const struct row_change *change,
+                          const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
+{
+    const enum row_measure measure = change->measure;
+    const bool is_lean = measure == MEASURE_LEAN, is_mass = measure == MEASURE_MASS;
+    struct domq_domino d = row->domino[k], *domino = &d;
+    domq_real *member = row_measure_at(domino, measure),
+              now = is_lean && change->is_angle ? domino->lean : scene_row_measure(scene, domino, measure),
+              value = changed_value(change, now);
+    const struct listed_row *listed = &scene->listed;
+    const domq_real before = is_mass && listed->changes > 0 ? listed->change[k].to.mass : DOMQ_NAN;
+    char message[MISFIT_MESSAGE];
+    if (change->is_bare && !bare_likely(row->domino, k, measure, now, value, problem))
+        return false;
+    if (!csv_fits(&rowfile_kind.column[measure], value, message))
+        return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+    if (is_lean && !change->is_angle)
+        value = lean_angle(value, domino->height);
+    if (row_measure_is_size(measure))
+        domino->mass *= value / *member;
+    *kept = !is_mass ? value : change->how == CHANGE_TIMES ? change->value : value / now;
+    *kept *= isnan(before) ? 1 : before;
+    *member = value;
+    return (domino_misfit(domino, scene->train.alpha, message) == ROW_MEASURES &&
+            csv_fits(&rowfile_kind.column[MEASURE_MASS], domino->mass, message)) ||
+           problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+}
+
+/* Checks that all dominoes in the ranges exist. */
+static bool dominoes_check(const struct row_range *range, int ranges, size_t count, struct problem *problem)
+{
+    for (int i = 0; i < ranges; i++) {
+        const size_t wrong = range[i].first < 1 ? range[i].first : range[i].last;
+        if (wrong < 1 || wrong > count)
+            return problem_error(problem, "there is no domino %zu; this row has %zu", wrong, count);
+    }
+    return true;
+}
+
+/* Checks that there is a gap before all dominoes in the ranges. */
+static bool gaps_check(const struct row_range *range, int ranges, size_t count, struct problem *problem)
+{
+    if (count < 2)
+        return problem_error(problem, "a row of one domino has no gap; enter 'set row N' with a larger N");
+    for (int i = 0; i < ranges; i++) {
+        const size_t wrong = range[i].first < 2 ? range[i].first : range[i].last;
+        if (wrong < 2 || wrong > count)
+            return problem_error(problem, "there is no gap before domino %zu; choose a domino from 2 to %zu",
+                                 wrong, count);
+    }
+    return true;
+}
+
+/* Copies the row of a scene and opens its changes. After a failure nothing needs to be freed. */
+static bool edit_begin(const struct scene *scene, struct listed_row *next, struct problem *problem)
+{
+    if (listed_share(next, &scene->listed) && row_changes_open(next, scene_row_count(scene)))
+        return true;
+    listed_free(next);
+    return problem_status(problem, scene, DOM_NO_MEMORY);
+}
+
+/* Gives the scene an edited row if `good` is true and if the walls fit into its dominoes. Otherwise frees the
+ * edited row. Returns true if the scene has it. */
+static bool edit_end(struct scene *scene, struct listed_row *next, bool good, struct problem *problem)
+{
+    struct scene_row changed;
+    struct listed_row before = scene->listed;
+    next->saved = false;
+    scene->listed = *next;
+    good = good && scene_row_list(scene, &changed, problem);
+    if (good)
+        free(changed.domino);
+    else
+        scene->listed = before;
+    listed_free(good ? &before : next);
+    return good;
+}
+
+/* ---- Change ---- */
+
+/* Changes the row of a scene, which must own the row. On failure, sets *problem and returns false. */
+static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
+                       const struct row_range *range, int ranges, struct problem *problem)
+{
+    struct listed_row next;
+    if (!edit_begin(scene, &next, problem))
+        return false;
+    bool good = true;
+    for (int i = 0; i < ranges; i++)
+        for (size_t k = range[i].first - 1; good && k < range[i].last; k++)
+            good = domino_change(scene, change, row, k, row_measure_at(&next.change[k].to, change->measure),
+                                 problem);
+    return edit_end(scene, &next, good, problem);
+}
+
+bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
+                      int ranges, struct problem *problem)
+{
+    struct scene_row row = {.domino = NULL};
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    bool good = change->measure == MEASURE_GAP ? gaps_check(range, ranges, row.row.count, problem)
+                                               : dominoes_check(range, ranges, row.row.count, problem);
+    if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
+        good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
+                                      "domino with 'set mass', or a relative change such as '+10 %%'");
+    good = good && row_change(scene, &row, change, range, ranges, problem);
+    free(row.domino);
+    return good;
+}
+
+/* ---- Remove and insert ---- */
+
+bool scene_row_remove(struct scene *scene, const struct row_range *range, int ranges, struct problem *problem)
+{
+    const size_t count = scene_row_count(scene);
+    struct listed_row next;
+    size_t kept = 0;
+    if (count == 0)
+        return problem_no_row(problem);
+    if (!dominoes_check(range, ranges, count, problem) || !edit_begin(scene, &next, problem))
+        return false;
+    for (size_t k = 0; k < count; k++)
+        if (!row_selected(range, ranges, k + 1))
+            next.change[kept++] = next.change[k];
+    next.changes = kept;
+    next.change->to.gap = DOMQ_NAN;
+    return edit_end(scene, &next,
+                    kept > 0 || problem_error(problem, "a row has at least one domino; 'set row off' removes "
+                                                       "the row"),
+                    problem);
+}
+
+/* Gives a copy of a domino another size with the same proportions. A solid domino or a box with walls of any
+ * thickness gets the mass that follows from q. A box with the walls of the scene keeps its density. */
+static bool copy_resize(const struct scene *scene, const struct domq_domino *like, domq_real height,
+                        struct domq_domino *to, char message[MISFIT_MESSAGE])
+{
+    const domq_real x = height / like->height, was = isnan(to->mass) ? 1 : to->mass;
+    if (!csv_fits(&rowfile_kind.column[MEASURE_HEIGHT], height, message))
+        return false;
+    to->height = height;
+    to->thickness = x * like->thickness;
+    to->width = like->width / like->height * height; /* exactly half of the height if it was */
+    to->gap = x * like->gap;
+    if (like->radius > 0)
+        to->radius = x * like->radius;
+    /* The sizes alone would make the mass x^3 times as large. */
+    if (!(scene_walls(scene) > 0) && scene->train.q != 4)
+        to->mass = was * quad(pow)(x, scene->train.q - 4);
+    return csv_fits(&rowfile_kind.column[MEASURE_MASS], like->mass * quad(pow)(x, scene->train.q - 1),
+                    message);
+}
+
+/* Inserts a copy of the domino with the index `like` at the index `at`. If this makes the first domino of the
+ * file, which has no gap, the second of the row, it gets a gap in proportion to the next. */
+static bool copy_insert(struct scene *scene, const struct scene_row *row, size_t at, size_t like,
+                        const struct row_change *height, struct problem *problem)
+{
+    const size_t count = row->row.count;
+    struct domq_domino model = row->domino[like];
+    const domq_real gap = count > 1 ? row->domino[1].gap / row->domino[1].height : scene->train.s,
+                    tall = height ? changed_value(height, model.height) : model.height;
+    char message[MISFIT_MESSAGE];
+    struct listed_row next;
+    if ((height && height->is_bare &&
+         !bare_likely(row->domino, like, MEASURE_HEIGHT, model.height, tall, problem)) ||
+        !edit_begin(scene, &next, problem))
+        return false;
+    struct changed_domino *more = realloc(next.change, (count + 1) * sizeof *more);
+    if (!more) {
+        listed_free(&next);
+        return problem_status(problem, scene, DOM_NO_MEMORY);
+    }
+    struct changed_domino copy = more[like];
+    const bool has_gap = copy.origin > 0;
+    if (like == 0 && at > 0 && (height || !has_gap))
+        copy.to.gap = model.gap = gap * model.height;
+    memmove(&more[at + 1], &more[at], (count - at) * sizeof *more);
+    next.change = more;
+    next.changes = count + 1;
+    const bool good = !height || copy_resize(scene, &model, tall, &copy.to, message) ||
+                      problem_no_answer(problem, "domino %zu: %s", at + 1, message);
+    more[at] = copy;
+    more[0].to.gap = DOMQ_NAN;
+    if (at == 0 && !has_gap)
+        more[1].to.gap = gap * model.height;
+    return edit_end(scene, &next, good, problem);
+}
+
+bool scene_row_insert(struct scene *scene, size_t k, const struct row_change *height, struct problem *problem)
+{
+    const size_t most = (size_t)domq_effect(DOM_EFFECT_row)->argument[0].highest;
+    struct scene_row row;
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    const size_t count = row.row.count;
+    const bool good = (k <= count + 1 ||
+                       problem_error(problem,
+                                     "there is no place %zu in this row of %zu domino%s; 'insert %zu' adds "
+                                     "one at its end",
+                                     k, count, count == 1 ? "" : "es", count + 1)) &&
+                      (count < most || problem_error(problem, "a row has at most %zu dominoes", most)) &&
+                      copy_insert(scene, &row, k - 1, k <= count ? k - 1 : count - 1, height, problem);
+    free(row.domino);
+    return good;
+}

@@ -1,0 +1,97 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# 'remove' and 'insert': a row loses and gains dominoes.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Prints the column KEY of the row after COMMANDS, in one line.
+column() { json "$2; row" | values "$1" | paste -sd ' ' -; } # KEY COMMANDS
+
+four() {
+    printf 'height (mm), thickness (mm), gap (mm), mass (g), colour\n48, 7, -, 5, red\n72, 10, 20, 17, blue\n108, 15, 30, 60, green\n162, 23, 45, 200, black\n' >four.csv
+}
+
+@test "remove: numbers, ranges and lists; the gaps before the others stay" {
+    same one '0.048 0.072 0.162 0.243' "$(column height 'set row 5; remove 3')"
+    same gaps '0 0.0288 0.0648 0.0972' "$(column gap 'set row 5; remove 3')"
+    for list in 2,4 '4, 2' 2,4-4 2..2,4:4; do
+        same "$list" '0.048 0.108 0.243' "$(column height "set row 5; remove $list")"
+    done
+    same 'a range' '0.048 0.243' "$(column height 'set row 5; remove 2:4')"
+    same 'an expression' '0.048 0.072 0.108 0.162' "$(column height 'set row 5; let k = 4; remove k+1')"
+    same 'the first: the new first domino has no gap' '0 0.0432 0.0648' "$(column gap 'set row 4; remove 1')"
+    same 'twice' '0.048 0.243' "$(column height 'set row 5; remove 2; remove 2-3')"
+    same 'it follows h and r' '0.1 0.4 0.8' "$(column height 'set row 4; remove 2; set h 0.1; set r 2')"
+    same 'one undo, and redo' '5 4' "$(json 'set row 5; remove 3; undo; row; redo; row' | values domino | awk '$1 == 1 && NR > 1 { print last } { last = $1 } END { print last }' | paste -sd ' ')"
+    same people '2 dominoes removed; the row has 3.' "$(echo 'set row 5; remove 2,4' | "$DOMINO")"
+    same show '5, now 3' "$("$DOMINO" -e 'set row 5; remove 2,4; show' | sed -n 's/^row  *\(5, now 3\) .*/\1/p')"
+    printf 'height (m), thickness (m), gap (m), relative\n0.048, 0.007, 0, 1\n0.108, 0.01575, 0.0432, 11.390625\n0.162, 0.023625, 0.0648, 38.443359375\n' >rest.csv
+    same 'the row falls as one from a file' "$(json 'set row rest.csv; fall')" "$(json 'set row 4; remove 2; fall')"
+}
+
+@test "insert: a copy, or another height in proportion" {
+    same copy '0.048 0.072 0.108 0.108 0.162' "$(column height 'set row 4; insert 3')"
+    same 'at the end' '0.048 0.072 0.072' "$(column height 'set row 2; insert 3')"
+    same 'at the beginning: the second domino gets a gap' '0 0.0192 0.0288' "$(column gap 'set row 2; insert 1')"
+    same 'one domino' '0 0.0192' "$(column gap 'set row 1; insert 2')"
+    local row='set row 3; insert 2 height 36 mm; row'
+    same 'in proportion' '0.036 0.00525 0.0144' "$(json "$row" | sed -n 2p | values height) $(json "$row" | sed -n 2p | values thickness) $(json "$row" | sed -n 2p | values gap)"
+    close 'solid' "$(awk 'BEGIN { OFMT = "%.17g"; print 1.5^3 * 0.5^3 }')" "$(json "$row" | sed -n 2p | values relative)" 1e-12
+    close 'hollow' "$(awk 'BEGIN { OFMT = "%.17g"; print 1.5^2 * 0.5^2 }')" "$(json "set q hollow; $row" | sed -n 2p | values relative)" 1e-12
+    close 'boxes of the same boards' "$(awk 'BEGIN { OFMT = "%.17g"; print 600 * (0.4 * 0.2 * (0.4 * 7 / 48) - 0.376 * 0.176 * (0.4 * 7 / 48 - 0.024)) }')" \
+        "$(json 'set density 600; set walls 12 mm 30 cm; set row 6; insert 6 height 40 cm; row' | sed -n 6p | values mass)" 1e-9
+    same 'by a percentage' 0.0792 "$(json 'set row 3; insert 2 height +10 %; row' | sed -n 2p | values height)"
+    same 'by a length' 0.08 "$(json 'set row 3; insert 2 height +8 mm; row' | sed -n 2p | values height)"
+    same people 'domino 2: 3.6 cm tall and 5.25 mm thick, 1.44 cm after domino 1; the row has 4.' "$(echo 'set row 3; insert 2 height 36 mm' | "$DOMINO")"
+    same 'width' '0.012 0.0096 0.018' "$(column width 'set width 0.25; set row 2; insert 2 height 38.4 mm')"
+    same 'copies of changes' '0.009 0.009' "$(column thickness 'set row 2; change 2 thickness 9 mm; insert 2; remove 1')"
+}
+
+@test "remove and insert: rows from files keep masses, leans and unknown columns; files and scripts" {
+    four
+    same masses '0.005 0.2' "$(column mass 'set row four.csv; remove 2,3' 2>/dev/null)"
+    same 'masses known by the first domino of the file' '0.017 0.06' "$(column mass 'set row four.csv; remove 1; remove 3' 2>/dev/null)"
+    close 'a mass in proportion' 0.017 "$(json 'set row four.csv; insert 2 height 144 mm; row' 2>/dev/null | sed -n 2p | values mass | awk '{ print $1 / 8 }')" 1e-9
+    "$DOMINO" -e 'set row four.csv; remove 2; insert 3 height 20 cm; insert 1; row > new.csv' >/dev/null 2>&1
+    same 'unknown columns' 'colour red red green black black' "$(awk -F, '{ print $NF }' new.csv | paste -sd ' ')"
+    same 'and back' "$(json 'set row four.csv; remove 2; insert 3 height 20 cm; insert 1; row' 2>/dev/null)" "$(json 'set row new.csv; row' 2>/dev/null)"
+    printf 'height (mm), thickness (mm), gap (mm), lean (mm)\n48, 7, -, 0\n48, 7, 20, 2\n48, 7, 20, 0\n' >lean.csv
+    same lean '0 0.002 0.002 0' "$(column lean 'set row lean.csv; insert 2')"
+}
+
+@test "remove and insert: any sequence is saved and read again, and undone" {
+    four
+    local seed edits step base saved
+    for seed in 1 2 3 4 5 6 7 8; do
+        base='set row 5'
+        [ $((seed % 2)) = 0 ] || base='set row four.csv; set q hollow'
+        edits=$(awk -v seed=$seed 'BEGIN { srand(seed); n = 4; for (i = 0; i < 9; i++) { k = 1 + int(n * rand()); what = rand()
+            if (what < 0.3 && n > 2) { print "remove " k; n-- }
+            else if (what < 0.5) { print "insert " k; n++ }
+            else if (what < 0.7) { print "insert " k " height " 40 + int(60 * rand()) " mm"; n++ }
+            else print "change " k " " (what < 0.85 ? "mass" : "thickness") " +" int(20 * rand()) " %" } }' | paste -sd ';')
+        saved=$(json "$base; $edits; row; save saved.dom" 2>/dev/null)
+        [ "$(wc -l <<<"$saved")" -gt 2 ]
+        same "$edits" "$saved" "$(json 'source saved.dom; set output json; row' 2>/dev/null)"
+        same "undone: $edits" "$(json "$base; row" 2>/dev/null)" "$(json "$base; $edits; $(for step in 1 2 3 4 5 6 7 8 9; do printf 'undo; '; done) row" 2>/dev/null | grep -v change)"
+    done
+}
+
+@test "remove and insert: wrong input is one line, and changes nothing" {
+    wrong 'remove 3' "there is no row; first enter 'set row N' or 'set row FILE'"
+    wrong 'insert 3' "there is no row; first enter 'set row N' or 'set row FILE'"
+    wrong 'set row 5; remove 6' 'there is no domino 6; this row has 5'
+    wrong 'set row 5; remove 0' 'there is no domino 0; this row has 5'
+    wrong 'set row 5; remove 4-2' "'4-2' names no dominoes; write the smaller number first"
+    wrong 'set row 5; remove all' "a row has at least one domino; 'set row off' removes the row"
+    wrong 'set row 5; remove 1-5' "a row has at least one domino; 'set row off' removes the row"
+    wrong 'set row 5; remove' 'K is missing; usage: remove K'
+    wrong 'set row 5; insert 9' "there is no place 9 in this row of 5 dominoes; 'insert 6' adds one at its end"
+    wrong 'set row 5; insert 3 30 cm' "after the number, enter only the height, as in 'insert 3 height 30 cm'; 'change' sets the rest"
+    wrong 'set row 5; insert 3 height 30' "a height of 30 without a unit would be 30 m"
+    wrong 'set row 5; insert 3 height -30 cm' 'domino 3: height'
+    wrong 'set row 5; insert 3 height 3 kg' 'the height is a length, not a mass'
+    wrong 'set walls 2 mm; set row 5; insert 3 height 2 cm' 'walls of 2 mm do not fit into domino 3'
+    same 'nothing changed' '0.048 0.072' "$(json 'set row 2; remove 3; remove 1-2; insert 9; insert 1 height 1 kg; row' 2>/dev/null | values height | paste -sd ' ')"
+}
