@@ -135,6 +135,8 @@ bool run_costs(const struct query *query, struct answer *a, struct problem *prob
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
+        if (!effect_exists(k))
+            continue;
         double without = price_with(query, k, false), with = price_with(query, k, true);
         if (dom_raised(query->scene->compute.interrupt))
             return query_status(query, problem, DOM_INTERRUPTED);
@@ -279,7 +281,8 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&answer_columns(a, a->columns)[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++)
-        if (k < EFFECT_ENGINE_END || query->scene->effect[k].on) /* there are many kinds of random errors */
+        /* there are many kinds of random errors, so only those that are on are listed */
+        if (effect_exists(k) && (k < EFFECT_ENGINE_END || query->scene->effect[k].on))
             answer_cells(a, cell_word(effect_at(k)->name), cell_word(effect_setting(query->scene, k)),
                          cell_word(method_of(k)), cell_word(effect_at(k)->adds),
                          cell_word(effect_at(k)->source));

@@ -4,6 +4,7 @@
 #include "answer/wrap.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -31,6 +32,14 @@ static const struct first_line {
     {"quit", "ends the session; ^C stops a computation"},
 };
 
+/* Returns true if this build has the command of a line, and the parameter that it sets. */
+static bool line_runs(const char *line)
+{
+    char command[16] = "", parameter[16] = "";
+    sscanf(line, "%15s %15s", command, parameter);
+    return command_find(command) && (strcmp(command, "set") != 0 || parameter_find(parameter));
+}
+
 static void screen_line(FILE *out, const char *text, int left, int width)
 {
     write_wrapped(out, text, left, width);
@@ -44,7 +53,8 @@ static void help_screen(FILE *out)
     const int width = help_width(out) < LINE ? help_width(out) : LINE;
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
-        screen_line(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line), width);
+        if (line_runs(first_lines[i].line))
+            screen_line(out, first_lines[i].does, fprintf(out, "> %-14s ", first_lines[i].line), width);
     const char *word = "";
     for (const struct command_group *g = command_groups(); g->title; g++)
         if (strcmp(g->word, word) != 0) {
@@ -403,6 +413,7 @@ static const struct column version_columns[] = {
      "the number of bits in the significand of this type, or 0 if there is no quad precision", 0},
     {"gsl", "", "the version of the GNU Scientific Library", 0},
     {"readline", "", "the version of GNU Readline", 0},
+    {"features", "", "what this build has besides the calculator of the paper, separated by blanks", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -410,7 +421,11 @@ static bool run_version(const struct query *query, struct answer *a, struct prob
 {
     const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
     struct utsname name = {.sysname = ""};
-    char system[sizeof name.sysname + sizeof name.machine];
+    char system[sizeof name.sysname + sizeof name.machine], names[256] = "";
+    const struct feature *f;
+    for (int k = 0; (f = feature_at(k)) != NULL; k++)
+        if (!strchr(f->name, '_') && strcmp(f->name, "shell") != 0 && strcmp(f->name, "train") != 0)
+            text_add(names, sizeof names, "%s%s", *names ? " " : "", f->name);
     (void)query;
     (void)problem;
     (void)uname(&name);
@@ -418,7 +433,7 @@ static bool run_version(const struct query *query, struct answer *a, struct prob
     answer_say(a, "domino %s\n", dom_version());
     return answer_cells(a, cell_word(dom_version()), cell_word(system), cell_word(COMPILER),
                         cell_word(quad->type), cell_count(quad->bits), cell_word(gsl_version),
-                        cell_word(rl_library_version));
+                        cell_word(rl_library_version), cell_word(names));
 }
 
 const struct command help_commands[] = {
@@ -454,16 +469,6 @@ const struct command help_commands[] = {
      .see = "help",
      .writes = WRITES_PAGES,
      .run = run_apropos},
-    {.name = "lesson",
-     .synonyms = "tutorial tour learn course introduction begin start",
-     .summary = "a tour in ten steps, from a tower of 112 m to a row of your own",
-     .help = "At a terminal the lesson shows a line and waits until you type that line, or press Enter. You "
-             "may type other commands in between; 'q' ends the lesson. The lesson runs in a session of its "
-             "own, so your parameters stay as they are. To write a lesson yourself, begin a file with "
-             "'lesson', as in examples/tutorial.dom.",
-     .see = "help",
-     .access.runs = true,
-     .act = run_lesson},
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},

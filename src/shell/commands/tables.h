@@ -20,8 +20,6 @@ bool run_show(const struct query *query, struct answer *a, struct problem *probl
 const char *show_names(const void *context, int k); /* a names_list: the parameters and "all" */
 bool run_diff(const struct query *query, struct answer *a, struct problem *problem);
 
-bool run_lesson(struct session *session, const struct arguments *given, struct answer *a,
-                struct problem *problem);
 bool run_print(const struct query *query, struct answer *a, struct problem *problem);
 /* Prints the variable that the arguments name, or all variables if they name none. */
 bool show_variables(const struct query *query, struct answer *a);

@@ -7,6 +7,21 @@
 #include <stdarg.h>
 #include <string.h>
 
+/* Writes the related commands and parameters that this build has. */
+static const char *see_known(const char *see, char known[TOPIC_SEE])
+{
+    *known = '\0';
+    for (const char *word = see; word && *word; word += strspn(word, " ")) {
+        char name[32] = "";
+        const size_t length = strcspn(word, " ");
+        snprintf(name, sizeof name, "%.*s", (int)length, word);
+        if (command_find(name) || parameter_find(name))
+            text_add(known, TOPIC_SEE, "%s%s", *known ? " " : "", name);
+        word += length;
+    }
+    return *known ? known : NULL;
+}
+
 static void topic_of_command(const struct command *c, struct topic *t)
 {
     *t = (struct topic){.command = c,
@@ -16,8 +31,8 @@ static void topic_of_command(const struct command *c, struct topic *t)
                         .equation = c->equation,
                         .text = c->help,
                         .example = c->example,
-                        .see = c->see,
                         .synonyms = c->synonyms};
+    t->see = see_known(c->see, t->seen);
     command_usage_write(c, t->usage);
     for (const struct column *k = c->columns; k && k->key; k++)
         text_add(t->keys, sizeof t->keys, "%s%s", *t->keys ? " " : "", k->key);

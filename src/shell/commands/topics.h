@@ -7,11 +7,13 @@
 
 /* A help topic. If a topic does not have one of these texts, the pointer to the text is NULL. For example,
  * `see` is NULL for a parameter. */
+enum { TOPIC_SEE = 128 };
 struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
     const char *name, *kind, *summary, *equation, *text, *example, *see, *synonyms;
     char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
+    char seen[TOPIC_SEE]; /* the text of `see` */
 };
 
 /* Fills in topic number k, or returns false if there is none. Commands come first, in the order of 'help',

@@ -18,9 +18,18 @@ static void group_add(struct command_group *all, size_t count, const struct comm
 static const struct feature *const none[] = {NULL};
 static const struct feature *const *features = none;
 
+static bool feature_has(const char *name)
+{
+    for (int k = 0; features[k]; k++)
+        if (strcmp(features[k]->name, name) == 0)
+            return true;
+    return false;
+}
+
 void features_register(const struct feature *const *list)
 {
     features = list;
+    parameters_of_features(feature_has);
     static struct command_group all[GROUPS_MOST + 1];
     size_t count = 0;
     for (const struct feature *const *f = features; *f; f++) {

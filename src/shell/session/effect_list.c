@@ -58,12 +58,6 @@ const struct domq_effect *effect_at(int k)
     return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : more[k - DOM_EFFECT_COUNT];
 }
 
-const char *effect_names(const void *context, int k)
-{
-    (void)context;
-    return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
-}
-
 const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
 {
     const struct domq_effect *e = effect_at(effect);

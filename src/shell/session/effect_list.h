@@ -25,9 +25,6 @@
 /* Returns the description of effect number k, counted from 0. */
 const struct domq_effect *effect_at(int k);
 
-/* A names_list (see names.h) of all effects. */
-const char *effect_names(const void *context, int k);
-
 /* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
  * block. */
 enum { EFFECT_USAGE = 64 };

@@ -134,14 +134,19 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define TRAIN_NUMBER(...) NUMBER(scene.train, __VA_ARGS__)
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
-#define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name)
-#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
-#define ERROR_EFFECT(name) EFFECT_ENTRY(error_##name, error_effect_##name, EFFECT_error_##name)
-#define EFFECT_ENTRY(name_, of, number) \
-    {.name = #name_, .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
+#define DYNAMICS(name, member, status) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name,)
+/* The features without which an effect does not exist. */
+#define FEATURE_row .feature = "rows",
+#define FEATURE_placement .feature = "chance",
+#define FEATURE_push
+#define FEATURE_floor
+#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name, FEATURE_##name)
+#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name, .feature = "engine",)
+#define ERROR_EFFECT(name) EFFECT_ENTRY(error_##name, error_effect_##name, EFFECT_error_##name, .feature = "chance",)
+#define EFFECT_ENTRY(name_, of, number, ...) \
+    {.name = #name_, __VA_ARGS__ .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
-const struct parameter session_parameters[] = {
+static const struct parameter every_parameter[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
@@ -159,12 +164,12 @@ const struct parameter session_parameters[] = {
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
     {ENTRY("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
-     .synonyms = "engine chipmunk simulation second opinion compare check",
+     .feature = "engine", .synonyms = "engine chipmunk simulation second opinion compare check",
      .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
      .help = method_help},
     {ENTRY("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
-     .synonyms = "random chance"},
+     .feature = "chance", .synonyms = "random chance"},
     {ENTRY("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
@@ -196,3 +201,30 @@ const struct parameter session_parameters[] = {
     {.name = NULL},
 };
 /* clang-format on */
+
+const struct parameter *session_parameters = every_parameter;
+
+void parameters_of_features(bool (*has)(const char *feature))
+{
+    static struct parameter left[sizeof every_parameter / sizeof *every_parameter];
+    struct parameter *to = left;
+    bool is_all = true;
+    for (const struct parameter *p = every_parameter; p->name; p++)
+        if (!p->feature || has(p->feature))
+            *to++ = *p;
+        else
+            is_all = false;
+    to->name = NULL;
+    session_parameters = is_all ? every_parameter : left;
+}
+
+const char *parameter_missing(const char *name)
+{
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (strcmp(p->name, name) == 0)
+            return NULL;
+    for (const struct parameter *p = every_parameter; p->name; p++)
+        if (strcmp(p->name, name) == 0)
+            return p->feature;
+    return NULL;
+}

@@ -15,6 +15,7 @@ struct word {
 
 struct parameter {
     const char *name;
+    const char *feature; /* the feature without which the parameter does not exist; NULL for none */
     /* the description of the value; for an effect, an array with a description of each value */
     const struct domq_effect_argument *value;
     const char *help;     /* the text that 'help' shows; may be NULL */
@@ -41,7 +42,13 @@ struct parameter {
     void (*before)(struct state *state, domq_real value);
 };
 
-/* All parameters in the order of 'show', followed by the effects. The last name is NULL. */
-extern const struct parameter session_parameters[];
+/* The parameters of this build in the order of 'show', followed by the effects. The last name is NULL. */
+extern const struct parameter *session_parameters;
+
+/* Leaves out the parameters of features for which `has` returns false. */
+void parameters_of_features(bool (*has)(const char *feature));
+
+/* Returns the feature to which a parameter belongs that this build lacks, or NULL. */
+const char *parameter_missing(const char *name);
 
 #endif

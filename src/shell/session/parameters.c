@@ -12,6 +12,20 @@ const char *parameter_names(const void *context, int k)
     return session_parameters[k].name;
 }
 
+const char *effect_names(const void *context, int k)
+{
+    (void)context;
+    const struct parameter *p = session_parameters;
+    while (p->name && !(p->effect && k-- == 0))
+        p++;
+    return p->name;
+}
+
+bool effect_exists(int effect)
+{
+    return parameter_find(effect_at(effect)->name) != NULL;
+}
+
 const char *parameter_words(const void *parameter, int k)
 {
     const struct word *words = ((const struct parameter *)parameter)->words;
@@ -75,6 +89,12 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
                      : names_find(list, NULL, what, word, message);
     if (is_short && k >= 0)
         k = names_exact(list, NULL, without_effects_names(&without, k));
+    const char *feature = k < 0 ? parameter_missing(word) : NULL;
+    if (feature) {
+        snprintf(message, NAMES_MESSAGE, "'%s' belongs to '%s', which this build of the program leaves out",
+                 word, feature);
+        return NAMES_UNKNOWN;
+    }
     const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
     if (!p || names_exact(list, NULL, p->name) < 0)
         return k;

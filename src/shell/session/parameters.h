@@ -11,6 +11,10 @@
 
 /* A names_list (see names.h) of all parameters. */
 const char *parameter_names(const void *context, int k);
+const char *effect_names(const void *context, int k);
+
+/* Returns true if this build has effect number `effect`, as in effect_at. */
+bool effect_exists(int effect);
 
 /* Lists the words that a parameter accepts as values (see names_list in names.h). parameter_offered omits
  * synonyms. */

@@ -2,7 +2,7 @@
 /* The command 'lesson', which runs a script and shows its lines. At a terminal, it waits until the reader has
  * typed each command. If the command 'lesson' stands in a file, the script is the rest of that file.
  * Otherwise the script is the tutorial: the build copies examples/tutorial.dom into tutorial.h. */
-#include "commands/tables.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -72,8 +72,8 @@ static void lesson_line(struct session *reader, const char *line, bool waits)
         command_run_text(reader, line);
 }
 
-bool run_lesson(struct session *session, const struct arguments *given, struct answer *a,
-                struct problem *problem)
+static bool run_lesson(struct session *session, const struct arguments *given, struct answer *a,
+                       struct problem *problem)
 {
     (void)given;
     /* A separate session with default parameters, so that the parameters of `session` do not change. */
@@ -107,3 +107,24 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
         fclose(in);
     return true;
 }
+
+static const struct command lesson_commands[] = {
+    {.name = "lesson",
+     .synonyms = "tutorial tour learn course introduction begin start",
+     .summary = "a tour in ten steps, from a tower of 112 m to a row of your own",
+     .help = "At a terminal the lesson shows a line and waits until you type that line, or press Enter. You "
+             "may type other commands in between; 'q' ends the lesson. The lesson runs in a session of its "
+             "own, so your parameters stay as they are. To write a lesson yourself, begin a file with "
+             "'lesson', as in examples/tutorial.dom.",
+     .see = "help",
+     .access.runs = true,
+     .act = run_lesson},
+    {.name = NULL},
+};
+
+static const struct command_group groups[] = {
+    {"A lesson", "scripts", lesson_commands},
+    {NULL, NULL, NULL},
+};
+
+const struct feature lesson_feature = {.name = "lesson", .groups = groups};
