@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
+#include "dynamics/flow.h"
 #include "dynamics/losses.h"
 #include "geometry/far.h"
 

@@ -4,6 +4,7 @@
  * wanted, and most heads pass their barrier by far, so the search for the barrier can be left out. Without
  * this shortcut, studies of placement take three to five times as long.
  */
+#include "dynamics/losses.h"
 #include "row/study.h"
 
 /* ---- Without friction: bounds from one pass down the chain ---- */
