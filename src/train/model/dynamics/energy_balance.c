@@ -13,7 +13,7 @@ KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *a
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel)
 {
     struct sums at_c;
-    enum dom_status status = chain_change(geometry, standing, geometry->c, PASS_SHIFT, &at_c);
+    enum dom_status status = chain_fuel(geometry, &at_c);
     if (status == DOM_OK)
         *fuel = fuel_of(geometry, &at_c);
     return status;
@@ -64,11 +64,7 @@ static enum dom_status energy_inertia_ratio(const struct geometry *next, const s
 static enum dom_status energy_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                     real *slope)
 {
-    struct sums sums = {0};
-    (void)rough;
-    enum dom_status status = geometry->law->sum(geometry, head, &sums);
-    *slope = sums.H1;
-    return status;
+    return chain_slope(geometry, head, rough, slope);
 }
 
 static enum dom_status energy_required(const struct geometry *geometry, struct tilt from, real p,
@@ -104,21 +100,20 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);
     if (status == DOM_OK)
-        status = geometry->law->change(geometry, rest, head, tan(-by / 2), PASS_PLAIN, &at);
+        status = chain_change_by(geometry, rest, head, tan(-by / 2), PASS_PLAIN, &at);
     if (status == DOM_OK)
         *slowness = at.dH < 0 ? at.J / -at.dH : REAL_NAN;
     return status;
 }
 
-KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                           real *acceleration, size_t *n)
+KERNEL enum dom_status equation_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                             real *acceleration, size_t *n)
 {
-    struct sums at = {0};
-    real half_J1 = 0;
-    enum dom_status status = geometry->law->rates(geometry, head, n != NULL, &at, &half_J1);
+    struct equation_of_motion at = {.n = 0};
+    enum dom_status status = chain_equation(geometry, head, &at);
     if (n)
         *n = at.n;
-    *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
+    *acceleration = (at.C - at.B * w) / at.A;
     return status;
 }
 
@@ -137,6 +132,6 @@ static const struct dynamics energy_balance = {
     .required_energy = energy_required,
     .speed = energy_speed,
     .before_rest = energy_before_rest,
-    .acceleration = energy_acceleration,
+    .acceleration = equation_acceleration,
     .gain = energy_gain,
 };

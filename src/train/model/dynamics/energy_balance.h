@@ -28,7 +28,7 @@ struct fuel {
 /* Returns true if the paper's closed form of the fuel is valid: on a level floor, with sharp edges. */
 KERNEL bool energy_paper_holds(const struct geometry *geometry)
 {
-    return geometry->g.along == 0 && geometry->law->closed_form;
+    return geometry->g.along == 0 && !geometry->law->rolls;
 }
 
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
@@ -39,10 +39,10 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 /* Returns the launch (24; c6) of a train with the fuel and the inertia ratio in *f. */
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f);
 
-/* Finds the acceleration as half of dw/dtheta, from the derivative of (21; c3). The arguments are
- * those of `acceleration` in struct dynamics. */
-KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                           real *acceleration, size_t *n);
+/* Finds the acceleration as half of dw/dtheta, from the equation of motion, with or without friction. The
+ * arguments are those of `acceleration` in struct dynamics. */
+KERNEL enum dom_status equation_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                             real *acceleration, size_t *n);
 
 static const struct dynamics energy_balance;
 

@@ -28,7 +28,7 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     struct equation_of_motion equation = {.n = 0};
     f->status = geometry_tilt(f->geometry, theta, &head);
     if (f->status == DOM_OK)
-        f->status = f->geometry->law->equation(f->geometry, head, &equation);
+        f->status = chain_equation(f->geometry, head, &equation);
     f->dominoes += f->status == DOM_OK ? equation.n : 0;
     if (f->dominoes > FLOW_DOMINOES)
         f->status = DOM_TOO_LONG;
@@ -109,7 +109,7 @@ static enum dom_status flow_collision(const struct geometry *geometry, struct fl
     enum dom_status status =
         geometry->dynamics->inertia_ratio(geometry, &hitting, geometry->c, REAL_NAN, &flow->inertia_ratio);
     if (status == DOM_OK)
-        status = geometry->law->sum(&hitting, geometry->c, &sums);
+        status = chain_sum(&hitting, geometry->c, &sums);
     if (status != DOM_OK)
         return status;
     flow->J0 = geometry->upright_inertia + geometry->inertia * sums.J;
@@ -199,7 +199,7 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
 {
     struct equation_of_motion equation;
     real ln_G, u;
-    enum dom_status status = geometry->law->equation(geometry, head, &equation);
+    enum dom_status status = chain_equation(geometry, head, &equation);
     flow_at(geometry, theta, &ln_G, &u);
     *slope = -2 * equation.C / (equation.A * exp(ln_G));
     return status;
@@ -340,7 +340,7 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};
-    enum dom_status status = geometry->law->equation(geometry, head, &equation);
+    enum dom_status status = chain_equation(geometry, head, &equation);
     *braked = equation.C < 0;
     return status;
 }

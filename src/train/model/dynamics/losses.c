@@ -16,7 +16,7 @@ static enum dom_status losses_inertia_ratio(const struct geometry *next, const s
     *inertia_ratio = 0;
     if (next->mu != 0 && !(arms.a > 0))
         return DOM_LOCKS;
-    enum dom_status status = hitting->law->equation(hitting, at, &at_hit);
+    enum dom_status status = chain_equation(hitting, at, &at_hit);
     if (status == DOM_OK)
         *inertia_ratio = next->inertia * rest.contact_slope * at_hit.A * arms.ratio / next->upright_inertia;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
@@ -34,21 +34,8 @@ static enum dom_status losses_slope(const struct geometry *geometry, struct tilt
         *slope = flow_solved_slope(geometry, tilt_angle(head));
         return DOM_OK;
     }
-    enum dom_status status = geometry->law->equation(geometry, head, &equation);
+    enum dom_status status = chain_equation(geometry, head, &equation);
     *slope = -2 * equation.C;
-    return status;
-}
-
-static enum dom_status losses_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                           real *acceleration, size_t *n)
-{
-    struct equation_of_motion equation;
-    /* The energy pass counts the dominoes that the forces depend on. */
-    enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
-    if (status == DOM_OK)
-        status = geometry->law->equation(geometry, head, &equation);
-    if (status == DOM_OK)
-        *acceleration = (equation.C - equation.B * w) / equation.A;
     return status;
 }
 
@@ -68,9 +55,6 @@ KERNEL enum dom_status losses_tipped(const struct geometry *geometry, real *omeg
 static enum dom_status losses_begin(struct geometry *geometry)
 {
     geometry->flow = calloc(1, sizeof *geometry->flow);
-    const bool endless = geometry->n == CHAIN_ENDLESS && !geometry->follower;
-    if (geometry->law->closed_form && !geometry->detaches && endless)
-        far_friction_make(geometry);
     return geometry->flow ? DOM_OK : DOM_NO_MEMORY;
 }
 
@@ -94,6 +78,6 @@ static const struct dynamics losses = {
     .required_energy_error = flow_required_error,
     .speed = flow_speed,
     .before_rest = flow_before_rest,
-    .acceleration = losses_acceleration,
+    .acceleration = equation_acceleration,
     .gain = flow_gain,
 };

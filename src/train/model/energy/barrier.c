@@ -95,23 +95,17 @@ static void top_step(struct top *top, struct sums at)
 
 #define TOP_STEPS 200
 
-/* Searches for a local maximum of H by Newton's method, starting at top->p. Unless `at` is NULL, it holds the
- * sums at top->p. */
-static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
-                                     real tol)
+/* Searches for a local maximum of H by Newton's method, starting at top->p. */
+static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
 {
     real before = 1;
     tol = fmax(tol, 4 * REAL_EPSILON);
     for (int i = 0; i < TOP_STEPS; i++) {
         struct sums here;
-        enum dom_status status = DOM_OK;
-        if (at)
-            here = *at;
-        else
-            status = chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here);
+        enum dom_status status =
+            chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here);
         if (status != DOM_OK)
             return status;
-        at = NULL;
         top_step(top, here);
         bool closed = top->rises && top->falls;
         if (top->moved <= tol ||
@@ -144,7 +138,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
         found = !(last->p <= c->known && c->known <= p);
         top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
         if (found)
-            c->status = barrier_climb(c, NULL, &top, tol);
+            c->status = barrier_climb(c, &top, tol);
     }
     if (found && c->status == DOM_OK)
         c->status = barrier_try(c, top.p, b);
@@ -227,7 +221,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
-    enum dom_status status = barrier_climb(c, NULL, &top, tol);
+    enum dom_status status = barrier_climb(c, &top, tol);
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
@@ -308,23 +302,12 @@ static real half_of_highest(const struct geometry *geometry)
     return falls_above_u(geometry) ? geometry_half_u(geometry) : half_of_tilt(geometry->c);
 }
 
-static real half_near(const struct geometry *geometry, const struct barrier *b)
-{
-    real last = half_of_highest(geometry);
-    return b->half > 0 ? fmin(b->half, last) : last / 2;
-}
-
-KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b)
-{
-    return tilt_half(half_near(geometry, b));
-}
-
-KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
-                           struct barrier *b)
+KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct barrier *b)
 {
     struct slope_context c = {.geometry = geometry, .from = standing, .known = -1};
-    struct top top = {.hi = half_of_highest(geometry), .p = half_near(geometry, b)};
-    if (barrier_climb(&c, at, &top, tol) != DOM_OK)
+    const real last = half_of_highest(geometry);
+    struct top top = {.hi = last, .p = b->half > 0 ? fmin(b->half, last) : last / 2};
+    if (barrier_climb(&c, &top, tol) != DOM_OK)
         return false;
     b->half = top.p;
     b->height = top.height;

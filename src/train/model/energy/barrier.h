@@ -30,17 +30,10 @@ struct barrier {
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
                                       struct barrier *barrier);
 
-/*
- * barrier_follow finds one top by Newton's method and stores it in *b. The search does not look for other
+/* Finds one top by Newton's method, starting at the top in *b, and stores it in *b. Does not look for other
  * tops, so a higher top may exist (see barrier_tops). `tol` is the relative tolerance of the tilt. Returns
- * false if it finds no top.
- *
- * The search starts at the tilt that barrier_near returns, close to the top in *b. The sums at this tilt,
- * with PASS_SECOND_DERIVATIVE, can be passed in `at`. If `at` is NULL, they are computed.
- */
-KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
-KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, real tol,
-                           struct barrier *b);
+ * false if it finds no top. */
+KERNEL bool barrier_follow(const struct geometry *geometry, real tol, struct barrier *b);
 
 /* Searches [0, theta_c] for tops of H that are higher than *b and stores the highest in *b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);

@@ -4,7 +4,7 @@
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums)
 {
-    return geometry->law->change(geometry, from, head, tan_half_between(from, head), pass, sums);
+    return chain_change_by(geometry, from, head, tan_half_between(from, head), pass, sums);
 }
 
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums)
@@ -102,7 +102,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
-        status = geometry.law->sum(&geometry, head, &sums);
+        status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
     struct walk walk = geometry.law->begin(&geometry, head);

@@ -11,7 +11,7 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Does the same as `change` of struct contact_law, but computes t from the two tilts of the head. */
+/* Does the same as chain_change_by, but computes t from the two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums);
 

@@ -48,32 +48,27 @@ struct far_point {
     real value, first, second;
 };
 
-KERNEL struct far_point far_point(const real *series, int order, real z)
+/* Returns H of a domino and all dominoes behind it, up to a constant, and its derivatives. z is far_variable
+ * of the domino. */
+KERNEL struct far_point far_H(const struct far *far, real z)
 {
     real value = 0, first = 0, second = 0; /* `second` is half of the second derivative */
-    for (int k = order; k >= 0; k--) {
+    for (int k = far->order; k >= 0; k--) {
         second = second * z + first;
         first = first * z + value;
-        value = value * z + series[k];
+        value = value * z + far->H[k];
     }
     real by = -(1 + z * z) / 2; /* dz / dtheta */
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* These two functions return H or J of a domino and all dominoes behind it. z is far_variable of the domino.
- * H is known only up to a constant. far_J does not find the second derivative. */
-KERNEL struct far_point far_H(const struct far *far, real z)
+/* Returns J of a domino and all dominoes behind it. */
+KERNEL real far_J(const struct far *far, real z)
 {
-    return far_point(far->H, far->order, z);
-}
-
-KERNEL struct far_point far_J(const struct far *far, real z)
-{
-    struct far_point at = far_point(far->J, far->order, z);
-    /* far->J is the series of J / `one`^2. The derivative of `one` with respect to theta is -z * `one`. */
-    real one = 1 + z * z;
-    return (struct far_point){.value = one * one * at.value,
-                              .first = one * one * (at.first - 2 * z * at.value)};
+    real value = 0, one = 1 + z * z;
+    for (int k = far->order; k >= 0; k--)
+        value = value * z + far->J[k];
+    return one * one * value;
 }
 
 /* Returns H(theta_a) - H(theta_b) for a domino and all dominoes behind it. The arguments z_a and z_b are the
@@ -90,9 +85,9 @@ KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 }
 
 /* Returns true if a and b are so close to theta_inf that the far series can replace them and all dominoes
- * behind them. */
+ * behind them. If `slopes` is false, H1 is not needed. */
 KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_state *state,
-                              const struct link *a, const struct link *b, real t)
+                              const struct link *a, const struct link *b, real t, const bool slopes)
 {
     const struct far *far = &geometry->far;
     real share = far_share(far, far_variable(geometry, b->tilt)), H = a->weight * t;
@@ -105,7 +100,7 @@ KERNEL_LOOP bool far_suffices(const struct geometry *geometry, const struct sum_
         return false;
     share = far_share(far, far_variable(geometry, a->tilt));
     real H1 = a->weight * a->slope / 2, J = a->inertia * a->slope * a->slope;
-    return far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol) &&
+    return (!slopes || far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol)) &&
            far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
@@ -122,7 +117,7 @@ KERNEL struct far_point far_add(const struct geometry *geometry, struct sum_stat
     struct far_point H = far_H(far, z_a);
     series_add(&state->dH, a->weight * far_difference(far, z_a, z_b, t));
     series_add(&state->H1, a->weight * a->slope * H.first);
-    series_add(&state->J, a->inertia * a->slope * a->slope * far_J(far, z_a).value);
+    series_add(&state->J, a->inertia * a->slope * a->slope * far_J(far, z_a));
     return H;
 }
 

@@ -35,23 +35,6 @@ struct far {
 };
 
 /*
- * What the far tail of a train contributes to A, B and C of struct equation_of_motion. Let domino i be the
- * first domino of the tail. Let its tilt be theta_inf - e, and let m be r^(-(q+1) i) S_i. Then the
- * contributions are
- *
- *     m theta_i' A(e),   m [theta_i'^2 B(e) + theta_i'' A(e)],   r^(-q i) S_i C(e).
- *
- * Each array describes one of the functions A, B and C near theta_inf. It holds the value of the function at
- * theta_inf, and the first two derivatives there:
- *
- *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
- */
-struct far_friction {
-    real A[3], B[3], C[3];
-    bool known; /* true if A, B and C can be used: the sums over the tail converge */
-};
-
-/*
  * The shape of a domino with rounded edges (rounded.h). Lengths are divided by its height. The moment of
  * inertia is taken about the line where the foot touches the floor. It is i times the moment of inertia that
  * the domino would have about its edge if its edges were sharp, where
@@ -124,8 +107,7 @@ struct geometry {
     struct tilt leave;
     bool detaches;  /* (41; A17) */
     struct far far; /* only after far_make */
-    struct far_friction far_friction;
-    size_t n; /* number of dominoes from this one to the end of the chain */
+    size_t n;       /* number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, whose dominoes share one geometry. */
     const struct geometry *follower;
     real upright_inertia; /* i(0) of struct rounded; 1 with sharp edges */

@@ -15,46 +15,34 @@ struct turn {
     struct tilt tilt;
 };
 
-/* The current domino of a walk down a chain. With sharp edges only `link` is set. */
+/* The current domino of a walk down a chain. */
 struct walk {
     struct link link;
-    struct turn turn;
-    real b;                 /* lever arm of the contact force on the follower */
+    real second_derivative; /* theta_i'' */
     real curve;             /* d2 theta_1 / d theta2 */
-    real theta;             /* the tilt of the domino as an angle */
-    real second_derivative; /* theta_i'' */
+    /* Only with rounded edges: */
+    struct turn turn;
+    real b;     /* lever arm of the contact force on the follower */
+    real theta; /* the tilt of the domino as an angle */
 };
 
-/* The lever arms of a contact (table 1) with friction, multiplied by r of the leader. */
+/* The lever arms of a contact (table 1), multiplied by r of the leader. */
 struct arms {
-    real a, b;  /* arms of the force on the leader and on the follower */
-    real ratio; /* a / b: the part of a torque that the follower passes on to its leader */
+    real a, b;    /* arms of the force on the leader and on the follower */
+    real b_plain; /* b without friction */
+    real ratio;   /* a / b: the part of a torque that the follower passes on to its leader */
 };
 
-/* One domino of a moving chain, for forces.c. */
-struct moving {
-    struct link link;
-    real second_derivative; /* theta_i'' */
-    real size;              /* height / height of the head */
-    struct arms arms;       /* arms of the contact with the follower, if there is one */
-    real force, impulse;    /* force and impulse of this contact, set by forces.c */
-};
-
-/* The kinds of passes down the chain. Each pass computes J, H1 and dH. */
+/* The kinds of passes that compare two tilts of the head. Each pass computes J, H1 and dH. */
 enum pass {
-    PASS_PLAIN = 0,
-    /* For a head that falls from upright to theta_c. At the start, each follower has the tilt that its leader
-     * will have at the end. So the chain at the start is the chain at the end, shifted by one domino, and
-     * only one of the two must be computed. */
-    PASS_SHIFT = 2,
-    PASS_SECOND_DERIVATIVE = 4, /* also H2 */
-    PASS_PUSHES = 8,            /* also tries to prove that all contacts push */
+    PASS_PLAIN,
+    PASS_SECOND_DERIVATIVE, /* also H2 */
+    PASS_PUSHES,            /* also tries to prove that all contacts push */
 };
 
 struct contact_law {
-    /* True if a formula gives the follower's tilt directly, so that no iteration is needed. Shortcuts
-     * for random rows exist only for such a law. */
-    bool closed_form;
+    /* True if edges are rounded, so that dominoes roll. If false, a formula gives the follower's tilt. */
+    bool rolls;
     /* The maximum number of dominoes that a search may visit. In double, this takes about a second. */
     size_t work_most;
 
@@ -90,40 +78,9 @@ struct contact_law {
 
     struct walk (*begin)(const struct geometry *geometry, struct tilt head);
     void (*next)(struct walk *walk);
-    /* Finds the contact with a follower that counts as detached only because of rounding. */
+    /* Finds the contact with the follower, even if the follower counts as detached. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Part of a proof that no contact of a chain opens while the head moves. Tests one contact while its
-     * leader moves from b to a. If every contact of the chain passes its test, all of them stay closed during
-     * the motion. If only some contacts pass, nothing is proved about any of them. */
-    bool (*pushes)(const struct walk *a, const struct walk *b);
-    /* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
-    size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);
-
-    /* ---- Passes down a chain ---- */
-
-    /* Finds J and H1. */
-    enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
-    /*
-     * Finds J, H1 and H(head) - H(from), and also what `pass` selects (see enum pass; the constants cannot be
-     * combined).
-     * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
-     *   computing t here from two close tilts would be inaccurate.
-     * - If the tilt `from` is not upright, no domino may detach between the two tilts.
-     * - PASS_SHIFT may be used for an endless train that falls from upright to theta_c. It halves the work.
-     */
-    enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
-                              enum pass pass, struct sums *sums);
-    /* Finds the sums at `head` (including H2) and the sums at theta_c, both in one pass. This is faster than
-     * two calls of `change`. The train must be endless, and no domino may detach. */
-    enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                            struct sums *at_c);
-    /* Finds J, H1 and half of dJ/dtheta. With sharp edges, the far series usually replaces the dominoes of
-     * the far tail. If `every` is true, or if the edges are rounded, the pass visits these dominoes, too. */
-    enum dom_status (*rates)(const struct geometry *geometry, struct tilt head, bool every, struct sums *sums,
-                             real *half_J1);
-    enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
-                                struct equation_of_motion *equation);
 };
 
 static const struct contact_law sharp_edges, rounded_edges;
@@ -144,21 +101,39 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
  * gravity, geometry->d and geometry->inertia_factor must be set. If rho > d/2, returns DOM_NO_ROUND. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
-/* Members of `sharp_edges` that are not defined in sharp.c. */
-KERNEL enum dom_status sharp_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
-KERNEL enum dom_status sharp_rates(const struct geometry *geometry, struct tilt head, bool every,
-                                   struct sums *sums, real *half_J1);
-KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real t, enum pass pass, struct sums *sums);
-KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                  struct sums *at_c);
-KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,
+/* The function `arms` of sharp edges. */
+KERNEL struct arms sharp_arms(const struct link *link);
+
+/* ---- Passes down a chain ---- */
+
+/* Finds J and H1. */
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
+
+/* Finds H1. If `sign` is true, only its sign is reliable, and the pass ends early. */
+KERNEL enum dom_status chain_slope(const struct geometry *geometry, struct tilt head, bool sign, real *H1);
+
+/*
+ * Finds J, H1 and H(head) - H(from), and also what `pass` selects (see enum pass; the constants cannot be
+ * combined).
+ * - t is the tangent of half the angle between the tilts `from` and `head`. The caller passes t, because
+ *   computing t here from two close tilts would be inaccurate.
+ * - If the tilt `from` is not upright, no domino may detach between the two tilts.
+ */
+KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                       real t, enum pass pass, struct sums *sums);
+
+/* Finds J at theta_c, and H(theta_c) - H(0), for a train. */
+KERNEL enum dom_status chain_fuel(const struct geometry *geometry, struct sums *sums);
+
+/* Finds the equation of motion. Without friction, A is J, B is half of dJ/dtheta, and C is -H1/2. */
+KERNEL enum dom_status chain_equation(const struct geometry *geometry, struct tilt head,
                                       struct equation_of_motion *equation);
 
-/* Finds geometry->far_friction for an endless train with sharp edges in which no domino detaches. */
-KERNEL void far_friction_make(struct geometry *geometry);
-
-/* The test `pushes` for sharp edges, explained in pushes.c. */
-KERNEL bool contact_pushes(const struct link *a, const struct link *b);
+/*
+ * Part of a proof that no contact of a chain opens while the head moves. Tests one contact while its leader
+ * moves from b to a. If every contact of the chain passes its test, all of them stay closed during the
+ * motion. If only some contacts pass, nothing is proved about any of them.
+ */
+KERNEL bool contact_pushes(const struct walk *a, const struct walk *b);
 
 #endif

@@ -53,16 +53,21 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns the follower's theta'', from the derivative of equation (14; b10). The formula avoids the
- * follower's cosine Y y - X x, since this subtraction loses digits near pi/2. */
-KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
+/* Returns d2 theta_1 / d theta2, the derivative of equation (14; b10). The formula avoids the follower's
+ * cosine Y y - X x, since this subtraction loses digits near pi/2. */
+KERNEL_LOOP real link_curve(const struct link *leader)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
     if (leader->tilt.x == 0 && Y == 0)
         return 0;
-    real turned = (Y * leader->tilt.y - (1 - leader->contact_slope) * leader->tilt.x * X) / (Y * Y);
-    return leader->contact_slope * second_derivative -
-           leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
+    return -leader->geometry->rL * (Y * leader->tilt.y - (1 - leader->contact_slope) * leader->tilt.x * X) /
+           (Y * Y);
+}
+
+/* Returns the follower's theta'' (35; A11), from `curve` of the contact and theta'' of the leader. */
+KERNEL_LOOP real link_second_derivative(const struct link *leader, real curve, real second_derivative)
+{
+    return leader->contact_slope * second_derivative + curve * leader->slope * leader->slope;
 }
 
 /*
@@ -76,23 +81,6 @@ KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
-}
-
-/* These two functions return the lever arms a and b of a contact with friction (table 1), multiplied by r. */
-KERNEL real contact_arm_a(const struct link *k)
-{
-    return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;
-}
-
-KERNEL real contact_arm_b(const struct link *k)
-{
-    return k->contact.Y + k->geometry->mu * k->contact.X;
-}
-
-/* Returns a / b. Without friction, this is the slope of the contact (14; b10). */
-KERNEL real torque_ratio(const struct link *k)
-{
-    return contact_arm_a(k) / contact_arm_b(k);
 }
 
 #endif

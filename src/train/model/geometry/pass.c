@@ -21,7 +21,7 @@ KERNEL_LOOP struct walk walk_begin(const struct geometry *geometry, struct tilt 
     return rolls ? rounded_begin(geometry, head) : (struct walk){.link = link_head(geometry, head)};
 }
 
-/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true. */
+/* Moves on to the follower. With sharp edges, theta_i'' is found only if `bends` is true, after walk_bend. */
 KERNEL_LOOP void walk_next(struct walk *k, const bool rolls, const bool bends)
 {
     if (rolls) {
@@ -29,8 +29,15 @@ KERNEL_LOOP void walk_next(struct walk *k, const bool rolls, const bool bends)
         return;
     }
     if (bends)
-        k->second_derivative = link_second_derivative(&k->link, k->second_derivative);
+        k->second_derivative = link_second_derivative(&k->link, k->curve, k->second_derivative);
     link_next(&k->link);
+}
+
+/* Finds theta_1'' of the contact with the follower. With rounded edges, rounded_next has found it. */
+KERNEL_LOOP void walk_bend(struct walk *k, const bool rolls)
+{
+    if (!rolls)
+        k->curve = link_curve(&k->link);
 }
 
 KERNEL_LOOP real inertia_of(const struct link *k, const bool rolls)
@@ -70,11 +77,21 @@ KERNEL_LOOP bool done_J(const struct sum_state *a, const struct link *k)
                        geometry->tol);
 }
 
-KERNEL_LOOP bool done_H1(const struct sum_state *a, const struct link *k, const bool rolls)
+KERNEL_LOOP bool done_H1(const struct sum_state *a, const struct link *k, real tol, const bool rolls)
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->H1, k->weight * k->slope * steepest_of(geometry, rolls),
-                       fmax(geometry->weight * k->contact_slope, geometry->decay), geometry->tol);
+                       fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
+}
+
+/* Returns true when the tail of dH can be left out. `by` is the angle by which this domino turns, and
+ * `shrink` is the angle of its follower divided by `by`. */
+KERNEL_LOOP bool done_dH(const struct sum_state *a, const struct link *k, real by, real shrink,
+                         const bool rolls)
+{
+    const struct geometry *geometry = k->geometry;
+    return series_done(&a->dH, k->weight * by * steepest_of(geometry, rolls),
+                       fmax(geometry->weight * shrink, geometry->decay), geometry->tol);
 }
 
 /* Counts the pass, and returns its sums. */
@@ -87,93 +104,150 @@ KERNEL_LOOP enum dom_status pass_result(const struct geometry *geometry, const s
     return sum_result(geometry, &sum, H2, n, sums);
 }
 
-/* ---- J, H1 and dJ/dtheta at one tilt ---- */
+/* ---- Sums at one tilt ---- */
 
-/* Uses the far series to add this domino and all dominoes behind it to J, H1 and J'/2. If no series applies,
- * or if the tilt is too far from theta_inf for the series, adds nothing and returns false. */
-static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
+/* Finds J and H1. If `sign` is true, ends as soon as the sign of H1 is certain, and J is not complete. */
+KERNEL_LOOP enum dom_status sum_by(const struct geometry *geometry, struct tilt head, bool sign,
+                                   const bool rolls, struct sums *sums)
 {
-    const struct geometry *geometry = k->geometry;
-    const struct far *far = &geometry->far;
-    if (geometry->n != CHAIN_ENDLESS || far->order == 0 || geometry->follower)
-        return false;
-    real z = far_variable(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
-         J = k->inertia * k->slope * k->slope;
-    if (!far_done(&a->H1, -H1 / 2 * far->H[1], H1 / 2 * far->rest_H * share, geometry->tol) ||
-        !far_done(&a->J, J * far->J[0], J * far->rest_J * share, geometry->tol))
-        return false;
-    struct far_point J_far = far_J(far, z);
-    series_add(&a->H1, H1 * far_H(far, z).first);
-    series_add(&a->J, J * J_far.value);
-    *half_J1 +=
-        k->inertia * k->slope * (second_derivative * J_far.value + k->slope * k->slope * J_far.first / 2);
-    return true;
-}
-
-/* Finds J and H1. With `bends`, also finds half of dJ/dtheta. */
-KERNEL_LOOP enum dom_status chain_sums(const struct geometry *geometry, struct tilt head, const bool rolls,
-                                       const bool bends, bool every, struct sums *sums, real *half_J1)
-{
+    /* a tail of at most 7/8 of the sum cannot change its sign */
+    const real tol_H1 = sign ? (real)0.875 / TAIL_SHARE : geometry->tol;
     struct sum_state a = {0};
     struct walk k = walk_begin(geometry, head, rolls);
     const struct link *link = &k.link;
-    *half_J1 = 0;
-    for (;; walk_next(&k, rolls, bends)) {
+    for (;; walk_next(&k, rolls, false)) {
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (bends && !rolls && !every && rates_close(link, k.second_derivative, &a, half_J1))
-            break;
         add_J(&a, link, rolls);
         add_H1(&a, link, rolls);
-        if (bends && rolls)
-            *half_J1 += link->inertia * link->slope *
-                        (k.second_derivative * inertia_of(link, rolls) +
-                         link->slope * link->slope * geometry_inertia_slope(link->geometry, link->tilt) / 2);
-        else if (bends)
-            *half_J1 += link->inertia * link->slope * k.second_derivative;
-        if (link->i + 1 >= geometry->n || !link->leads || (done_J(&a, link) && done_H1(&a, link, rolls)))
+        if (link->i + 1 >= geometry->n || !link->leads ||
+            (done_H1(&a, link, tol_H1, rolls) && (sign || done_J(&a, link))))
             break;
     }
     return pass_result(geometry, &a, 0, link->i + 1, rolls, sums);
 }
 
-KERNEL enum dom_status sharp_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
 {
-    real half_J1;
-    return chain_sums(geometry, head, false, false, true, sums, &half_J1);
+    return geometry->law->rolls ? sum_by(geometry, head, false, true, sums)
+                                : sum_by(geometry, head, false, false, sums);
 }
 
-KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+KERNEL enum dom_status chain_slope(const struct geometry *geometry, struct tilt head, bool sign, real *H1)
 {
-    real half_J1;
-    return chain_sums(geometry, head, true, false, true, sums, &half_J1);
+    struct sums sums = {.H1 = REAL_NAN};
+    const enum dom_status status = geometry->law->rolls ? sum_by(geometry, head, sign, true, &sums)
+                                                        : sum_by(geometry, head, sign, false, &sums);
+    *H1 = sums.H1;
+    return status;
 }
 
-KERNEL enum dom_status sharp_rates(const struct geometry *geometry, struct tilt head, bool every,
-                                   struct sums *sums, real *half_J1)
+/* ---- The equation of motion at one tilt ---- */
+
+/* Returns true when the tails of all three sums can be left out. Each tail is bounded by a geometric series.
+ * The ratio of this series is at least `decay`, because without friction the ratio of successive terms of C
+ * tends to `decay` far down an endless train. */
+KERNEL_LOOP bool equation_done(const struct walk *k, real S, real ratio, const struct series *A,
+                               const struct series *B, const struct series *C, const bool rolls)
 {
-    return chain_sums(geometry, head, false, true, every, sums, half_J1);
+    const struct link *link = &k->link;
+    const struct geometry *self = link->geometry;
+    const real size = fabs(S), passed = fabs(ratio), slope = fabs(link->slope),
+               bends = fabs(k->second_derivative) + slope * slope * (fabs(k->curve) + 1 + self->drag),
+               next = fmax(self->inertia * passed, fmax(self->decay, self->decay_J));
+    return series_done(C, link->weight * size * steepest_of(self, rolls),
+                       fmax(self->weight * passed, self->decay), self->tol) &&
+           series_done(A, link->inertia * size * slope, next, self->tol) &&
+           series_done(B, link->inertia * size * bends, next, self->tol);
 }
 
-KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
-                                     struct sums *sums, real *half_J1)
+/* With rounded edges, the inertia i of a domino depends on its tilt. So its term in A contains i theta', and
+ * its term in B contains i theta'' + (i'/2 + drag) theta'^2. */
+KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct tilt head, const bool rolls,
+                                        struct equation_of_motion *equation)
 {
-    return chain_sums(geometry, head, true, true, every, sums, half_J1);
+    struct series A = {0}, B = {0}, C = {0};
+    struct walk k = walk_begin(geometry, head, rolls);
+    const struct link *link = &k.link;
+    /* The rounding error of S, in units of the unit roundoff, is at most `noise` S. It grows if X < 0, since
+     * digits then cancel in the arm b. */
+    real S = 1, noise = rolls ? 8 : 1;
+    bool wrong_side = false; /* true if b <= 0: a contact force passes on the wrong side of a hinge */
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, link->i);
+        if (status != DOM_OK)
+            return status;
+        const struct geometry *self = link->geometry;
+        const real i = inertia_of(link, rolls), slope = link->slope,
+                   half_i1 = rolls ? geometry_inertia_slope(self, link->tilt) / 2 : 0;
+        series_add(&A, link->inertia * S * i * slope);
+        series_add(&B, link->inertia * S * (i * k.second_derivative + (half_i1 + self->drag) * slope * slope));
+        series_add(&C, -link->weight * S * lift_of(link, rolls) / 2);
+        if (link->i + 1 >= geometry->n || !link->leads)
+            break;
+        const struct arms arms = rolls ? rounded_arms(link) : sharp_arms(link);
+        walk_bend(&k, rolls);
+        if (equation_done(&k, S, arms.ratio, &A, &B, &C, rolls))
+            break;
+        wrong_side = wrong_side || arms.b <= 0;
+        if (link->contact.X < 0)
+            noise += 2 * (arms.b_plain / fabs(arms.b) - 1);
+        S *= arms.ratio;
+        walk_next(&k, rolls, true);
+    }
+    chain_count(geometry, link->i + 1);
+    if (rolls)
+        rounded_count(geometry);
+    if (geometry->work && geometry->mu != 0)
+        geometry->work->entered[DOM_EFFECT_friction]++;
+    *equation = (struct equation_of_motion){.A = A.sum + A.lost,
+                                            .B = B.sum + B.lost,
+                                            .C = C.sum + C.lost,
+                                            .A_size = A.size * noise,
+                                            .B_size = B.size * noise,
+                                            .C_size = C.size * noise,
+                                            .n = link->i + 1};
+    equation->locks = wrong_side || equation->A <= 0;
+    return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+KERNEL enum dom_status chain_equation(const struct geometry *geometry, struct tilt head,
+                                      struct equation_of_motion *equation)
+{
+    return geometry->law->rolls ? equation_by(geometry, head, true, equation)
+                                : equation_by(geometry, head, false, equation);
 }
 
 /* ---- The difference between the tilts of a domino in two chains ---- */
 
+/* The difference between the tilts of a domino in two chains, and the tangent of half the difference. */
+struct apart {
+    real by, t;
+};
+
+KERNEL_LOOP struct apart apart_by(real t)
+{
+    return (struct apart){2 * atan(t), t};
+}
+
 /*
  * Returns h(A) - h(B): how much the potential energy of a domino differs between its tilts a and b, whose
- * angles are A and B. t is tan((A - B)/2). Subtracting two nearly equal energies would lose digits. So the
- * difference is computed as the product
+ * angles are A and B. Subtracting two nearly equal energies would lose digits. So the difference is computed
+ * from t = tan((A - B)/2), as the product
  *
  *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)].
  */
-KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
+KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b,
+                               struct apart apart, const bool rolls)
 {
-    return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
+    const real change = apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
+    return rolls ? change + geometry->rounded.roll * apart.by : change;
+}
+
+KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
+{
+    return -energy_change(geometry, t, standing, apart_by(half_of_tilt(t)), true);
 }
 
 /*
@@ -197,27 +271,13 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* The difference between the tilts of a domino in two chains, and the tangent of half the difference. */
-struct apart {
-    real by, t;
-};
-
-KERNEL_LOOP struct apart apart_by(real t)
+/* Returns the energy that a follower gains until it has detached and stays at theta_f. It is now at the tilt
+ * `now`, and leans on *leader. */
+KERNEL_LOOP real energy_left(const struct geometry *geometry, struct tilt now, const struct link *leader,
+                             const bool rolls)
 {
-    return (struct apart){2 * atan(t), t};
-}
-
-/* Returns h(A) - h(B) for a domino, like energy_change. */
-KERNEL_LOOP real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b,
-                              struct apart apart)
-{
-    return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
-           geometry->rounded.roll * apart.by;
-}
-
-KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
-{
-    return -rolling_rise(geometry, t, standing, apart_by(half_of_tilt(t)));
+    const real t = rolls ? tan_half_between(now, geometry->f) : leaving_half_turn(geometry, leader);
+    return energy_change(geometry, geometry->f, now, apart_by(t), rolls);
 }
 
 /* Returns 2 tan(D/2) - D. Uses a power series if the two terms would cancel. */
@@ -256,13 +316,6 @@ KERNEL_LOOP struct apart apart_next(const struct walk *a, const struct walk *b, 
     return (struct apart){by + 2 * t_D - excess, (t + t_D) / (1 - t * t_D)};
 }
 
-/* Returns what apart_next would return if the follower of b had the tilt of a, as in a pass with PASS_SHIFT.
- * The difference between the two followers is then the turn from a to its own follower. */
-static struct apart apart_turn(const struct walk *a)
-{
-    return (struct apart){.by = a->turn.angle, .t = half_of_tilt(a->turn.tilt)};
-}
-
 /* ---- Differences of H between two chains ---- */
 
 /* Chain a, its difference from chain b, and the sums over the dominoes visited so far. */
@@ -290,37 +343,33 @@ KERNEL_LOOP void pair_add(struct pair *p, const struct walk *b, const bool rolls
     add_J(&p->state, link, rolls);
     add_H1(&p->state, link, rolls);
     series_add(&p->state.dH,
-               link->weight * (rolls ? rolling_rise(link->geometry, link->tilt, b->link.tilt, p->apart)
-                                     : energy_change(link->geometry, link->tilt, b->link.tilt, p->apart.t)));
+               link->weight * energy_change(link->geometry, link->tilt, b->link.tilt, p->apart, rolls));
     if (bends)
         p->H2 += link->weight * (p->a.second_derivative * lift_of(link, rolls) -
                                  link->slope * link->slope * geometry_height(link->geometry, link->tilt));
 }
 
 /* Finds the difference between the followers, and returns true when the tails of dH, J and H1 can be left
- * out. If `shifted` is true, chain b is chain a shifted by one domino. */
-KERNEL_LOOP bool pair_done(struct pair *p, const struct walk *b, const bool shifted, const bool rolls)
+ * out. */
+KERNEL_LOOP bool pair_done(struct pair *p, const struct walk *b, const bool rolls)
 {
     const struct link *link = &p->a.link;
-    const struct geometry *self = link->geometry;
     const struct apart now = p->apart;
     real shrink;
     if (rolls) {
-        p->apart = shifted ? apart_turn(&p->a) : apart_next(&p->a, b, now);
+        p->apart = apart_next(&p->a, b, now);
         shrink = now.by == 0 ? 1 : fabs(p->apart.by / now.by);
     } else {
         shrink = pair_shrink(link, &b->link, now.t);
         p->apart = (struct apart){2 * (now.t * shrink), now.t * shrink};
     }
-    return series_done(&p->state.dH,
-                       link->weight * (rolls ? fabs(now.by) : now.by) * steepest_of(self, rolls),
-                       fmax(self->weight * shrink, self->decay), self->tol) &&
-           done_J(&p->state, link) && done_H1(&p->state, link, rolls);
+    return done_dH(&p->state, link, fabs(now.by), shrink, rolls) && done_J(&p->state, link) &&
+           done_H1(&p->state, link, link->geometry->tol, rolls);
 }
 
 KERNEL_LOOP bool pair_near(const struct pair *p, const struct walk *b)
 {
-    return far_suffices(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t);
+    return far_suffices(p->a.link.geometry, &p->state, &p->a.link, &b->link, p->apart.t, true);
 }
 
 /* Adds the current domino and all dominoes behind it, using the far series. Copies are passed to far_add, so
@@ -335,34 +384,12 @@ KERNEL_LOOP void pair_add_far(struct pair *p, const struct walk *b, const bool b
         p->H2 += far_H2(&a, p->a.second_derivative, &rest);
 }
 
-/* Moves chain b on to the follower: to the domino of chain a, if chain b is chain a shifted by one domino. */
-KERNEL_LOOP void other_next(struct walk *b, const struct walk *a, const bool shifted, const bool rolls)
+KERNEL_LOOP void other_next(struct walk *b, const bool rolls)
 {
-    if (shifted && rolls) {
-        *b = *a;
-    } else if (shifted) {
-        b->link.tilt = a->link.tilt;
-        b->link.contact = a->link.contact;
-    } else if (rolls) {
-        rounded_step(b);
-    } else {
+    if (rolls)
+        rounded_step(b); /* only the tilts of chain b are needed */
+    else
         link_next(&b->link);
-    }
-}
-
-/* Adds the energy of a follower that has detached in this cycle and stays at theta_f. */
-KERNEL_LOOP void pair_add_left(struct pair *p, struct walk *b, const bool shifted, const bool rolls)
-{
-    const struct link leader = b->link;
-    const struct geometry *geometry = p->a.link.geometry;
-    other_next(b, &p->a, shifted, rolls);
-    const real weight = p->a.link.weight * geometry->weight;
-    const struct tilt tilt = b->link.tilt;
-    p->state.left =
-        weight *
-        (rolls ? rolling_rise(geometry, geometry->f, tilt, apart_by(tan_half_between(tilt, geometry->f)))
-               : energy_change(geometry, geometry->f, tilt, leaving_half_turn(geometry, &leader)));
-    series_add(&p->state.dH, p->state.left);
 }
 
 /*
@@ -380,12 +407,10 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
                                              struct tilt head, real t, const enum pass pass, const bool rolls,
                                              struct sums *sums)
 {
-    const bool shifted = pass == PASS_SHIFT, bends = pass == PASS_SECOND_DERIVATIVE;
+    const bool bends = pass == PASS_SECOND_DERIVATIVE;
     struct pair p = pair_begin(geometry, from, head, t, rolls);
     const struct link *link = &p.a.link;
-    struct walk b = shifted && rolls /* only the tilts of the upright chain are needed */
-                        ? (struct walk){.link = {.tilt = from, .leads = geometry->n > 1}}
-                        : walk_begin(geometry, from, rolls);
+    struct walk b = walk_begin(geometry, from, rolls);
     bool pushes = pass == PASS_PUSHES && geometry->drag == 0; /* the proof is for a chain without drag */
     const bool closes = geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS &&
                         !(rolls && pass == PASS_PUSHES);
@@ -401,16 +426,23 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
         if (!link->leads) {
-            pair_add_left(&p, &b, shifted, rolls);
+            const struct link leader = b.link;
+            other_next(&b, rolls);
+            p.state.left =
+                link->weight * geometry->weight * energy_left(geometry, b.link.tilt, &leader, rolls);
+            series_add(&p.state.dH, p.state.left);
             break;
         }
-        if (pass == PASS_PUSHES && pushes && rolls)
-            rounded_levers(&b);
-        if (pass == PASS_PUSHES && pushes)
-            pushes = rolls ? rounded_pushes(&p.a, &b) : contact_pushes(link, &b.link);
-        if (pair_done(&p, &b, shifted, rolls))
+        if (pass == PASS_PUSHES && pushes) {
+            if (rolls)
+                rounded_levers(&b);
+            pushes = contact_pushes(&p.a, &b);
+        }
+        if (pair_done(&p, &b, rolls))
             break;
-        other_next(&b, &p.a, shifted, rolls);
+        other_next(&b, rolls);
+        if (bends)
+            walk_bend(&p.a, rolls);
         walk_next(&p.a, rolls, bends);
     }
     enum dom_status status = pass_result(geometry, &p.state, p.H2, link->i + 1, rolls, sums);
@@ -418,13 +450,12 @@ KERNEL_LOOP enum dom_status chain_difference(const struct geometry *geometry, st
     return status;
 }
 
-/* In each of these calls `pass` is a constant, too, so the compiler removes the sums that are not needed. */
+/* In each of these calls `pass` and `rolls` are constants, so the compiler removes the sums that are not
+ * needed. */
 KERNEL_LOOP enum dom_status change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, const bool rolls, struct sums *sums)
 {
     switch (pass) {
-    case PASS_SHIFT:
-        return chain_difference(geometry, from, head, t, PASS_SHIFT, rolls, sums);
     case PASS_SECOND_DERIVATIVE:
         return chain_difference(geometry, from, head, t, PASS_SECOND_DERIVATIVE, rolls, sums);
     case PASS_PUSHES:
@@ -434,72 +465,58 @@ KERNEL_LOOP enum dom_status change_by(const struct geometry *geometry, struct ti
     }
 }
 
-KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real t, enum pass pass, struct sums *sums)
+KERNEL enum dom_status chain_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                       real t, enum pass pass, struct sums *sums)
 {
-    return change_by(geometry, from, head, t, pass, false, sums);
+    return geometry->law->rolls ? change_by(geometry, from, head, t, pass, true, sums)
+                                : change_by(geometry, from, head, t, pass, false, sums);
 }
 
-KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real t, enum pass pass, struct sums *sums)
-{
-    return change_by(geometry, from, head, t, pass, true, sums);
-}
+/* ---- The fuel ---- */
 
 /*
- * Makes two passes in one loop to save time: while the processor waits for a square root of one chain, it can
- * work on the other chain. The upright chain needs no computation of its own: it is the chain at theta_c,
- * shifted by one domino.
+ * Finds J at theta_c, and H(theta_c) - H(0), which is minus the fuel (25; c7). During the cycle, each domino
+ * turns to the initial tilt of its follower. So one chain is enough: the chain at theta_c, shifted by one
+ * domino, is the chain at 0.
  */
-KERNEL_LOOP enum dom_status both_by(const struct geometry *geometry, struct tilt head, const bool rolls,
-                                    struct sums *sums, struct sums *at_c)
+KERNEL_LOOP enum dom_status fuel_by(const struct geometry *geometry, const bool rolls, struct sums *sums)
 {
-    struct pair up = pair_begin(geometry, standing, head, half_of_tilt(head), rolls),
-                down = pair_begin(geometry, standing, geometry->c, half_of_tilt(geometry->c), rolls);
-    struct walk b = {.link = {.tilt = standing}, .turn = {down.a.theta, geometry->c}};
-    if (!rolls)
-        b.link = link_head(geometry, standing);
-    const bool closes = geometry->far.order > 0;
+    struct sum_state a = {0};
+    struct walk k = walk_begin(geometry, geometry->c, rolls);
+    const struct link *link = &k.link;
+    struct link leader = rolls ? (struct link){.tilt = standing} : link_head(geometry, standing);
+    const real half = half_of_tilt(geometry->c);
+    struct apart turn = {rolls ? k.theta : 2 * half, half};
+    const bool closes = geometry->far.order > 0 && geometry->n == CHAIN_ENDLESS;
     for (;;) {
-        enum dom_status status = chain_watch(geometry, up.a.link.i);
+        enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (closes && pair_near(&up, &b) && pair_near(&down, &b)) {
-            pair_add_far(&up, &b, true);
-            pair_add_far(&down, &b, false);
+        if (closes && far_suffices(geometry, &a, link, &leader, turn.t, false)) {
+            far_add(geometry, &a, link, &leader, turn.t);
             break;
         }
-        pair_add(&up, &b, rolls, true);
-        pair_add(&down, &b, rolls, false);
-        const bool up_done = pair_done(&up, &b, false, rolls), down_done = pair_done(&down, &b, true, rolls);
-        if (up_done && down_done)
+        add_J(&a, link, rolls);
+        series_add(&a.dH, link->weight * energy_change(geometry, link->tilt, leader.tilt, turn, rolls));
+        if (link->i + 1 >= geometry->n)
             break;
-        other_next(&b, &down.a, true, rolls);
-        if (rolls) {
-            rounded_factors(&up.a);
-            rounded_factors(&down.a);
-            rounded_step(&up.a);
-            rounded_step(&down.a);
-            rounded_levers(&up.a);
-            rounded_levers(&down.a);
-        } else {
-            walk_next(&up.a, false, true);
-            walk_next(&down.a, false, false);
+        if (!link->leads) {
+            a.left = link->weight * geometry->weight * energy_left(geometry, link->tilt, &leader, rolls);
+            series_add(&a.dH, a.left);
+            break;
         }
+        const real t = rolls ? half_of_tilt(k.turn.tilt) : link->contact.X / (1 + link->contact.Y);
+        const struct apart next = {rolls ? k.turn.angle : 2 * t, t};
+        if (done_dH(&a, link, fabs(turn.by), fabs(next.by / turn.by), rolls) && done_J(&a, link))
+            break;
+        turn = next;
+        leader = *link;
+        walk_next(&k, rolls, false);
     }
-    const size_t n = up.a.link.i + 1;
-    *at_c = sums_of(&down.state, 0, n);
-    return sums_finite(at_c) ? pass_result(geometry, &up.state, up.H2, n, rolls, sums) : DOM_NOT_FINITE;
+    return pass_result(geometry, &a, 0, link->i + 1, rolls, sums);
 }
 
-KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                  struct sums *at_c)
+KERNEL enum dom_status chain_fuel(const struct geometry *geometry, struct sums *sums)
 {
-    return both_by(geometry, head, false, sums, at_c);
-}
-
-KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                    struct sums *at_c)
-{
-    return both_by(geometry, head, true, sums, at_c);
+    return geometry->law->rolls ? fuel_by(geometry, true, sums) : fuel_by(geometry, false, sums);
 }

@@ -209,19 +209,10 @@ KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt he
     return k;
 }
 
-KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b)
-{
-    struct walk middle = *a;
-    middle.theta = (a->theta + b->theta) / 2;
-    middle.link.tilt = tilt_of(middle.theta);
-    rounded_contact(&middle);
-    return middle;
-}
-
 KERNEL void rounded_factors(struct walk *k)
 {
     struct link *link = &k->link;
-    k->second_derivative = link->contact_slope * k->second_derivative + k->curve * link->slope * link->slope;
+    k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
     link->slope *= link->contact_slope;
     link->weight *= link->geometry->weight;
     link->inertia *= link->geometry->inertia;
@@ -252,7 +243,6 @@ static void rounded_touch(struct walk *k)
 {
     rounded_turn(k);
     rounded_levers(k);
-    k->link.contact_slope = 0;
 }
 
 KERNEL struct arms rounded_arms(const struct link *k)
@@ -260,26 +250,9 @@ KERNEL struct arms rounded_arms(const struct link *k)
     const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;
     real a = k->contact.arm - geometry->mu * geometry->r * (geometry->d - of->rho * (1 - k->tilt.x)),
-         b = geometry->r * (of->tall_1 * (k->contact.Y + geometry->mu * k->contact.X) +
-                            of->rho_1 * (k->tilt.y + geometry->mu * (1 - k->tilt.x)));
-    return (struct arms){.a = a, .b = b, .ratio = a / b};
-}
-
-static size_t rounded_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
-{
-    size_t n = 1;
-    struct walk walk = rounded_begin(geometry, head);
-    k[0] = (struct moving){.link = walk.link, .size = 1};
-    for (; n < room && n < geometry->n && k->link.leads; n++, k++) {
-        k->arms = rounded_arms(&k->link);
-        rounded_next(&walk);
-        k[1].link = walk.link;
-        k[1].second_derivative = walk.second_derivative;
-        k[1].size = k->size / k->link.geometry->r;
-    }
-    if (k->link.leads)
-        k->arms = rounded_arms(&k->link);
-    return n;
+         b_plain = geometry->r * (of->tall_1 * k->contact.Y + of->rho_1 * k->tilt.y),
+         b = b_plain + geometry->mu * geometry->r * (of->tall_1 * k->contact.X + of->rho_1 * (1 - k->tilt.x));
+    return (struct arms){.a = a, .b = b, .b_plain = b_plain, .ratio = a / b};
 }
 
 /* ---- The shape of a train ---- */
@@ -472,6 +445,7 @@ static void rounded_turns(const struct geometry *geometry, int order, real *p)
 }
 
 static const struct contact_law rounded_edges = {
+    .rolls = true,
     .work_most = 7000000,
     .set = rounded_set,
     .joint = rounded_joint,
@@ -485,11 +459,4 @@ static const struct contact_law rounded_edges = {
     .next = rounded_next,
     .touch = rounded_touch,
     .arms = rounded_arms,
-    .pushes = rounded_pushes,
-    .list = rounded_list,
-    .sum = rounded_sum,
-    .change = rounded_change,
-    .both = rounded_both,
-    .rates = rounded_rates,
-    .equation = rounded_equation,
 };

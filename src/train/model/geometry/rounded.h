@@ -17,7 +17,7 @@
  *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
  *
- * The passes down a chain are in pass.c and, with friction, in rolling_friction.c.
+ * The passes down a chain are in pass.c.
  */
 #ifndef DOM_ROUNDED_H
 #define DOM_ROUNDED_H
@@ -43,24 +43,9 @@ KERNEL void rounded_next(struct walk *walk);
 KERNEL void rounded_factors(struct walk *walk);
 KERNEL void rounded_step(struct walk *walk);
 KERNEL void rounded_levers(struct walk *walk);
-/* Returns a domino at the angle halfway between its tilts in a and in b. */
-KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
-
 KERNEL struct arms rounded_arms(const struct link *link);
-KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 
 /* Counts one more pass in geometry->work, under the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
-
-/* Members of struct contact_law. */
-KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
-KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real t, enum pass pass, struct sums *sums);
-KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                    struct sums *at_c);
-KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
-                                     struct sums *sums, real *half_J1);
-KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,
-                                        struct equation_of_motion *equation);
 
 #endif

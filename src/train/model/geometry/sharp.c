@@ -103,46 +103,28 @@ static struct walk sharp_begin(const struct geometry *geometry, struct tilt head
 
 static void sharp_next(struct walk *walk)
 {
+    walk->curve = link_curve(&walk->link);
+    walk->second_derivative = link_second_derivative(&walk->link, walk->curve, walk->second_derivative);
     link_next(&walk->link);
 }
 
 static void sharp_touch(struct walk *walk)
 {
     walk->link.contact = geometry_contact(walk->link.geometry, walk->link.tilt);
-    walk->link.contact_slope = 0;
+    walk->link.contact_slope = walk->link.contact.slope;
 }
 
-static struct arms sharp_arms(const struct link *link)
+KERNEL struct arms sharp_arms(const struct link *link)
 {
-    const bool has_friction = link->geometry->mu != 0; /* without friction the ratio is the slope (14; b10) */
-    return (struct arms){.a = contact_arm_a(link),
-                         .b = contact_arm_b(link),
-                         .ratio = has_friction ? torque_ratio(link) : link->contact_slope};
-}
-
-static bool sharp_pushes(const struct walk *a, const struct walk *b)
-{
-    return contact_pushes(&a->link, &b->link);
-}
-
-static size_t sharp_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
-{
-    size_t n = 1;
-    k[0] = (struct moving){.link = link_head(geometry, head), .size = 1};
-    for (; n < room && n < geometry->n && k->link.leads; n++, k++) {
-        k->arms = sharp_arms(&k->link);
-        k[1].link = k->link;
-        link_next(&k[1].link);
-        k[1].second_derivative = link_second_derivative(&k->link, k->second_derivative);
-        k[1].size = k->size / k->link.geometry->r;
-    }
-    if (k->link.leads)
-        k->arms = sharp_arms(&k->link);
-    return n;
+    const struct contact *contact = &link->contact;
+    const real mu = link->geometry->mu, a = contact->arm - mu * link->geometry->r * link->geometry->d,
+               b = contact->Y + mu * contact->X;
+    /* without friction the ratio is the slope (14; b10) */
+    return (struct arms){
+        .a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : link->contact_slope};
 }
 
 static const struct contact_law sharp_edges = {
-    .closed_form = true,
     .work_most = 60000000,
     .set = sharp_set,
     .hit = sharp_hit,
@@ -155,11 +137,4 @@ static const struct contact_law sharp_edges = {
     .next = sharp_next,
     .touch = sharp_touch,
     .arms = sharp_arms,
-    .pushes = sharp_pushes,
-    .list = sharp_list,
-    .sum = sharp_sum,
-    .change = sharp_change,
-    .both = sharp_both,
-    .rates = sharp_rates,
-    .equation = sharp_equation,
 };

@@ -8,7 +8,7 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* The second derivative d2H/dtheta2, found by `both` and by PASS_SECOND_DERIVATIVE. H2 is less accurate
+    /* The second derivative d2H/dtheta2, found by PASS_SECOND_DERIVATIVE. H2 is less accurate
      * than the other sums: its rounding errors are not compensated, and the test for the end of the pass does
      * not look at its tail. */
     real H2;
@@ -21,7 +21,7 @@ struct sums {
     bool pushes;
 };
 
-/* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
+/* The equation of motion at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
     /* Sums of the absolute values of all terms, from which rounding errors are estimated. If digits cancel

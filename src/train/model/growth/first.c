@@ -22,18 +22,21 @@ static real r_of(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The number of samples per unit of ln r. They lie between r = 1 and 0.9 of the reach. One more sample is
- * taken at the reach itself. */
-#define SAMPLES_PER_E 5
+/* The steps of ln r from one sample to the next. The first step is a part of sqrt(s (s + 2 d)), the scale on
+ * which the weights of the chain change near r = 1. Each step is twice as long as the one before, up to
+ * SAMPLE_STEP. The last samples are at 0.9 of the reach and at the reach itself. */
+#define SAMPLE_STEP  ((real)0.2)
+#define SAMPLE_FIRST ((real)0.5)
 /* Enough for a reach of 1.6e6, the largest there is. */
-enum { SAMPLES_MOST = 80 };
+enum { SAMPLES_MOST = 120 };
 
-/* Returns the growth of sample k. Beyond the last sample, the result is the reach. */
-static real first_place(const struct margin_context *c, int k)
+/* Returns the growth of the sample after r. `step` is the last step. */
+static real next_place(const struct margin_context *c, real r, real *step)
 {
-    const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
-    const int far = (int)ceil(fmax(ln_near, 0) * SAMPLES_PER_E);
-    return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
+    const real reach = c->geometry.span / c->s, near = (real)0.9 * reach, s = c->s;
+    *step = fmin(*step > 0 ? 2 * *step : SAMPLE_FIRST * sqrt(s * (s + 2 * c->geometry.d)), SAMPLE_STEP);
+    const real next = r * exp(*step);
+    return r >= near ? reach : next * exp(*step / 4) > near ? fmax(near, r * (1 + REAL_EPSILON)) : next;
 }
 
 /* An interval is halved at most so often, down to about 2e-6 r. After every LOOK_EVERY halvings, the slopes
@@ -154,14 +157,10 @@ static bool is_clear(const struct first *s, const struct stretch *in, const stru
            (!after || is_clear_by(s, in, after, zero));
 }
 
-/* Computes the margin with all digits that the arithmetic allows. */
 static enum dom_status sample_finely(const struct first *s, real r, struct margin_sample *sample)
 {
-    struct margin_context *c = s->c;
-    *sample = (struct margin_sample){r, margin_to_tol(c, r, margin_finest(c))};
-    if (c->status == DOM_NOT_CONVERGED)
-        sample->margin = margin_to_tol(c, r, c->geometry.tol);
-    return c->status;
+    *sample = (struct margin_sample){r, margin_finely(s->c, r)};
+    return s->c->status;
 }
 
 /* Returns the derivative of the scaled margin with respect to x, or NaN after an error. Near a minimum, the
@@ -234,36 +233,20 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
     const real tol = c->geometry.tol;
     const bool follows = c->geometry.dynamics->conservative,
                shallow = fabs(scaled(s, in->hi, in->hi->margin.barrier)) < SAMPLE_TOL;
-    struct root root = {.r = 0};
+    struct root root = {.r = in->lo->r, .barrier = in->lo->margin.barrier};
     enum dom_status status = DOM_OK;
-    /* at `lo`, the margin may be 0 within its error */
-    const bool at_lo = margin_value(&in->lo->margin) < 0;
-    /* First follow one maximum of H. If this fails, or if another maximum is higher at that root, start again
-     * with a search for all maxima at each growth. */
-    if (follows && !shallow && !at_lo) {
-        status = root_between(c, in->lo, in->hi, &root);
-        if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
-            return status;
-        c->status = DOM_OK;
-        if (status == DOM_OK && root.falls > 0 && margin_highest(c, root.r)) {
-            keep_root(s, &root);
-            return DOM_OK;
-        }
-    }
     c->geometry.tol = shallow && follows ? margin_finest(c) : tol;
-    root.r = in->lo->r;
-    status = at_lo
-                 ? DOM_OK
-                 : model_status(c->status,
-                                num_root_between(margin_at, c, in->lo->r, margin_value(&in->lo->margin),
-                                                 in->hi->r, margin_value(&in->hi->margin), tol / 8, &root.r));
+    if (margin_value(&in->lo->margin) >= 0) /* otherwise it is 0 within its error */
+        status = root_between(c, in->lo, in->hi, follows && !shallow, &root);
     c->geometry.tol = tol;
-    root.barrier = at_lo ? in->lo->margin.barrier : c->barrier.height;
+    if (shallow) /* the line to a growth outside the dip does not give the slope */
+        root.falls = 0;
     keep_root(s, &root);
+    if (status != DOM_OK || root.falls > 0)
+        return status;
     s->step = cbrt(REAL_EPSILON) / 8;
-    if (status == DOM_OK)
-        s->falls = -scaled_slope(x_of(c, root.r), s);
-    return status == DOM_OK ? c->status : status;
+    s->falls = -scaled_slope(x_of(c, root.r), s);
+    return c->status;
 }
 
 static enum dom_status search_stretch(struct first *s, const struct stretch *in);
@@ -362,23 +345,19 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
                       .change = {.at = {.r = (real)INFINITY}, .open = (real)INFINITY, .dip = (real)INFINITY}};
     struct margin_sample sample[SAMPLES_MOST] = {*from};
     const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
-    struct root root = {.r = (real)INFINITY};
     int n = 1;
     c->geometry.tol = fmin(tol, SAMPLE_TOL);
     enum dom_status status = DOM_OK;
+    struct root root = {.r = (real)INFINITY};
     if (s.sign > 0 && c->geometry.dynamics->conservative && c->dominoes == CHAIN_ENDLESS)
         status = root_any(c, from->r, &root);
     if (isfinite(root.r))
         keep_root(&s, &root);
-    for (int k = 0; status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach); k++) {
-        const real r = first_place(c, k);
-        if (r <= sample[n - 1].r)
-            continue;
-        if (r < root.r)
-            sample[n] = (struct margin_sample){r, margin_sign(c, r)};
-        else
-            sample[n] = s.change.at;
-        status = r < root.r ? c->status : DOM_OK;
+    real step = 0;
+    while (status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach)) {
+        const real r = next_place(c, sample[n - 1].r, &step);
+        sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r)} : s.change.at;
+        status = c->status;
         /* the kinetic energy at the start may be only a lower bound */
         if (n == 1 && status == DOM_OK && from->margin.barrier_is_bound && !is_high(&s, &sample[1])) {
             sample[0].margin = margin_sign(c, from->r);

@@ -23,18 +23,19 @@ struct root {
     real r, barrier, falls, beside;
 };
 
-/* Finds a root of the margin between lo and hi. The margin must be >= 0 at lo and negative at hi. The search
- * follows one maximum of H from growth to growth. It does not notice if another maximum becomes higher. */
+/* Finds a root of the margin between lo and hi, where the margin has opposite signs. If `follow` is true,
+ * first follows one maximum of H from growth to growth. If another maximum is higher at the root that it
+ * finds, starts again with a search for all maxima at each growth. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
-                                    const struct margin_sample *hi, struct root *root);
-
-/* Finds the root close to `near`. This estimate must be correct to ten digits. If no root is found there,
- * *found is false. */
-KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found);
+                                    const struct margin_sample *hi, bool follow, struct root *root);
 
 /* Finds some root above the growth `from` for an endless train without friction. It need not be the first
  * root. If no root is found, root->r is infinity. */
 KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root *root);
+
+/* Finds the root close to `near`. This estimate must be correct to ten digits. If no root is found there,
+ * *found is false. */
+KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found);
 
 struct change {
     bool found;

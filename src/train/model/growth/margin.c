@@ -7,10 +7,9 @@
 /* The series for the far tail is built once for each growth. About this many passes then use it. */
 #define FAR_PASSES 2
 
-/* Finds the barrier by the method c->how. If `near` is not NULL, it holds the sums at the tilt of
- * barrier_near, so these need not be computed again. */
+/* Finds the barrier by the method c->how. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
-                                      const struct sums *near, struct margin *m)
+                                      struct margin *m)
 {
     struct barrier *b = &c->barrier;
     const real most = barrier_most(geometry), sure = 4 * geometry->tol;
@@ -28,7 +27,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         /* Only the last steps of a root search need a fine tolerance. */
         const bool rough = c->how == MARGIN_FOLLOW && geometry->tol > c->geometry.tol;
         const real tol = rough ? TOP_TOL_ROUGH(geometry) : TOP_TOL(geometry);
-        const bool top = barrier_follow(geometry, near, tol, b);
+        const bool top = barrier_follow(geometry, tol, b);
         m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
@@ -52,26 +51,14 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
                                     struct margin *m)
 {
     struct launch launch;
-    struct sums near, at_c;
-    enum dom_fuel fuel = c->train->fuel;
-    enum dom_status status;
-    bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
     /* At r = 1 both fuel formulas agree, and the closed form is faster. */
     if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
-    if (both) {
-        status = geometry->law->both(geometry, barrier_near(geometry, &c->barrier), &near, &at_c);
-        if (status != DOM_OK)
-            return status;
-        struct fuel f = fuel_of(geometry, &at_c);
-        launch = launch_of(geometry, fuel, &f);
-    } else {
-        status = geometry->dynamics->collide(geometry, fuel, &launch);
-    }
+    enum dom_status status = geometry->dynamics->collide(geometry, c->train->fuel, &launch);
     if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
     *m = (struct margin){.kinetic = launch.kinetic};
-    return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
+    return status == DOM_OK ? margin_barrier(geometry, c, m) : status;
 }
 
 /* Equation (17; b13). */
@@ -100,7 +87,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     real kinetic = (geometry->upright_inertia + k) * geometry->r * tipped * share * share;
     *m = (struct margin){.kinetic = sine > 0 ? kinetic : 0};
     two.n = c->dominoes;
-    return margin_barrier(&two, c, NULL, m);
+    return margin_barrier(&two, c, m);
 }
 
 KERNEL struct margin_context margin_of_train(const struct request *train)
@@ -126,6 +113,9 @@ KERNEL struct margin_context margin_of_pair(const struct request *train)
     return c;
 }
 
+/* Margins below this fraction of K + B are too small to give the slope at a root. */
+#define MARGIN_BESIDE ((real)1e-5)
+
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct geometry geometry = c->geometry;
@@ -145,6 +135,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
     }
+    if (c->status == DOM_OK && fabs(margin_share(m)) > MARGIN_BESIDE)
+        c->beside = (struct margin_point){r, margin_value(m)};
     return c->status;
 }
 
@@ -153,15 +145,9 @@ KERNEL real margin_at(real r, void *context)
     struct margin_context *c = context;
     struct margin m = {0};
     c->how = MARGIN_SURE;
-    return margin_to(c, r, c->geometry.tol, &m) == DOM_OK ? margin_value(&m) : REAL_NAN;
-}
-
-KERNEL struct margin margin_to_tol(struct margin_context *c, real r, real tol)
-{
-    struct margin m = {.kinetic = REAL_NAN};
-    c->how = MARGIN_SURE;
-    margin_to(c, r, tol, &m);
-    return m;
+    const enum dom_status status = margin_to(c, r, c->geometry.tol, &m);
+    c->nearest = c->barrier;
+    return status == DOM_OK ? margin_value(&m) : REAL_NAN;
 }
 
 KERNEL real margin_unit(const struct margin_context *c, const struct margin *m)
@@ -178,6 +164,15 @@ KERNEL real margin_error(const struct margin_context *c, const struct margin *m,
 KERNEL real margin_finest(const struct margin_context *c)
 {
     return fmin(c->geometry.tol, 4 * REAL_EPSILON);
+}
+
+KERNEL struct margin margin_finely(struct margin_context *c, real r)
+{
+    struct margin m = {.kinetic = REAL_NAN};
+    c->how = MARGIN_SURE;
+    if (margin_to(c, r, margin_finest(c), &m) == DOM_NOT_CONVERGED)
+        margin_to(c, r, c->geometry.tol, &m);
+    return m;
 }
 
 #define MARGIN_ROUGH ((real)1e-3)

@@ -28,6 +28,9 @@ struct margin_context {
     struct geometry geometry; /* geometry of the train; each margin sets s and r in a copy */
     size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or 2 for a pair */
     real s;
+    struct margin_point {
+        real r, value;
+    } beside; /* the last margin that was not almost 0 */
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum margin_how {
         MARGIN_SURE,  /* find the barrier by a search for all local maxima of H */
@@ -58,9 +61,8 @@ KERNEL struct margin_context margin_of_pair(const struct request *train);
  * returns NaN. `context` must point to a struct margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
-/* Returns the kinetic energy and the barrier at r, both to the tolerance tol. The kinetic energy is NaN after
- * an error. */
-KERNEL struct margin margin_to_tol(struct margin_context *c, real r, real tol);
+/* Returns the margin with all digits that the arithmetic allows. The kinetic energy is NaN after an error. */
+KERNEL struct margin margin_finely(struct margin_context *c, real r);
 
 /* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
 #define MARGIN_HIGH 1

@@ -1,46 +1,52 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds a root of the margin by the secant method. The search follows one maximum of H from growth to growth
- * by Newton's method, and computes only as many digits as the next step needs. It takes a third of the time
- * of a root finder that searches for the barrier at each growth.
+ * Finds a root of the margin. Without friction, the search follows one maximum of H from growth to growth by
+ * Newton's method, and computes only as many digits as the next step needs. It takes a third of the time of a
+ * search for the barrier at each growth.
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, approximately: how fast the kinetic energy K falls with the growth. By equation
- * (24; c6), K is roughly proportional to r^(-(2q+1)) times the fuel. The fuel usually falls with r, too. */
-static real kinetic_falls(const struct margin_context *c, real r)
+/* ---- From a bracket ---- */
+
+/* Finds the root in a bracket: one function gives the margin or a number of the same sign. The slope is that
+ * of the line to the last growth at which the margin was not almost 0. */
+static enum dom_status root_of(struct margin_context *c, num_function *f, const struct margin_sample *lo,
+                               const struct margin_sample *hi, struct root *root)
 {
-    real q = c->geometry.q, s = c->s;
-    real matter = 1 / (q * log(r) + r * sqrt(s * (s + 2 * c->geometry.d)));
-    return 2 * q + 1 + q * fmin(matter, 1 / s);
+    const struct margin *at_lo = &lo->margin, *at_hi = &hi->margin;
+    const bool follows = f == margin_follow;
+    c->beside = (struct margin_point){.r = 0};
+    margin_follow_begin(c);
+    const enum num_status solver =
+        num_root_between(f, c, lo->r, follows ? margin_share(at_lo) : margin_value(at_lo), hi->r,
+                         follows ? margin_share(at_hi) : margin_value(at_hi), c->geometry.tol / 8, &root->r);
+    root->barrier = c->nearest.height;
+    root->beside = c->beside.r;
+    root->falls = c->beside.r > 0 && c->beside.r != root->r ? c->beside.value / (root->r - c->beside.r) : 0;
+    return model_status(c->status, solver);
 }
 
-/* A point of the search: the growth r, margin_share at r, the margin itself (`value`), and the relative
- * tolerance of the margin. */
+KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
+                                    const struct margin_sample *hi, bool follow, struct root *root)
+{
+    if (follow) {
+        const enum dom_status status = root_of(c, margin_follow, lo, hi, root);
+        if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+            return status;
+        c->status = DOM_OK;
+        if (status == DOM_OK && margin_highest(c, root->r))
+            return DOM_OK;
+    }
+    return root_of(c, margin_at, lo, hi, root);
+}
+
+/* ---- From a guess ---- */
+
+/* A point of the secant method: the growth r, margin_share at r, the margin itself, and its relative
+ * tolerance. */
 struct root_point {
     real r, share, value, tol;
 };
-
-struct root_search {
-    real lo, hi;             /* the bracket: the margin is positive at lo and negative at hi */
-    struct root_point at[3]; /* the newest points, with the newest of all in at[2] */
-    int known;               /* the number of points so far; at[] holds the last three */
-    real slope;              /* roughly -d margin / d ln r, or 0 if unknown */
-};
-
-static void root_add(struct root_search *s, struct root_point point)
-{
-    if (point.share >= 0)
-        s->lo = fmax(s->lo, point.r);
-    if (point.share <= 0)
-        s->hi = fmin(s->hi, point.r);
-    /* true if `point` repeats the newest point, with a finer tolerance */
-    bool again = s->known > 0 && s->at[2].r == point.r;
-    for (int k = 0; k < 2 && !again; k++)
-        s->at[k] = s->at[k + 1];
-    s->at[2] = point;
-    s->known += !again;
-}
 
 /* Returns the root of the line through two points. */
 static real root_line(const struct root_point *a, const struct root_point *b)
@@ -52,131 +58,48 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* If |margin_share| > 1 - ROOT_FLAT, the root may be far away. The next step then multiplies or divides r by
- * at least r^ROOT_STEP. */
-#define ROOT_FLAT ((real)0.02)
-#define ROOT_STEP ((real)0.06)
-
-/* Returns r, or the middle of the bracket if r is outside the bracket. */
-static real root_inside(const struct root_search *s, real r)
+/* Returns the next growth, by inverse interpolation through the last points: at[2] is the newest of `known`
+ * points. */
+static real root_next(const struct root_point at[3], int known)
 {
-    return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
-}
-
-/* Returns the next growth inside the bracket, by inverse interpolation through the newest points. */
-static real root_next(const struct root_search *s, const struct margin_context *c)
-{
-    const struct root_point *at = s->at;
-    real r = at[2].r, f = at[2].share, next = s->lo;
-    if (s->known == 1 && s->slope > 0)
-        return root_inside(s, r * exp(at[2].value / s->slope));
-    bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
-    if (s->known == 1 && !high && !low)
-        /* f, the margin_share, is tanh(ln(K / B) / 2), so it gives ln(K / B) */
-        next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 / kinetic_falls(c, r));
-    if (s->known > 1)
-        next = root_line(&at[1], &at[2]);
-    if (s->known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
+    real next = root_line(&at[1], &at[2]), f = at[2].share;
+    if (known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
         next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
-    if (high || low) { /* K or B is almost 0: the root is several steps away */
-        real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
-        next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
-    }
-    return root_inside(s, next);
+    return next;
 }
 
-#define ROOT_STEPS 40
+enum { ROOT_STEPS = 12 };
 
-/* Finds a root inside the bracket, starting at the growth r. */
-static enum dom_status root_search(struct margin_context *c, struct root_search *s, real r, struct root *root)
+/* Follows one maximum of H from the growth r to a root between `from` and the reach, by the secant method.
+ * `slope` is about -d margin / d ln r. Returns false if the method does not find a root. */
+static bool root_secant(struct margin_context *c, real from, real r, real slope, struct root *root)
 {
-    const real tol = c->geometry.tol / 8;
-    for (int i = 0; i < ROOT_STEPS; i++) {
-        real share = margin_follow(r, c);
-        bool none = c->status == DOM_NOT_CONVERGED; /* H has no maximum, so the barrier is 0 */
-        if (c->status != DOM_OK && !none)
-            return c->status;
-        c->status = DOM_OK;
-        if (none) {
-            s->lo = r;
-            s->known = 0;
-            r += fmin((s->hi - r) / 4, r * ROOT_STEP * log(r));
-            continue;
-        }
-        root_add(s, (struct root_point){r, share, c->followed_value, c->followed_tol});
-        root->falls = s->known > 1 ? (s->at[1].value - s->at[2].value) / (s->at[2].r - s->at[1].r) : 0;
-        root->beside = s->at[1].r;
-        root->r = r;
-        root->barrier = c->nearest.height;
-        if (share == 0)
-            return DOM_OK;
-        real next = root_next(s, c), step = fabs(next - r);
-        /* The error after the next step is approximately the product of the last two errors, divided by a
-         * length. In the first two steps, this length is estimated as min(r, reach - r) / 16. */
-        real before = s->known == 1 ? r : fabs(s->at[1].r - s->at[s->known > 2 ? 0 : 2].r),
-             length = fmin(r, c->geometry.span / c->s - r);
-        bool close = 16 * step * (s->known > 2 ? step : before) <= tol * r * (s->known > 2 ? before : length);
-        /* The step has the same relative error as margin_share at the previous point. */
-        close = close && (s->known == 1 || step * s->at[1].tol <= 4 * tol * r * fabs(s->at[1].share));
-        bool narrow = s->hi - s->lo <= tol * r;
-        if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
-            root->r = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
-            return DOM_OK;
-        }
+    struct root_point at[3] = {{0}};
+    const real tol = c->geometry.tol, reach = c->geometry.span / c->s;
+    margin_follow_begin(c);
+    for (int known = 1; known <= ROOT_STEPS && r > from && r < reach; known++) {
+        at[0] = at[1];
+        at[1] = at[2];
+        at[2].r = r;
+        at[2].share = margin_follow(r, c);
+        at[2].value = c->followed_value;
+        at[2].tol = c->followed_tol;
+        if (c->status != DOM_OK)
+            return false;
+        const real next = known == 1 ? r * exp(at[2].value / slope) : root_next(at, known),
+                   step = fabs(next - r), before = known == 1 ? r : fabs(r - at[1].r);
+        *root = (struct root){.r = next,
+                              .barrier = c->nearest.height,
+                              .falls = known > 1 ? (at[1].value - at[2].value) / (r - at[1].r) : 0,
+                              .beside = at[1].r};
+        /* The error after the next step is about the product of the last two errors, divided by a length. The
+         * step has the relative error of the share at the point before. */
+        if (known > 1 && 16 * step * step <= tol / 8 * r * before && at[2].tol <= tol &&
+            step * at[1].tol <= tol / 2 * r * fabs(at[1].share))
+            return next > from && next < reach;
         r = next;
     }
-    return DOM_NOT_CONVERGED;
-}
-
-KERNEL enum dom_status root_between(struct margin_context *c, const struct margin_sample *lo,
-                                    const struct margin_sample *hi, struct root *root)
-{
-    real up = margin_share(&lo->margin), down = margin_share(&hi->margin);
-    struct root_search s = {.lo = lo->r, .hi = hi->r};
-    bool both = !lo->margin.barrier_is_bound && !hi->margin.barrier_is_bound && up < 1 && down > -1;
-    real first = both ? up / (up - down) : (real)0.5;
-    margin_follow_begin(c);
-    return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), root);
-}
-
-/* To get the slope, the margin is evaluated at this relative distance below an approximate root. The relative
- * error of the approximate root may be at most ROOT_ASIDE^2. */
-#define ROOT_ASIDE ((real)1e-5)
-
-/* Finds the root close to `near`. Evaluates the margin slightly below `near` first, to get the slope. */
-static enum dom_status root_followed(struct margin_context *c, real near, struct root *root)
-{
-    struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
-                            .hi = fmin(near * (1 + ROOT_ASIDE), c->geometry.span / c->s)};
-    const real aside = near * (1 - ROOT_ASIDE);
-    margin_follow_begin(c);
-    c->share = cbrt(ROOT_ASIDE); /* only a few digits of the slope are needed */
-    const real share = margin_follow(aside, c);
-    if (c->status != DOM_OK)
-        return c->status;
-    root_add(&s, (struct root_point){aside, share, c->followed_value, c->followed_tol});
-    c->share = ROOT_ASIDE * ROOT_ASIDE * ROOT_ASIDE; /* from here on, all digits are needed */
-    return root_search(c, &s, near, root);
-}
-
-KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found)
-{
-    const real tol = c->geometry.tol, aside = ROOT_ASIDE * ROOT_ASIDE;
-    const bool follows = c->geometry.dynamics->conservative;
-    /* With a coarser tolerance, the root could be rejected as too far from `near`. */
-    c->geometry.tol = fmin(tol, aside);
-    *root = (struct root){.falls = 0};
-    enum dom_status status =
-        follows ? root_followed(c, near, root)
-                : model_status(c->status, num_root(margin_at, c, near * (1 - aside), near * (1 + aside),
-                                                   c->geometry.tol / 8, &root->r));
-    c->geometry.tol = tol;
-    root->barrier = follows ? root->barrier : c->barrier.height;
-    *found =
-        status == DOM_OK && fabs(root->r - near) <= aside * near && (!follows || margin_highest(c, root->r));
-    if (status != DOM_INTERRUPTED && status != DOM_TOO_LONG)
-        status = c->status = DOM_OK;
-    return status;
+    return false;
 }
 
 /* Estimates the root by a fitted formula. For ordinary dominoes, the logarithm of the estimate is correct to
@@ -199,22 +122,56 @@ static real root_guess(const struct margin_context *c, real *slope)
 
 KERNEL enum dom_status root_any(struct margin_context *c, real from, struct root *root)
 {
-    struct root_search s = {.lo = from, .hi = c->geometry.span / c->s};
-    const real reach = s.hi, start = root_guess(c, &s.slope);
-    struct root at;
+    real slope, start = root_guess(c, &slope);
+    struct root at = {.r = 0};
     *root = (struct root){.r = (real)INFINITY};
-    if (!(start > from && start < reach))
-        return DOM_OK;
-    margin_follow_begin(c);
-    const enum dom_status status = root_search(c, &s, start, &at);
-    if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
-        return status;
+    const bool found = root_secant(c, from, start, slope, &at);
+    if (c->status == DOM_INTERRUPTED || c->status == DOM_TOO_LONG)
+        return c->status;
     c->status = DOM_OK;
     /* Near the bottom of a shallow dip, the search may end where there is no root. */
     const struct margin m = {.kinetic = at.barrier, .barrier = at.barrier};
     const real error = fmax(c->geometry.tol * at.barrier, margin_error(c, &m, margin_finest(c)));
-    if (status == DOM_OK && at.r < reach && at.falls * at.r > 100 * sqrt(error * at.barrier) &&
-        margin_highest(c, at.r))
+    if (found && at.falls * at.r > 100 * sqrt(error * at.barrier) && margin_highest(c, at.r))
         *root = at;
     return DOM_OK;
+}
+
+/* ---- From the root of a coarser kernel ---- */
+
+/* The root that a coarser kernel has found is correct to about ROOT_NEAR. The slope comes from a margin at
+ * the relative distance ROOT_ASIDE, with a few digits. */
+#define ROOT_NEAR  ((real)1e-10)
+#define ROOT_ASIDE ((real)1e-5)
+
+KERNEL enum dom_status root_near(struct margin_context *c, real near, struct root *root, bool *found)
+{
+    num_function *const f = c->geometry.dynamics->conservative ? margin_follow : margin_at;
+    const real tol = c->geometry.tol;
+    real r = near, before = near * (1 - ROOT_ASIDE), next = r;
+    *found = false;
+    margin_follow_begin(c);
+    c->share = ROOT_NEAR;
+    c->geometry.tol = fmax(tol, ROOT_ASIDE * ROOT_NEAR);
+    real at_before = f(before, c);
+    c->geometry.tol = tol;
+    root->falls = 0;
+    for (int i = 0; i < 4 && c->status == DOM_OK && !*found; i++) {
+        const real at = f(r, c);
+        next = at == at_before ? r : r - at * (r - before) / (at - at_before);
+        /* the error of the next growth is about the product of the last two */
+        *found = i > 0 && fabs(next - r) * fabs(r - before) <= tol / 16 * r * r &&
+                 fabs(next - near) <= ROOT_NEAR * near;
+        if (root->falls == 0)
+            root->falls = (at_before - at) / (r - before);
+        before = r;
+        at_before = at;
+        r = next;
+    }
+    root->r = r;
+    root->barrier = c->nearest.height;
+    *found = *found && c->status == DOM_OK && (f == margin_at || margin_highest(c, r));
+    if (c->status != DOM_INTERRUPTED && c->status != DOM_TOO_LONG)
+        c->status = DOM_OK;
+    return c->status;
 }

@@ -7,6 +7,31 @@
  * list all move alike, so moving_push replaces them by a geometric series. */
 #define FORCES_MORE 4096
 
+/* One domino of a moving chain. */
+struct moving {
+    struct link link;
+    real second_derivative; /* theta_i'' */
+    real size;              /* height / height of the head */
+    struct arms arms;       /* arms of the contact with the follower, if there is one */
+    real force, impulse;    /* force and impulse of this contact, set by moving_push */
+};
+
+/* Lists the dominoes up to the end of the chain, but at most `room`. Returns their number. */
+static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
+{
+    struct walk walk = geometry->law->begin(geometry, head);
+    real size = 1;
+    for (size_t n = 0;; k++) {
+        *k = (struct moving){.link = walk.link, .second_derivative = walk.second_derivative, .size = size};
+        if (k->link.leads)
+            k->arms = k->link.geometry->law->arms(&k->link);
+        if (++n == room || n == geometry->n || !k->link.leads)
+            return n;
+        size /= k->link.geometry->r;
+        geometry->law->next(&walk);
+    }
+}
+
 static real geometric(real first, real ratio)
 {
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
@@ -118,7 +143,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
     struct moving *k = room_for(list, room);
     if (!k)
         return DOM_NO_MEMORY;
-    size_t n = geometry->law->list(geometry, head, k, room);
+    size_t n = moving_list(geometry, head, k, room);
     moving_push(geometry, kinematics, k, n);
     for (size_t i = 0; i < n && i < shown; i++) {
         struct hinge_load hinge_load = {

@@ -9,7 +9,7 @@
 
 #include "energy/barrier.h"
 
-struct moving; /* geometry/law.h */
+struct moving; /* forces.c */
 
 /* Memory for a list of moving dominoes. Initialise it to {0}; the owner frees the list. */
 struct room {

@@ -46,6 +46,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
          * passage can make it false. */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
+            k.link.contact_slope = 0;
         }
         st->geometry.law->next(&k);
     }
@@ -300,7 +301,7 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
         w->tilt[0] = tip->hi;
         return;
     }
-    const bool closed = tip->geometry.law->closed_form && losses_end_alone(&tip->geometry);
+    const bool closed = !tip->geometry.law->rolls && losses_end_alone(&tip->geometry);
     const real u = tip->geometry.steepest, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};

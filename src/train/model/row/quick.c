@@ -80,21 +80,22 @@ static bool glide_done(struct glide *g, const struct link *a, real shrink, real 
 static bool quick_glides(const struct run *run, const struct geometry *head, struct start *at)
 {
     const real tol = TAIL_SHARE * head->tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
-    struct link a = link_head(head, head->c), b = link_head(head, standing);
+    struct walk walk_a = {.link = link_head(head, head->c)}, walk_b = {.link = link_head(head, standing)};
+    struct link *const a = &walk_a.link, *const b = &walk_b.link;
     struct glide g = {.t = half_of_tilt(head->c)};
     for (;;) {
-        glide_add(&g, &a, &b);
-        if (a.i + 1 == run->moving)
+        glide_add(&g, a, b);
+        if (a->i + 1 == run->moving)
             break;
-        if (!(a.tilt.v < a.geometry->leave.v) || !contact_pushes(&a, &b))
+        if (!(a->tilt.v < a->geometry->leave.v) || !contact_pushes(&walk_a, &walk_b))
             return false;
-        const real shrink = pair_shrink(&a, &b, g.t);
-        if (glide_done(&g, &a, shrink, tol))
+        const real shrink = pair_shrink(a, b, g.t);
+        if (glide_done(&g, a, shrink, tol))
             break;
         g.t *= shrink;
-        glide_next(&g, &a, &b);
-        link_next(&b);
-        link_next(&a);
+        glide_next(&g, a, b);
+        link_next(b);
+        link_next(a);
     }
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
     return glide_clears(&g, head, kinetic);
@@ -163,6 +164,6 @@ KERNEL bool study_passes(struct run *run, size_t k, struct start *at)
         return false;
     head->n = run->moving;
     if (head->dynamics->conservative || (run->moving == 1 && losses_end_alone(head)))
-        return head->law->closed_form && quick_glides(run, head, at);
+        return !head->law->rolls && quick_glides(run, head, at);
     return s->rough && quick_rolls(run, k, at);
 }

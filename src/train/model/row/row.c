@@ -92,26 +92,6 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/*
- * Finds the inertia J of all moving dominoes after head k is hit. J is a sum along the chain. With rounded
- * edges, this sum is slow, because the tilts have no closed form. So with rounded edges, J is computed from
- * the inertia ratio of the collision, unless there was no collision, or there is friction, which changes the
- * inertia ratio.
- */
-static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
-{
-    struct geometry geometry = run->geometry[k];
-    struct sums at = {0};
-    if (!geometry.law->closed_form && geometry.dynamics->conservative && run->inertia_ratio > 0) {
-        *J = geometry.upright_inertia * (1 + run->inertia_ratio);
-        return DOM_OK;
-    }
-    geometry.n = run->moving;
-    enum dom_status status = geometry.law->sum(&geometry, rest, &at);
-    *J = at.J;
-    return status;
-}
-
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, k);
@@ -132,9 +112,10 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
                           .tau = block.tau};
     if (run->watch)
         run->watch->head = k;
-    real J = 0;
-    enum dom_status status = inertia_begin(run, k, rest, &J);
-    real kinetic = J * run->omegasq;
+    struct sums at = {0};
+    d->st.geometry.n = run->moving;
+    enum dom_status status = chain_sum(&d->st.geometry, rest, &at);
+    const real J = at.J, kinetic = J * run->omegasq;
     /* if the head touches the next domino from the start, there is no segment, and these values remain */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
