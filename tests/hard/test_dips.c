@@ -110,8 +110,10 @@ static void check(const struct scene *at, domq_real s, enum dom_precision precis
         wrong = !(limit.r_max > r * (domq_real)1.015);
     }
     if (proof) {
-        const struct dom_train same = {
-            .s = (double)s, .d = at->d, .q = at->q, .r = 1, .fuel = DOM_FUEL_EXACT};
+        struct dom_train same = dom_train_default();
+        same.s = (double)s;
+        same.d = at->d;
+        same.q = at->q;
         struct dom_proof proved;
         assert_status(dom_prove_rmax(&same, NULL, &proved), DOM_OK);
         tally->proved += proved.ends == DOM_PROVED_BARRIER;

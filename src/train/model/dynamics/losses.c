@@ -18,7 +18,7 @@ static enum dom_status losses_inertia_ratio(const struct geometry *next, const s
         return DOM_LOCKS;
     enum dom_status status = chain_equation(hitting, at, &at_hit);
     if (status == DOM_OK)
-        *inertia_ratio = next->inertia * rest.contact_slope * at_hit.A * arms.ratio / next->upright_inertia;
+        *inertia_ratio = next->inertia * rest.contact.slope * at_hit.A * arms.ratio / next->upright_inertia;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 

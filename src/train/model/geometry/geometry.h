@@ -208,55 +208,10 @@ KERNEL real tan_half_between(struct tilt from, struct tilt head)
     return sine / (1 + cosine);
 }
 
-/* The contact of a leader with its follower. */
-struct contact {
-    real X, Y;  /* sine and cosine of theta_1 - theta (30; A5), accurate for all angles */
-    real arm;   /* r times the lever arm of the force on the leader (table 1); Y - r L x with sharp edges */
-    real slope; /* d theta_1 / d theta (14; b10), (34; A10); 1 for an upright leader, even at Y = 0 */
-};
-
-KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
-{
-    real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
-    real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    /* A chain multiplies many slopes, so a slope near 1 must not have more than one rounding error. */
-    if (2 * rLx <= Y)
-        return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
-    /* Computing the arm as Y - r L x would lose digits by cancellation. So it is computed from
-     * Y^2 - (r L x)^2, which equals (1 - r^2 s^2) - 2 r^2 L d v. */
-    real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
-    return (struct contact){X, Y, arm, arm / Y};
-}
-
-/*
- * Returns the follower's tilt, by equation (31; A6) in its corrected form: y' = Y y - X x. In a train,
- * X >= 0, so the formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are
- * computed from v', so they stay the sine and cosine of one angle, even far down a long train.
- */
-KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
-{
-    real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
-    return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
-}
-
-/* Like tilt_follower, but for a leader that may lean backwards. The follower may then lean backwards, too.
- * The square root in tilt_follower would lose the sign of the follower's tilt, but the formula x' = Y x + X y
- * keeps it. */
-KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
-{
-    return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
-}
-
 /* Returns the tilt of a domino before it is hit. */
 KERNEL struct tilt geometry_rest(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
-}
-
-/* Returns the slope d theta_1 / d theta when the leader is hit. A leaning leader must have sharp edges. */
-KERNEL real geometry_hit_slope(const struct geometry *geometry)
-{
-    return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).slope;
 }
 
 #endif

@@ -1,16 +1,62 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a chain, from the head down, and the contact of each with its follower. */
+/*
+ * One link of a chain: the contact of a domino with its follower, and the step to the follower. All passes
+ * along a chain consist of these steps. With rounded edges, rounded.h has another contact.
+ */
 #ifndef DOM_LINK_H
 #define DOM_LINK_H
 
 #include "geometry/geometry.h"
 
+/* The contact of a leader, at the tilt theta, with its follower, at theta_1. */
+struct contact {
+    real X, Y;  /* sine and cosine of theta_1 - theta, accurate for all angles */
+    real arm;   /* r times the lever arm of the force on the leader (table 1); Y - r L x with sharp edges */
+    real slope; /* d theta_1 / d theta (34; A10); 1 for an upright leader, even at Y = 0 */
+};
+
+/* The follower's upper edge touches the leader's back face: sin(theta_1 - theta) = r (L cos theta - d)
+ * (12; b8). */
+KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
+{
+    const real rLv = geometry->rL * leader.v, rLx = geometry->rL * leader.x;
+    const real X = geometry->rs - rLv;                                          /* (12; b8) */
+    const real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)); /* (30; A5) */
+    /* theta_1' = 1 - r L x / Y (14; b10). A chain multiplies many slopes, so a slope near 1 must not have
+     * more than one rounding error. */
+    if (2 * rLx <= Y)
+        return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
+    /* Computing the arm as Y - r L x would lose digits by cancellation. So it is computed from
+     * Y^2 - (r L x)^2, which equals (1 - r^2 s^2) - 2 r^2 L d v. */
+    const real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
+    return (struct contact){X, Y, arm, arm / Y};
+}
+
+/*
+ * Returns the follower's tilt, by equation (31; A6) in its corrected form: y' = Y y - X x. In a train,
+ * X >= 0, so the formula for v' = 1 - y' only adds terms of one sign, and no digits cancel. x' and y' are
+ * computed from v', so they stay the sine and cosine of one angle, even far down a long train.
+ */
+KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
+{
+    real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
+    return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
+}
+
+/* Like tilt_follower, but for a leader that may lean backwards. The follower may then lean backwards, too.
+ * The square root in tilt_follower would lose the sign of the follower's tilt, but the formula x' = Y x + X y
+ * keeps it. */
+KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
+{
+    return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
+}
+
+/* A domino of a chain. */
 struct link {
     const struct geometry *geometry; /* geometry of this domino and its follower */
     size_t i;
     struct tilt tilt;
     struct contact contact; /* contact with the follower; valid only if `leads` is true */
-    real contact_slope;     /* theta_(i+1)' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
@@ -25,7 +71,6 @@ KERNEL_LOOP void link_geometry(struct link *k)
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
-        k->contact_slope = k->contact.slope;
     }
 }
 
@@ -42,7 +87,7 @@ KERNEL_LOOP void link_next(struct link *k)
     const struct tilt leader = k->tilt;
     k->i++;
     k->tilt = tilt_follower(leader, k->contact); /* (31; A6) */
-    k->slope *= k->contact_slope;                /* (35; A11) */
+    k->slope *= k->contact.slope;                /* (35; A11) */
     k->weight *= geometry->weight;
     k->inertia *= geometry->inertia;
     if (geometry->follower) {
@@ -60,20 +105,20 @@ KERNEL_LOOP real link_curve(const struct link *leader)
     real X = leader->contact.X, Y = leader->contact.Y;
     if (leader->tilt.x == 0 && Y == 0)
         return 0;
-    return -leader->geometry->rL * (Y * leader->tilt.y - (1 - leader->contact_slope) * leader->tilt.x * X) /
+    return -leader->geometry->rL * (Y * leader->tilt.y - (1 - leader->contact.slope) * leader->tilt.x * X) /
            (Y * Y);
 }
 
 /* Returns the follower's theta'' (35; A11), from `curve` of the contact and theta'' of the leader. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real curve, real second_derivative)
 {
-    return leader->contact_slope * second_derivative + curve * leader->slope * leader->slope;
+    return leader->contact.slope * second_derivative + curve * leader->slope * leader->slope;
 }
 
 /*
  * Compares two chains that are walked down side by side. A domino has the tilt theta_a in the chain of a, and
  * theta_b in the chain of b. Let t = tan((theta_a - theta_b) / 2). Returns the follower's t divided by this
- * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at energy_change_between. If G
+ * domino's t. The ratio is (1 - G) / (1 + t^2 G), with the quantity G defined at chain_difference. If G
  * is close to 1, the subtraction 1 - G would lose digits. So 1 - G is computed from the lever arms of the two
  * contacts.
  */
@@ -81,6 +126,12 @@ KERNEL_LOOP real pair_shrink(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
+}
+
+/* Returns the slope d theta_1 / d theta when the leader is hit. A leaning leader must have sharp edges. */
+KERNEL real geometry_hit_slope(const struct geometry *geometry)
+{
+    return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).slope;
 }
 
 #endif

@@ -73,7 +73,7 @@ KERNEL_LOOP bool done_J(const struct sum_state *a, const struct link *k)
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->J, k->inertia * k->slope * k->slope,
-                       fmax(geometry->inertia * k->contact_slope * k->contact_slope, geometry->decay_J),
+                       fmax(geometry->inertia * k->contact.slope * k->contact.slope, geometry->decay_J),
                        geometry->tol);
 }
 
@@ -81,7 +81,7 @@ KERNEL_LOOP bool done_H1(const struct sum_state *a, const struct link *k, real t
 {
     const struct geometry *geometry = k->geometry;
     return series_done(&a->H1, k->weight * k->slope * steepest_of(geometry, rolls),
-                       fmax(geometry->weight * k->contact_slope, geometry->decay), tol);
+                       fmax(geometry->weight * k->contact.slope, geometry->decay), tol);
 }
 
 /* Returns true when the tail of dH can be left out. `by` is the angle by which this domino turns, and
@@ -190,7 +190,7 @@ KERNEL_LOOP enum dom_status equation_by(const struct geometry *geometry, struct 
         walk_bend(&k, rolls);
         if (equation_done(&k, S, arms.ratio, &A, &B, &C, rolls))
             break;
-        wrong_side = wrong_side || arms.b <= 0;
+        wrong_side = wrong_side || (link->geometry->mu != 0 && arms.b <= 0);
         if (link->contact.X < 0)
             noise += 2 * (arms.b_plain / fabs(arms.b) - 1);
         S *= arms.ratio;

@@ -55,8 +55,8 @@ KERNEL_LOOP bool pushes_by(const struct walk *a, const struct walk *b, const boo
     const struct geometry *self = a->link.geometry, *next = self->follower ? self->follower : self;
     const struct tilt A = a->link.tilt, B = b->link.tilt, A_1 = tilt_follower(A, a->link.contact);
     const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
-               Y_most = X < 0 ? 1 : a->link.contact.Y, slope = a->link.contact_slope,
-               slope_most = b->link.contact_slope;
+               Y_most = X < 0 ? 1 : a->link.contact.Y, slope = a->link.contact.slope,
+               slope_most = b->link.contact.slope;
     real R = self->weight / self->inertia, R_most = R, rest = 0;
     const struct arms arms = rolls ? rounded_arms(&a->link) : sharp_arms(&a->link);
     if (!(B.x >= 0 && A.y >= 0 && A_1.y >= 0 && Y + self->mu * less > 0 && arms.a >= 0 && self->h.y > 0 &&

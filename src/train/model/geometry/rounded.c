@@ -162,7 +162,6 @@ KERNEL void rounded_levers(struct walk *k)
     const real c = of->rho_1 * leader.y, M = geometry->L - more * (1 - k->theta), b = of->tall_1 * y + c,
                arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
     k->link.contact = (struct contact){.X = x, .Y = y, .arm = geometry->r * arm, .slope = slope};
-    k->link.contact_slope = slope;
     k->b = b;
     k->curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
                 leader.x * more) /
@@ -213,7 +212,7 @@ KERNEL void rounded_factors(struct walk *k)
 {
     struct link *link = &k->link;
     k->second_derivative = link_second_derivative(link, k->curve, k->second_derivative);
-    link->slope *= link->contact_slope;
+    link->slope *= link->contact.slope;
     link->weight *= link->geometry->weight;
     link->inertia *= link->geometry->inertia;
 }
@@ -301,10 +300,10 @@ static real rounded_leave(const struct geometry *geometry, real hi, real *theta)
         if (!(*theta > lo && *theta < hi))
             *theta = (lo + hi) / 2;
         const struct walk at = rounded_at(geometry, *theta);
-        const real by = -at.link.contact_slope / at.curve;
-        *(at.link.contact_slope >= 0 ? &lo : &hi) = *theta;
+        const real by = -at.link.contact.slope / at.curve;
+        *(at.link.contact.slope >= 0 ? &lo : &hi) = *theta;
         if (!isnan(at.turn.angle))
-            follower = *theta + at.turn.angle + by * at.link.contact_slope / 2;
+            follower = *theta + at.turn.angle + by * at.link.contact.slope / 2;
         *theta += by;
         /* near the root, each step roughly squares the error */
         if (fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
@@ -362,7 +361,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     of->tall_1 = follower->rounded.tall / geometry->r;
     geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
     geometry->leave = (struct tilt){0, -1, 2};
-    if (!(rounded_at(geometry, PI / 2).link.contact_slope >= 0)) {
+    if (!(rounded_at(geometry, PI / 2).link.contact.slope >= 0)) {
         rounded_leave(geometry, PI / 2, &theta);
         geometry->leave = tilt_of(theta);
     }

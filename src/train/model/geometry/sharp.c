@@ -111,7 +111,6 @@ static void sharp_next(struct walk *walk)
 static void sharp_touch(struct walk *walk)
 {
     walk->link.contact = geometry_contact(walk->link.geometry, walk->link.tilt);
-    walk->link.contact_slope = walk->link.contact.slope;
 }
 
 KERNEL struct arms sharp_arms(const struct link *link)
@@ -121,7 +120,7 @@ KERNEL struct arms sharp_arms(const struct link *link)
                b = contact->Y + mu * contact->X;
     /* without friction the ratio is the slope (14; b10) */
     return (struct arms){
-        .a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : link->contact_slope};
+        .a = a, .b = b, .b_plain = contact->Y, .ratio = mu != 0 ? a / b : link->contact.slope};
 }
 
 static const struct contact_law sharp_edges = {

@@ -58,7 +58,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
         /* the dominoes past the end of the list all move alike, so their torques form a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
-            push = geometric(push, geometry->inertia * self->contact_slope * torque_share);
+            push = geometric(push, geometry->inertia * self->contact.slope * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
         /* At r s = 1, the tip hits the leader's hinge, and the force has no lever arm. */

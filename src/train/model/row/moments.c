@@ -46,7 +46,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
          * passage can make it false. */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
-            k.link.contact_slope = 0;
+            k.link.contact.slope = 0;
         }
         st->geometry.law->next(&k);
     }

@@ -45,8 +45,8 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
 {
     const struct contact *c = &b->contact;
     const real Y = fmin(a->contact.Y, c->Y), y_1 = c->Y * b->tilt.y - c->X * b->tilt.x,
-               turned = fmax(y_1, 0) + fmax(b->contact_slope * a->tilt.x * c->X, 0);
-    g->curve = b->contact_slope * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
+               turned = fmax(y_1, 0) + fmax(b->contact.slope * a->tilt.x * c->X, 0);
+    g->curve = b->contact.slope * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
 /* The last dominoes of the chain are left out of the bound on the barrier. To make up for this, the energy
@@ -72,7 +72,7 @@ static bool glide_done(struct glide *g, const struct link *a, real shrink, real 
                rest = a->weight * 2 * g->t * self->steepest * ratio;
     if (!(rest <= (1 - ratio) * tol * fabs(g->dH)))
         return false;
-    const real ratio_J = fmax(self->inertia * a->contact_slope * a->contact_slope, self->decay_J);
+    const real ratio_J = fmax(self->inertia * a->contact.slope * a->contact.slope, self->decay_J);
     return a->inertia * a->slope * a->slope * ratio_J <= (1 - ratio_J) * tol * g->J;
 }
 
