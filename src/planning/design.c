@@ -344,14 +344,13 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
 bool run_design(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
-    const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
     const bool file = a->path && !a->style.format->for_people, is_random = w->probability > 0;
     struct domq_wish wish = {.first = query->scene->scale.h,
                              .height = query->given->number[0],
                              .safety = w->safety,
                              .hall = w->hall,
                              .g = query->scene->scale.g,
-                             .push = push->on ? push->value[0] : DOMQ_NAN,
+                             .push = scene_push(query->scene, query->scene->scale.h),
                              .least = w->least,
                              .walls = scene_walls(query->scene),
                              .boxes_above = scene_boxes_above(query->scene)};

@@ -43,6 +43,8 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     struct answer list = {.out = answer_rest(a), .style = a->style, .columns = columns, .rows = true};
     list.style.errors = false;
     answer_leave_out(&list, has_masses ? "relative" : "mass");
+    for (size_t i = 0; i < count; i++)
+        answer_announce(&list, "mass", tried[i].mass);
     for (size_t i = 0; i < count && !answer_lost(&list); i++) {
         const struct tried *t = &tried[i];
         struct cell cells[] = {cell_count((domq_real)t->count),

@@ -88,6 +88,7 @@ void designed_list(struct answer *a, const struct designed_row *p, bool file)
     answer_announce(a, "gap", last->gap);
     answer_announce(a, "at", last->height);
     answer_announce(a, "width", last->width);
+    answer_announce(a, "mass", last->mass);
     for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
         const struct domq_domino *d = &p->domino[k];
         struct cell cells[] = {cell_count((domq_real)k + 1),

@@ -246,7 +246,7 @@ bool run_plan(const struct query *query, struct answer *a, struct problem *probl
     bool good = true;
     if (!people && !is_drawn)
         plan_rows(&p, a);
-    else if (!plan_tape_table(&p) || !plan_size_table(&p, has_masses) || !plan_board_table(&p) ||
+    else if (!plan_tape_table(&p) || !plan_size_table(&p, query->scene) || !plan_board_table(&p) ||
              !person_add(&p.row.stage))
         good = problem_status(problem, query->scene, DOM_NO_MEMORY);
     else if (is_drawn)

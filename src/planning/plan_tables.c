@@ -88,16 +88,20 @@ bool plan_tape_table(struct plan *p)
     return true;
 }
 
-bool plan_size_table(struct plan *p, bool has_masses)
+bool plan_size_table(struct plan *p, const struct scene *of)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    const bool has_boxes = scene->row.walls > 0;
+    const bool has_boxes = scene->row.walls > 0, has_masses = scene_has_masses(of);
+    domq_real heaviest = 0;
+    for (size_t k = 0; k < scene->row.count; k++)
+        heaviest = scene->domino[k].mass > heaviest ? scene->domino[k].mass : heaviest;
+    const struct measure unit = scene_mass_measure(of, heaviest);
+    const char *masses = ", and masses are divided by the mass of domino 1";
     snprintf(p->sizes, sizeof p->sizes,
-             "%s If only one height or thickness changes, and stays between 'least' and 'most', all dominoes "
-             "still fall.%s",
-             has_masses ? "In mm and kg."
-                        : "Lengths are in mm, and masses are divided by the mass of domino 1.",
-             has_boxes ? " 'any': as thin as the boards allow." : "");
+             "%s%s%s. If only one height or thickness changes, and stays between 'least' and 'most', all "
+             "dominoes still fall.%s",
+             has_masses ? "In mm" : "Lengths are in mm", has_masses ? " and " : masses,
+             has_masses ? unit.unit : "", has_boxes ? " 'any': as thin as the boards allow." : "");
     struct guide_table *table =
         table_add(p, "For the workshop: the sizes of the dominoes", p->sizes, scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
@@ -116,7 +120,7 @@ bool plan_size_table(struct plan *p, bool has_masses)
             snprintf(line->cell[5], GUIDE_CELL, "any");
         mm(line->cell[7], d->width, 0);
         snprintf(line->cell[8], GUIDE_CELL, "%.4g",
-                 (double)(has_masses ? d->mass : d->mass / scene->domino[0].mass));
+                 (double)(has_masses ? measure_number(unit, d->mass) : d->mass / scene->domino[0].mass));
     }
     return true;
 }

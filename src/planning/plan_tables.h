@@ -27,7 +27,7 @@ bool plan_has_leans(const struct plan *plan);
 
 /* These functions return false if memory runs out. */
 bool plan_tape_table(struct plan *plan);
-bool plan_size_table(struct plan *plan, bool has_masses);
+bool plan_size_table(struct plan *plan, const struct scene *scene);
 bool plan_board_table(struct plan *plan);
 
 #endif

@@ -154,6 +154,15 @@ static bool fall_note(const struct domq_fall *fall, void *context)
     return true;
 }
 
+/* Returns the energy of a domino, divided by the energy that it needs. For people, more than 100 times are not
+ * told apart, as in energy_words. */
+static struct cell energy_cell(const struct answer *a, const struct domq_fall *fall)
+{
+    const domq_real share = fall_share(fall);
+    const bool has_plenty = share > 100 || (fall->barrier == 0 && fall->kinetic > 0);
+    return has_plenty && answer_for_people(a) ? cell_word("> 10000") : cell_narrow(share, 4);
+}
+
 static bool fall_row(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
@@ -163,7 +172,7 @@ static bool fall_row(const struct domq_fall *fall, void *context)
                ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
-                   cell_narrow(fall->margin, 4), cell_narrow(fall_share(fall), 4),
+                   cell_narrow(fall->margin, 4), energy_cell(f->answer, fall),
                    cell_narrow(fall->floor_motion, 3), cell_narrow(fall->floor_hit, 3),
                    cell_narrow(foot_slid(&f->run.scene, k), 3)),
                lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);

@@ -34,7 +34,9 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         free(others);
         return query_status(query, problem, DOM_NO_MEMORY);
     }
+    domq_real heaviest = 0;
     for (size_t k = 0; k < scene.row.count; k++) {
+        heaviest = quad_larger(heaviest, scene.domino[k].mass);
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
         has_widths = has_widths || scene.domino[k].width != scene.domino[k].height / 2;
@@ -46,6 +48,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         answer_leave_out(a, "lean");
     if (!has_widths)
         answer_leave_out(a, "width");
+    answer_unit(a, "mass", scene_mass_measure(query->scene, heaviest));
     a->csv.units = true;
     a->style.errors = false; /* 'set row FILE' cannot read columns with errors */
     a->csv.extra = others;

@@ -256,10 +256,10 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 
 struct words start_words(const struct query *query)
 {
-    const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
+    const domq_real push = scene_push(query->scene, query->scene->scale.h);
     struct words words = {"if its first domino just tips over"};
-    if (push->on)
-        snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s", (double)push->value[0]);
+    if (!isnan(push))
+        snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s", (double)push);
     return words;
 }
 

@@ -334,3 +334,41 @@ END
     wrong 'set s 60 mm; rmax' 'the separation s is outside its range'
     same 'what shows, saves or resets works' '0.4' "$(json 'set s 60 mm; show; save x.dom; reset s; print s' | tail -n 1 | values value)"
 }
+
+@test "a push may be the speed of the first domino's upper edge, and stays this speed" {
+    same 'in rad/s' "$(json 'set row 5; set push 3; verdict')" "$(json 'set row 5; set push 0.144 m/s; verdict')"
+    same 'in other units' "$(json 'set row 5; set push 0.144 m/s; verdict')" "$(json 'set row 5; set push 14.4 cm/s; verdict')"
+    same 'another height' 1.5 "$(json 'set row 5; set push 0.144 m/s; set h 96 mm; show push' | values value | tail -n 1)"
+    printf 'height (cm), thickness (cm), gap (cm)\n12, 2, -\n18, 3, 5\n' >tall.csv
+    same 'another row' '1.2 0.8 3' "$(json 'set row 5; set push 0.144 m/s; set row tall.csv; show push; remove 1; show push; set row 5; show push' | values value | paste -sd ' ')"
+    same 'a design' '0.144 m/s' "$("$DOMINO" -e 'set row tall.csv; set push 0.144 m/s; design 1 m; show' | awk '$1 == "push" { print $2, $3 }')"
+    same 'its first domino' "$(json 'set row 5; set push 3; design 1 m' | tail -n 1)" "$(json 'set row tall.csv; set push 0.144 m/s; design 1 m' | tail -n 1)"
+    same 'with' "$(json 'set row 5; verdict with push 3')" "$(json 'set row 5; verdict with push 0.144 m/s')"
+    same 'in an expression' "$(json 'set row 5; print (verdict with push 3)')" "$(json 'set row 5; print (verdict with push 0.144 m/s)')"
+    same 'a sweep' '3 6' "$(json 'set row 5; sweep push 0.144 m/s, 0.288 m/s : verdict' | values push | paste -sd ' ')"
+    same 'saved' 'set push 14.4 cm/s' "$("$DOMINO" -e 'set row 5; set push 14.4 cm/s; save p.dom' && grep '^set push' p.dom)"
+    same 'read again' 3 "$(json 'source p.dom; set output json; show push' | values value | tail -n 1)"
+    same 'undo' '14.4 cm/s' "$("$DOMINO" -e 'set row 5; set push 14.4 cm/s; set push 4; undo; show' | awk '$1 == "push" { print $2, $3 }')"
+    same 'an angular velocity stays one' 3 "$(json 'set row 5; set push 1 m/s; set push 3; set h 1; show push' | values value | tail -n 1)"
+    same 'the unit of the sheet' 'Push domino 1 so that its top moves at 0.144 m/s.' "$("$DOMINO" -e 'set row 5; set push 0.144 m/s; plan details' | paste -sd ' ' | grep -o 'Push domino 1 so that its top moves at 0.144 m/s\.')"
+    wrong 'set row 5; set push -1 m/s' 'is out of range'
+    wrong 'set row 5; set push 3 kg' 'or as the speed of the top, such as 0.5 m/s'
+    wrong 'set row 5; set push 3 m' 'or as the speed of the top, such as 0.5 m/s'
+}
+
+@test "masses: one unit in a table, that of the row's file, and tonnes for heavy rows" {
+    # Prints the unit and the masses of the row in a file whose column is "mass (UNIT)", or by a density.
+    masses() { "$DOMINO" -e "$1; row" 2>/dev/null | awk 'NR == 2 { print $NF } NR > 2 { print $5 }' | paste -sd ' '; }
+    local unit
+    for unit in g kg t; do
+        printf 'height (cm), thickness (cm), gap (cm), mass (%s)\n24, 3.5, -, 0.76\n34, 5, 13, 2200\n' "$unit" >"$unit.csv"
+        same "in $unit" "$unit 0.76 2200" "$(masses "set row $unit.csv")"
+    done
+    same 'in pounds: what suits the heaviest' 'kg 0.344730 997.903' "$(printf 'height (cm), thickness (cm), gap (cm), mass (lb)\n24, 3.5, -, 0.76\n34, 5, 13, 2200\n' >lb.csv; masses 'set row lb.csv' | sed 's/0.34473 /0.344730 /')"
+    same 'light' 'g 4.8384 16.3296' "$(masses 'set density 600; set row 2')"
+    same 'middle' kg "$(masses 'set density 600; set row 10' | cut -d ' ' -f 1)"
+    same 'heavy' t "$(masses 'set density 600; set row 15' | cut -d ' ' -f 1)"
+    same 'the sheet' 'In mm and t.' "$(printf 'height (m), thickness (m), gap (m), mass (t)\n1, 0.2, -, 0.05\n1.1, 0.2, 0.5, 0.1\n' >sheet.csv; "$DOMINO" -e 'set row sheet.csv; set push 4; plan details' | grep -o 'In mm and t\.')"
+    same 'a design' kg "$("$DOMINO" -e 'set density 600; design 3 m; details' | awk '/^domino/ { getline; print $5 }')"
+    same 'programs: always kg' '0.76 2200' "$(json 'set row kg.csv; row' | values mass | paste -sd ' ')"
+}

@@ -16,6 +16,8 @@ static const struct {
 } measures[] = {{"m", (domq_real)1 / 100, {"mm", 3}},
                 {"m", 1, {"cm", 2}},
                 {"kg", 1, {"g", 3}},
+                {"kg", 10000, {"kg", 0}},
+                {"kg", (domq_real)1e30, {"t", -3}}, /* above, and if the numbers are not known: kg */
                 {"share", (domq_real)HUGE_VAL, {"%", 2}}};
 
 struct measure measure_of(const char *unit, domq_real largest)

@@ -4,7 +4,7 @@
  * sentences convert values to other units:
  *
  *   "m"      mm below 1 cm, cm below 1 m, otherwise m
- *   "kg"     g below 1 kg, otherwise kg
+ *   "kg"     g below 1 kg, kg below 10,000 kg, otherwise t
  *   "share"  %
  *
  * A column of a table has one unit in all rows (see answer_announce). In a sentence, measured(value, "m",

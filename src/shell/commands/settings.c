@@ -81,6 +81,8 @@ static struct typed_length length_typed(const struct arguments *given)
         if (stop && (isspace((unsigned char)*stop) || !*stop || *stop == ';'))
             name_copy(unit, (size_t)(stop - unit), length.unit, sizeof length.unit);
     }
+    if (length.m > 0 && !*length.unit && parameter_share(given->parameter) == SHARE_push)
+        name_copy("m/s", strlen("m/s"), length.unit, sizeof length.unit);
     return length;
 }
 

@@ -57,7 +57,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
         snprintf(shown->value, sizeof shown->value, "%.*s", (int)(unit - 1 - typed), typed);
         snprintf(shown->unit, sizeof shown->unit, "%.7s", unit);
         unit = shown->unit;
-        text_add(shown->range, sizeof shown->range, " h");
+        text_add(shown->range, sizeof shown->range, " %s", p->value->unit);
     }
     snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));
     if (people && is_number && !is_length) {

@@ -3,6 +3,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
+#include "session/row.h"
 #include <limits.h>
 #include <string.h>
 
@@ -205,7 +206,8 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     return true;
 }
 
-/* Checks the value of a parameter. `is_length` is true if a share of the height was given as a length. */
+/* Checks the value of a parameter. `is_length` is true if a share of the height was given as a length, or a
+ * push as a speed. */
 static bool of_check(const struct query *query, const struct argument *a, domq_real value, bool is_length,
                      struct problem *problem)
 {
@@ -231,6 +233,11 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
         a->kind == ARGUMENT_VALUE_OF && strcmp(parameter_find(a->parameter)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
+    /* The push may be entered as the speed of the first domino's upper edge. */
+    const bool is_push =
+        a->kind == ARGUMENT_VALUE_OF && parameter_share(parameter_find(a->parameter)) == SHARE_push;
+    if (is_push && quantity_alike(*q, (struct quantity){.length = 1, .time = -1}))
+        *q = (struct quantity){.value = q->value / scene_first_height(query->scene)};
     /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(*q, per_time))
         q->angle = 1;
@@ -241,6 +248,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
                          expression_kind(*q),
                          example    ? "a value such as '"
                          : is_share ? "it without a unit, or as a length"
+                         : is_push  ? "it without a unit, or as the speed of the top, such as 0.5 m/s"
                                     : "it without a unit",
                          example ? example : "", example ? "'" : "");
 }

@@ -85,6 +85,7 @@ bool scene_row_load(struct scene *scene, const char *name, const struct run_cont
     listed_free(&scene->listed);
     scene->listed = file;
     scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
+    scene_apply_lengths(scene);
     return true;
 }
 
@@ -172,6 +173,7 @@ void effect_save(const struct scene *scene, int effect, const char *folder, FILE
         save_name(path, folder, out);
     const struct typed_length *length = effect == DOM_EFFECT_walls   ? &scene->length[SHARE_walls]
                                         : effect == DOM_EFFECT_edges ? &scene->length[SHARE_edges]
+                                        : effect == DOM_EFFECT_push  ? &scene->length[SHARE_push]
                                                                      : NULL;
     const bool is_length = length && length->m > 0 && state->on;
     if (is_length)

@@ -156,31 +156,10 @@ static const char *const share_names[] = {SHARES(SHARE_NAME)};
 
 int parameter_share(const struct parameter *p)
 {
-    for (int k = 0; k < SHARE_COUNT && *p->value->unit == 'h'; k++)
+    for (int k = 0; k < SHARE_COUNT && (*p->value->unit == 'h' || *p->value->unit == 'r'); k++)
         if (strcmp(share_names[k], p->name) == 0)
             return k;
     return -1;
-}
-
-/* Divides the lengths that were given by the height. */
-static void lengths_apply(struct scene *scene)
-{
-    domq_real share[SHARE_COUNT];
-    bool any = false;
-    for (int k = 0; k < SHARE_COUNT; k++) {
-        share[k] = scene->length[k].m / scene->scale.h;
-        any = any || share[k] > 0;
-    }
-    if (!any)
-        return;
-    scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
-    scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
-    scene->train.width = share[SHARE_width] > 0 ? share[SHARE_width] : scene->train.width;
-    if (share[SHARE_walls] > 0)
-        scene->effect[DOM_EFFECT_walls].value[0] = share[SHARE_walls];
-    if (share[SHARE_edges] > 0)
-        scene->effect[DOM_EFFECT_edges].value[0] = share[SHARE_edges];
-    effects_apply(scene);
 }
 
 bool lengths_check(const struct state *state, struct problem *problem)
@@ -230,7 +209,7 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
                 return false;
             parameter_put(state, a);
         }
-    lengths_apply(&state->scene);
+    scene_apply_lengths(&state->scene);
     for (int i = 0; i < count; i++) {
         const struct parameter *p = assigned[i].parameter;
         if (p->effect && state->scene.effect[p->which].on &&

@@ -95,12 +95,14 @@ enum { ASSIGNED_MAX = 8 };
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Returns the length for struct assigned if the value of the parameter was given as a length. */
+/* Returns the length for struct assigned if the value of the parameter was given as a length, or the push as
+ * a speed. */
 static inline struct typed_length share_length(const struct parameter *parameter,
                                                const struct quantity *typed)
 {
-    const bool is_length = typed->length == 1 && quantity_alike(*typed, (struct quantity){.length = 1});
-    return (struct typed_length){.m = is_length && parameter_share(parameter) >= 0 ? typed->value : 0};
+    const int share = typed->length == 1 ? parameter_share(parameter) : -1;
+    const struct quantity unit = {.length = 1, .time = share == SHARE_push ? -1 : 0};
+    return (struct typed_length){.m = share >= 0 && quantity_alike(*typed, unit) ? typed->value : 0};
 }
 
 /* Returns true if the lengths that were given fit to the height. */

@@ -122,7 +122,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
         .domino = row->domino,
         .count = count,
         .g = scene->scale.g,
-        .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOMQ_NAN,
+        .push = scene_push(scene, row->domino->height),
 #define VALUE(name, member, status) .member = scene->train.member,
         DOM_DYNAMICS(VALUE)
 #undef VALUE
@@ -178,4 +178,41 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
     return measure == MEASURE_LEAN                      ? lean_offset(&d)
            : measure == MEASURE_RADIUS && d.radius == 0 ? scene->train.rho * d.height
                                                         : *row_measure_at(&d, measure);
+}
+
+domq_real scene_first_height(const struct scene *scene)
+{
+    struct domq_domino first = {.height = scene->scale.h};
+    if (scene->effect[DOM_EFFECT_row].on)
+        scene_row_fill(scene, &first, 1);
+    return first.height;
+}
+
+domq_real scene_push(const struct scene *scene, domq_real height)
+{
+    const struct effect_state *push = &scene->effect[DOM_EFFECT_push];
+    const domq_real speed = scene->length[SHARE_push].m;
+    return !push->on ? DOMQ_NAN : speed > 0 ? speed / height : push->value[0];
+}
+
+void scene_apply_lengths(struct scene *scene)
+{
+    domq_real share[SHARE_COUNT];
+    bool any = false;
+    for (int k = 0; k < SHARE_COUNT; k++) {
+        share[k] = scene->length[k].m / scene->scale.h;
+        any = any || share[k] > 0;
+    }
+    if (!any)
+        return;
+    scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
+    scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
+    scene->train.width = share[SHARE_width] > 0 ? share[SHARE_width] : scene->train.width;
+    if (share[SHARE_walls] > 0)
+        scene->effect[DOM_EFFECT_walls].value[0] = share[SHARE_walls];
+    if (share[SHARE_edges] > 0)
+        scene->effect[DOM_EFFECT_edges].value[0] = share[SHARE_edges];
+    effects_apply(scene);
+    if (share[SHARE_push] > 0 && scene->effect[DOM_EFFECT_push].on)
+        scene->effect[DOM_EFFECT_push].value[0] = scene_push(scene, scene_first_height(scene));
 }

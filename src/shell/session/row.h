@@ -28,6 +28,12 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
  * made. If 'change' changes the height, the width stays as it was. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
+/* Returns the height in m of the first domino of the row or, if there is no row, of the train. */
+domq_real scene_first_height(const struct scene *scene);
+
+/* Returns the push in rad/s for a first domino of this height in m, or NaN if there is no push. */
+domq_real scene_push(const struct scene *scene, domq_real height);
+
 /* Returns true if the masses of the row are known in kg. Energies are then in J. If the masses are not known,
  * the unit of energy is m g h/2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);

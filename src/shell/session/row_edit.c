@@ -122,9 +122,10 @@ static bool edit_end(struct scene *scene, struct listed_row *next, bool good, st
     next->saved = false;
     scene->listed = *next;
     good = good && scene_row_list(scene, &changed, problem);
-    if (good)
+    if (good) {
         free(changed.domino);
-    else
+        scene_apply_lengths(scene);
+    } else
         scene->listed = before;
     listed_free(good ? &before : next);
     return good;

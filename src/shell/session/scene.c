@@ -86,7 +86,8 @@ void effects_reset(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         scene->effect[k] = (struct effect_state){.on = false};
-    scene->length[SHARE_walls] = scene->length[SHARE_edges] = (struct typed_length){.m = 0};
+    scene->length[SHARE_walls] = scene->length[SHARE_edges] = scene->length[SHARE_push] =
+        (struct typed_length){.m = 0};
     listed_free(&scene->listed);
     effects_apply(scene);
 }
@@ -116,6 +117,18 @@ domq_real scene_mass(const struct scene *scene)
     struct domq_domino first;
     domq_row_of_train(&scene->train, &scene->scale, 1, &first, 1);
     return scene_first_mass(scene, &first);
+}
+
+struct measure scene_mass_measure(const struct scene *scene, domq_real largest)
+{
+    /* The base unit of a column is shown as it is: a pound is shown in the unit that suits the largest mass.
+     */
+    static const struct measure units[] = {{"g", 3}, {"kg", 0}, {"t", -3}};
+    static const double size[] = {0.001, 1, 1000};
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if ((double)scene->listed.mass_unit == size[i])
+            return units[i];
+    return measure_of("kg", largest);
 }
 
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)

@@ -5,7 +5,7 @@
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
-#include "answer/cell.h"
+#include "answer/measure.h"
 #include "domino_quad.h"
 #include "language/variables.h"
 #include "session/effect_list.h"
@@ -42,8 +42,9 @@ struct changed_domino {
 struct listed_row {
     struct domq_domino *domino; /* the dominoes, or NULL if the row does not come from a file */
     size_t count;
-    bool has_masses;   /* the masses are in kg; otherwise, only their ratios are known */
-    bool from_volumes; /* the masses follow from the volumes, not from a column "mass" or "relative" */
+    bool has_masses;     /* the masses are in kg; otherwise, only their ratios are known */
+    domq_real mass_unit; /* the unit of the file's column of masses in kg, or 0 if it gives none */
+    bool from_volumes;   /* the masses follow from the volumes, not from a column "mass" or "relative" */
     char *path;
     /* The columns of the file that the program does not know, as lines of csv. The first line has the names
      * of these columns. It is followed by one line for each domino. A comma precedes each cell, and each line
@@ -56,15 +57,16 @@ struct listed_row {
     size_t *holders;
 };
 
-/* The parameters that are shares of the height h. If the user has given a length instead, it stays the same
- * length when h changes. */
-#define SHARES(X)        X(s) X(d) X(width) X(walls) X(edges)
+/* The parameters that are shares of the height h, and the push. If the user has given a length instead of a
+ * share, it stays the same length when h changes. If the user has given the push as the speed of the first
+ * domino's upper edge, it stays the same speed when the height of this domino changes. */
+#define SHARES(X)        X(s) X(d) X(width) X(walls) X(edges) X(push)
 #define SHARE_ENUM(name) SHARE_##name,
 enum share { SHARES(SHARE_ENUM) SHARE_COUNT };
 #undef SHARE_ENUM
 
 struct typed_length {
-    domq_real m;  /* the length in m, or 0 for a share */
+    domq_real m;  /* the length in m, or 0 for a share; for the push, the speed in m/s */
     char unit[8]; /* the unit that was typed, for 'show'; "" if the length was not one number with a unit */
 };
 
@@ -108,6 +110,9 @@ void state_close(struct state *state);
 /* Turns all effects off and frees the memory of the row. */
 void effects_reset(struct scene *scene);
 
+/* Sets the parameters for which lengths, or a speed, have been given. */
+void scene_apply_lengths(struct scene *scene);
+
 /* Copies the values of effects into the train of the scene. */
 void effects_apply(struct scene *scene);
 
@@ -147,6 +152,9 @@ domq_real scene_first_mass(const struct scene *scene, const struct domq_domino *
 
 /* Returns the mass in kg of the first domino of the train, or 0 if it is not known. */
 domq_real scene_mass(const struct scene *scene);
+
+/* Returns the unit for a table of masses up to `largest` kg: the unit of the row's file, if it gives one. */
+struct measure scene_mass_measure(const struct scene *scene, domq_real largest);
 
 /* Returns true if the mass of the first domino of the train is known. */
 static inline bool scene_has_mass(const struct scene *scene)

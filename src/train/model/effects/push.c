@@ -9,7 +9,9 @@ const struct dom_effect dom_effect_push = {
             "(tan theta_u = d), and the clock starts when it hits the second domino. With a push the "
             "first domino starts upright, and the clock starts with the push. A standard domino "
             "needs about 2.5 rad/s to tip over; with a weaker push the row stops at domino 1. If the "
-            "first domino touches the second before it tips over, the row needs a push.",
+            "first domino touches the second before it tips over, the row needs a push. OMEGA may also "
+            "be the speed of the domino's upper edge, as in 'set push 0.5 m/s'; it then stays this speed if "
+            "the domino becomes taller.",
     .source = "energy of a single domino, (6; b2) and (9; b5)",
     .plan = "omega^2 of the first domino",
     .argument = {{.name = "OMEGA",
