@@ -22,21 +22,21 @@ static real r_of(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* The steps of ln r from one sample to the next. The first step is a part of sqrt(s (s + 2 d)), the scale on
- * which the weights of the chain change near r = 1. Each step is twice as long as the one before, up to
- * SAMPLE_STEP. The last samples are at 0.9 of the reach and at the reach itself. */
-#define SAMPLE_STEP  ((real)0.2)
-#define SAMPLE_FIRST ((real)0.5)
+/* The steps of ln r from one sample to the next: half of sqrt(s (s + 2 d)), the scale on which the weights of
+ * the chain change near r = 1, but at least SAMPLE_LEAST and at most SAMPLE_MOST. The last samples are at 0.9
+ * of the reach and at the reach itself. */
+#define SAMPLE_LEAST ((real)0.1)
+#define SAMPLE_MOST  ((real)0.2)
 /* Enough for a reach of 1.6e6, the largest there is. */
-enum { SAMPLES_MOST = 120 };
+enum { SAMPLES_MOST = 160 };
 
-/* Returns the growth of the sample after r. `step` is the last step. */
-static real next_place(const struct margin_context *c, real r, real *step)
+/* Returns the growth of the sample after r. */
+static real next_place(const struct margin_context *c, real r)
 {
-    const real reach = c->geometry.span / c->s, near = (real)0.9 * reach, s = c->s;
-    *step = fmin(*step > 0 ? 2 * *step : SAMPLE_FIRST * sqrt(s * (s + 2 * c->geometry.d)), SAMPLE_STEP);
-    const real next = r * exp(*step);
-    return r >= near ? reach : next * exp(*step / 4) > near ? fmax(near, r * (1 + REAL_EPSILON)) : next;
+    const real s = c->s, reach = c->geometry.span / s, near = (real)0.9 * reach,
+               first = sqrt(s * (s + 2 * c->geometry.d)) / 2,
+               step = r > 1 ? SAMPLE_MOST : fmin(fmax(first, SAMPLE_LEAST), SAMPLE_MOST);
+    return r >= near ? reach : fmin(r * exp(step), r * exp(step * (real)1.25) > near ? near : reach);
 }
 
 /* An interval is halved at most so often, down to about 2e-6 r. After every LOOK_EVERY halvings, the slopes
@@ -251,6 +251,16 @@ static enum dom_status find_root(struct first *s, const struct stretch *in)
 
 static enum dom_status search_stretch(struct first *s, const struct stretch *in);
 
+/* Returns a sample with its barrier in the place of an upper bound. */
+static enum dom_status sample_exactly(const struct first *s, const struct margin_sample *bound,
+                                      struct margin_sample *sample)
+{
+    *sample = *bound;
+    if (bound->margin.barrier_is_bound)
+        sample->margin = margin_sign(s->c, bound->r, false);
+    return s->c->status;
+}
+
 /* Searches the two halves of an interval. */
 static enum dom_status search_halves(struct first *s, const struct stretch *in)
 {
@@ -265,7 +275,7 @@ static enum dom_status search_halves(struct first *s, const struct stretch *in)
         if (status != DOM_OK || is_clear(s, &inside, in->dip))
             return status;
     } else {
-        middle = (struct margin_sample){r, margin_sign(s->c, r)};
+        middle = (struct margin_sample){r, margin_sign(s->c, r, true)};
         status = s->c->status;
     }
     if (status == DOM_OK)
@@ -325,9 +335,17 @@ static enum dom_status search_stretch(struct first *s, const struct stretch *in)
     if (status != DOM_OK || is_clear(s, in, &s->root) || (in->dip && is_clear(s, in, in->dip)))
         return status;
     if (in->halves >= 0 && in->halves < HALVES && (finest || (HALVES - in->halves) % LOOK_EVERY == 0)) {
-        struct margin_sample minimum;
+        struct margin_sample minimum, lo, hi;
         struct zero dip;
         bool found;
+        if (in->lo->margin.barrier_is_bound || in->hi->margin.barrier_is_bound) {
+            /* the bound on the barrier may hide that the margin is large */
+            const struct stretch exact = {in->before, &lo, &hi, in->after, in->dip, in->halves};
+            status = sample_exactly(s, in->lo, &lo);
+            if (status == DOM_OK)
+                status = sample_exactly(s, in->hi, &hi);
+            return status == DOM_OK ? search_stretch(s, &exact) : status;
+        }
         status = find_minimum(s, in, &minimum, &dip, &found);
         if (status != DOM_OK || found)
             return found ? search_dip(s, in, &minimum, &dip) : status;
@@ -353,14 +371,13 @@ KERNEL enum dom_status first_change(struct margin_context *c, const struct margi
         status = root_any(c, from->r, &root);
     if (isfinite(root.r))
         keep_root(&s, &root);
-    real step = 0;
     while (status == DOM_OK && n < SAMPLES_MOST && sample[n - 1].r < fmin(root.r, reach)) {
-        const real r = next_place(c, sample[n - 1].r, &step);
-        sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r)} : s.change.at;
+        const real r = next_place(c, sample[n - 1].r);
+        sample[n] = r < root.r ? (struct margin_sample){r, margin_sign(c, r, true)} : s.change.at;
         status = c->status;
         /* the kinetic energy at the start may be only a lower bound */
         if (n == 1 && status == DOM_OK && from->margin.barrier_is_bound && !is_high(&s, &sample[1])) {
-            sample[0].margin = margin_sign(c, from->r);
+            sample[0].margin = margin_sign(c, from->r, true);
             status = c->status;
         }
         if (!sign_kept(&s, &sample[n++]))

@@ -95,7 +95,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
                                    .barrier = barrier_most(&geometry),
                                    .barrier_is_bound = true};
     if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
-        first.margin = margin_sign(c, 1);
+        first.margin = margin_sign(c, 1, true);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
         limit->why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
@@ -135,7 +135,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     struct margin_sample first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)};
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;
-    first.margin = margin_sign(c, first.r);
+    first.margin = margin_sign(c, first.r, true);
     if (c->status != DOM_OK || margin_value(&first.margin) >= 0)
         return c->status == DOM_OK ? limit_to_negative(c, &first, found) : c->status;
     struct change change;

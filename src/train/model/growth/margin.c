@@ -177,12 +177,11 @@ KERNEL struct margin margin_finely(struct margin_context *c, real r)
 
 #define MARGIN_ROUGH ((real)1e-3)
 
-KERNEL struct margin margin_sign(struct margin_context *c, real r)
+KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound)
 {
     struct margin m = {.kinetic = REAL_NAN};
-    const bool conservative = c->geometry.dynamics->conservative;
     real tol = fmax(MARGIN_ROUGH, c->geometry.tol);
-    c->how = conservative ? MARGIN_SIGN : MARGIN_SURE;
+    c->how = bound && c->geometry.dynamics->conservative ? MARGIN_SIGN : MARGIN_SURE;
     for (;; tol = fmax(tol * MARGIN_ROUGH, margin_finest(c))) {
         struct margin finer = {.kinetic = REAL_NAN};
         const enum dom_status status = margin_to(c, r, tol, &finer);

@@ -67,8 +67,9 @@ KERNEL struct margin margin_finely(struct margin_context *c, real r);
 /* If the kinetic energy exceeds MARGIN_HIGH barrier_most, margin_sign does not search for the barrier. */
 #define MARGIN_HIGH 1
 
-/* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. */
-KERNEL struct margin margin_sign(struct margin_context *c, real r);
+/* Returns the margin, computed precisely enough to be sure of its sign if the arithmetic permits this. If
+ * `bound` is true, an upper bound may take the place of the barrier. */
+KERNEL struct margin margin_sign(struct margin_context *c, real r, bool bound);
 
 /* Returns the unit in which a margin is measured: |K| + barrier_most. Near a root, it is of the size of the
  * terms whose difference the margin is. */
