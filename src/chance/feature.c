@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/feature.h"
-#include "session/random_errors.h"
+#include "chance/chance.h"
 
 extern const struct command study_commands[];
 
@@ -21,4 +21,8 @@ static bool row_answer(const struct scene *scene, const struct domq_row *row,
     return has_errors;
 }
 
-const struct feature chance_feature = {.name = "chance", .groups = groups, .row_answer = row_answer};
+const struct feature chance_feature = {.name = "chance",
+                                       .groups = groups,
+                                       .parameter = error_parameter,
+                                       .check = errors_check,
+                                       .row_answer = row_answer};

@@ -2,9 +2,8 @@
 /* Computes a study of random rows in parts, for example on several computers. Each part writes counts for
  * blocks of 100 rows. The command 'pool' reads the blocks of all parts and adds the counts. It then prints
  * the answer that 'placement' would have printed for the whole study. */
+#include "chance/chance.h"
 #include "parallel/points.h"
-#include "rows/rows.h"
-#include "session/random_errors.h"
 #include "session/rowfile.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -103,8 +102,8 @@ static void without_text(const struct study *study, char text[WITHOUT_TEXT])
         char prefix[32];
         if (!study->is_on[k])
             continue;
-        snprintf(prefix, sizeof prefix, " %s@", error_names(NULL, k));
-        n += snprintf(text + n, (size_t)(WITHOUT_TEXT - n), "%s%s:%zu", n ? " " : "", error_names(NULL, k),
+        snprintf(prefix, sizeof prefix, " %s@", error_kinds[k].name);
+        n += snprintf(text + n, (size_t)(WITHOUT_TEXT - n), "%s%s:%zu", n ? " " : "", error_kinds[k].name,
                       study->without[k]);
         n += stops_text(study_stops(study, k), study->dominoes, prefix, text + n, WITHOUT_TEXT - n);
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands 'placement' and 'budget', and the table of all commands about rows with random errors. */
+#include "chance/chance.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
-#include "rows/rows.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -133,33 +133,21 @@ struct budget_call {
  * multiplies the errors, and has no unit. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
-    const char *unit = error_unit((int)call->kind);
+    const char *unit = error_kinds[call->kind].unit;
     return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
 }
 
 /* Writes how precise the row must be, for example "Keep the gaps accurate to within 2 mm". */
 static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
 {
-    static const char *const keep[DOM_ERROR_COUNT] = {
-        [DOM_ERROR_gap] = "Keep the gaps accurate",
-        [DOM_ERROR_place] = "Place the dominoes",
-        [DOM_ERROR_height] = "Keep the heights accurate",
-        [DOM_ERROR_thickness] = "Keep the thicknesses accurate",
-        [DOM_ERROR_mass] = "Keep the masses accurate",
-        [DOM_ERROR_lean] = "Keep the leans accurate",
-        [DOM_ERROR_radius] = "Keep the radii accurate",
-        [DOM_ERROR_friction] = "Measure the friction",
-        [DOM_ERROR_slope] = "Measure the slope",
-        [DOM_ERROR_floor] = "Measure the friction of the floor",
-        [DOM_ERROR_push] = "Keep the push accurate",
-    };
     const bool all = call->kind == DOM_ERROR_COUNT;
     const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
     if (all)
         snprintf(text, room, "All errors may be %s times as large as they are now",
                  size_words(call, size).text);
     else
-        snprintf(text, room, "%s to within %s (%s)", keep[call->kind], size_words(call, size).text,
+        snprintf(text, room, "%s to within %s (%s)", error_kinds[call->kind].keep,
+                 size_words(call, size).text,
                  uniform ? "limits of uniform errors" : "one standard deviation");
 }
 
@@ -214,7 +202,7 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
     return problem_no_answer(problem,
                              "even with no error in the %s, fewer rows fall than P asks for; enter a smaller "
                              "P, or make the other errors smaller",
-                             error_names(NULL, (int)call->kind));
+                             error_kinds[call->kind].name);
 }
 
 /* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
@@ -238,9 +226,9 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
 {
     const bool any = !isfinite(b->sigma);
     const int digits = interrupted ? 4 : 0;
-    if (*error_unit((int)call->kind) != 'm')
+    if (*error_kinds[call->kind].unit != 'm')
         for (int i = 1; i < 4; i++)
-            answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
+            answer_describe(a, budget_columns[i].key, error_kinds[call->kind].unit, NULL);
     if (call->kind != DOM_ERROR_gap)
         answer_describe(a, "sigma", NULL,
                         "the largest error, or factor for all errors, at which the share 'probability' of "
@@ -248,7 +236,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     answer_row(a,
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
-                   cell_word(error_names(NULL, (int)call->kind))),
+                   cell_word(error_kinds[call->kind].name)),
                any ? "more rows fall than P asks for, even with the largest errors that are tried"
                : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
                                                       : NULL);

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a study of random rows and prints its answer. */
+#include "chance/chance.h"
 #include "language/text.h"
-#include "rows/rows.h"
-#include "session/random_errors.h"
 #include <stdlib.h>
 
 const struct column placement_columns[] = {
@@ -85,19 +84,6 @@ static size_t cause_stops(const struct study *s, int kind)
 /* Prints, for each kind of error, how many rows would fall without it. */
 static void causes_say(struct answer *a, const struct study *s)
 {
-    static const char *const names[] = {
-        [DOM_ERROR_gap] = "the errors in the gaps",
-        [DOM_ERROR_place] = "the errors in the positions",
-        [DOM_ERROR_height] = "the errors in the heights",
-        [DOM_ERROR_thickness] = "the errors in the thicknesses",
-        [DOM_ERROR_mass] = "the errors in the masses",
-        [DOM_ERROR_lean] = "the leans",
-        [DOM_ERROR_radius] = "the errors in the radii",
-        [DOM_ERROR_friction] = "the unknown friction",
-        [DOM_ERROR_slope] = "the unknown slope",
-        [DOM_ERROR_floor] = "the unknown friction of the floor",
-        [DOM_ERROR_push] = "the unknown push",
-    };
     const int worst = cause_next(s, DOM_ERROR_COUNT);
     char others[600] = "", stops[80] = "";
     if (worst == DOM_ERROR_COUNT)
@@ -107,12 +93,12 @@ static void causes_say(struct answer *a, const struct study *s)
     const size_t domino = cause_stops(s, worst);
     for (int k = cause_next(s, worst); k < DOM_ERROR_COUNT; k = cause_next(s, k))
         text_add(others, sizeof others, *others ? "; without %s, %zu" : "Without %s, %zu would fall",
-                 names[k], s->without[k]);
+                 error_kinds[k].cause, s->without[k]);
     if (domino > 0)
         snprintf(stops, sizeof stops, "; because of %s, rows stop most often at domino %zu", it, domino);
     if (s->without[worst] > s->result.fall) {
         answer_say(a, "Of all errors, %s stop%s the most rows: without %s, %zu of %zu rows would fall.",
-                   names[worst], is_plural ? "" : "s", it, s->without[worst], s->result.rows);
+                   error_kinds[worst].cause, is_plural ? "" : "s", it, s->without[worst], s->result.rows);
         answer_detail(a, "%s%s%s.", others, *others ? "" : "No other error is on", stops);
     } else
         answer_detail(a, "Leaving out any single kind of error would not make more of these rows fall.");
@@ -144,7 +130,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
                    cell_computed((domq_real)study->low), cell_computed((domq_real)study->high),
                    cell_count((domq_real)study->unknown),
                    most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN), cell_word(s->errors),
-                   cell_word(costs ? error_names(NULL, worst) : ""),
+                   cell_word(costs ? error_kinds[worst].name : ""),
                    costs ? cell_computed((domq_real)s->without[worst] / (domq_real)study->rows)
                          : cell_real(DOMQ_NAN),
                    there > 0 ? cell_count((domq_real)there) : cell_real(DOMQ_NAN)),

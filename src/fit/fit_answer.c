@@ -265,7 +265,8 @@ bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
     *f = (struct fit){.query = query, .unknowns = given->count};
     for (int i = 0; i < given->count; i++) {
         f->unknown[i].parameter = given->parameter[i];
-        solve_range(given->parameter[i]->name, &f->unknown[i].lowest, &f->unknown[i].highest);
+        f->unknown[i].lowest = given->parameter[i]->from;
+        f->unknown[i].highest = given->parameter[i]->to;
     }
     const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
     if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the design that falls with a given probability. It tries larger and larger numbers of dominoes. For
  * each number, it runs random rows and counts how many of them fall. */
+#include "chance/chance.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "planning/designs.h"
 #include "planning/planning.h"
-#include "rows/rows.h"
-#include "session/random_errors.h"
 #include <stdlib.h>
 
 /* The search ends when it reaches DOMINOES_MOST dominoes, or when it has tested DESIGNS_MOST designs with

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'improve', which changes the session's row to make it more likely to fall. */
+#include "chance/chance.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "planning/planning.h"
-#include "session/random_errors.h"
 #include "train/falling.h"
 #include <stdlib.h>
 

@@ -132,9 +132,9 @@ static void errors_words(const struct domq_random_error *error, char *text, size
     text[0] = '\0';
     for (int k = 0; k < DOM_ERROR_COUNT && at < (int)size; k++) {
         const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
-        const char *unit = *error_unit(k) || is_added ? error_unit(k) : "share";
+        const char *unit = *error_kinds[k].unit || is_added ? error_kinds[k].unit : "share";
         if (error[k].size > 0)
-            at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_names(NULL, k),
+            at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_kinds[k].name,
                            measured(error[k].size, unit, 3).text, error[k].uniform ? " at most" : "");
     }
 }

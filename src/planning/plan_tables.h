@@ -3,9 +3,9 @@
 #ifndef SHELL_PLAN_TABLES_H
 #define SHELL_PLAN_TABLES_H
 
+#include "chance/chance.h"
 #include "pictures/drawing/falling_row.h"
 #include "pictures/picture/guide.h"
-#include "rows/rows.h"
 
 /* A row that falls, and what a builder must know about it. */
 struct plan {

@@ -4,16 +4,14 @@
 #define SHELL_ROWS_H
 
 #include "interpreter/question.h"
-#include "session/random_errors.h"
 #include "train/falling.h"
 
 extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
-    placement_columns[], slip_columns[];
+    slip_columns[];
 bool run_fall(const struct query *query, struct answer *a, struct problem *problem);
 bool run_verdict(const struct query *query, struct answer *a, struct problem *problem);
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem);
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
-bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
 /* The parts of 'change', 'place', 'remove' and 'insert' (change.c). */
@@ -55,38 +53,6 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count);
 
 /* The message for a domino that is lifted off the floor. */
 extern const char foot_lifted[];
-
-/* The results of a study of random rows. */
-struct study {
-    domq_real sigma, heights;
-    char errors[ERRORS_TEXT];
-    bool is_on[DOM_ERROR_COUNT];
-    bool causes; /* the rows were also run with each kind of error left out in turn */
-    struct domq_study result;
-    size_t without[DOM_ERROR_COUNT]; /* for each kind of error, how many rows fall if it is left out */
-    size_t dominoes;                 /* the number of dominoes in the row */
-    size_t *stops;                   /* how many rows stop at each domino: see domq_placement_causes */
-};
-
-/* Runs a study of the scene's row with `rows` random rows. Stores the scene's random errors in `error`. If
- * the scene has no random errors, runs nothing and sets study->rows to 0. */
-bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
-               struct domq_random_error error[DOM_ERROR_COUNT]);
-
-/* Runs a study. If there are several kinds of errors, finds out which of them matter: for each kind, runs the
- * rows again without errors of this kind. The caller frees study->stops, even after a failure. */
-enum dom_status study_run_with_causes(const struct domq_row *row, const struct domq_compute *compute,
-                                      const struct domq_placement *placement, struct study *study);
-
-/* Returns an array whose element k is the number of rows that this kind of error stops at domino k + 1. */
-size_t *study_stops(const struct study *study, int kind);
-
-/* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
-void study_answer(struct answer *a, const struct study *study, const char *reason);
-
-/* Computes and prints the part of a study that --shard selects, as counts for blocks of 100 rows. */
-bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
-                  const struct scene_row *scene, const struct domq_placement *placement);
 
 /* ---- The windows of a row: how inaccurate each domino may be before the row stops ---- */
 

@@ -10,37 +10,13 @@
 
 /* ---- The question ---- */
 
-/* The usual range of a parameter. If the user gives no range, this one is searched, because the range of all
- * allowed values is too wide. */
-static const struct usual_range {
-    const char *name;
-    double from, to;
-} usual_ranges[] = {{"s", 0.02, 1},           {"r", 1, 4},
-                    {"d", 0.01, 1},           {"q", 1, 6},
-                    {"width", 0.05, 5},       {"h", 0.005, 10},
-                    {"g", 0.1, 30},           {"mass", 1e-3, 10},
-                    {"density", 50, 10000},   {"friction", 0, 2},
-                    {"slope", -0.14, 0.14},   {"push", 0, 30},
-                    {"placement", 0, 0.1},    {"floor", 0, 3},
-                    {"edges", 0, 0.05},       {"feet", 0.05, 2},
-                    {"bounce", 0, 1},         {"walls", 1e-4, 0.07},
-                    {"error_place", 0, 0.1},  {"error_thickness", 0, 0.5},
-                    {"error_mass", 0, 1},     {"error_lean", 0, 0.14},
-                    {"error_radius", 0, 1},   {"error_friction", 0, 0.5},
-                    {"error_slope", 0, 0.14}, {"error_floor", 0, 0.5},
-                    {"error_push", 0, 5}};
-
 const char *solve_names(const void *context, int k)
 {
     (void)context;
-    return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
-}
-
-void solve_range(const char *name, double *from, double *to)
-{
-    const struct usual_range *range = &usual_ranges[names_exact(solve_names, NULL, name)];
-    *from = range->from;
-    *to = range->to;
+    const struct parameter *p = session_parameters;
+    while (p->name && (p->from == p->to || k-- > 0))
+        p++;
+    return p->name;
 }
 
 /* Returns examples of the command, for error messages. */
@@ -54,7 +30,6 @@ static const char *form_of(const struct problem *problem)
 /* The parsed arguments of 'solve' and 'watch'. An item that was not typed is zero. */
 struct solve_parsed {
     const struct parameter *parameter;
-    const struct usual_range *usual;
     struct item from, to, value;
     struct question question;
     bool verdict;
@@ -86,8 +61,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     if (k < 0)
         return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; enter, for example, %s", message,
                              form_of(r->problem));
-    s->usual = &usual_ranges[k];
-    s->parameter = parameter_find(s->usual->name);
+    s->parameter = parameter_find(solve_names(NULL, k));
     r->at = skip_blanks(r->at + length);
     r->stops = ":";
     bool is_good =
@@ -155,8 +129,8 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
     if (!s)
         return false;
     *s = (struct solve){.parameter = parsed->parameter,
-                        .from = (domq_real)parsed->usual->from,
-                        .to = (domq_real)parsed->usual->to,
+                        .from = (domq_real)parsed->parameter->from,
+                        .to = (domq_real)parsed->parameter->to,
                         .question = &parsed->question,
                         .verdict = parsed->verdict};
     if (parsed->from.at && (!item_bind(&parsed->from, q->text, query, NULL, &s->from, problem) ||

@@ -78,7 +78,4 @@ bool assert_parse(struct reader *reader, struct question *question);
 const char *solve_names(const void *context, int k);  /* the parameters that 'solve' and 'watch' change */
 const char *assert_names(const void *context, int k); /* the commands with a verdict */
 
-/* Finds the default range in which 'solve' varies a parameter. `name` is one of solve_names. */
-void solve_range(const char *name, double *from, double *to);
-
 #endif

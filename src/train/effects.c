@@ -2,7 +2,6 @@
 /* The commands 'effects' and 'scene'. */
 #include "interpreter/feature.h"
 #include "language/text.h"
-#include "session/random_errors.h"
 #include "train/falling.h"
 #include "train/seconds.h"
 #include "train/train.h"
@@ -10,6 +9,25 @@
 #include <stdlib.h>
 
 /* ---- effects ---- */
+
+static bool is_random(int effect)
+{
+    return effect == DOM_EFFECT_placement || effect >= EFFECT_ENGINE_END;
+}
+
+static bool has_errors(const struct scene *scene)
+{
+    bool any = false;
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        any = any || (is_random(k) && scene->effect[k].on);
+    return any;
+}
+
+static void errors_off(struct scene *scene)
+{
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        scene->effect[k].on = scene->effect[k].on && !is_random(k);
+}
 
 /* Computes the main answer of a scene: whether the train, or the whole row, falls. */
 static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
@@ -45,10 +63,12 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     struct scene_row row = {.domino = NULL};
     struct scene core = *query->scene;
     errors_off(&core);
+    const struct feature *f;
     const bool has_row = query->scene->effect[DOM_EFFECT_row].on;
     random = random && has_row;
-    if (random && !errors_check(query->scene, problem))
-        return false;
+    for (int i = 0; random && (f = feature_at(i)) != NULL; i++)
+        if (f->check && !f->check(query->scene, problem))
+            return false;
     if (has_row && !scene_row_make(query->scene, &row, problem))
         return false;
     enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
@@ -95,6 +115,8 @@ static double price_with(const struct query *query, int effect, bool on)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
+        if (!e)
+            continue;
         bool wanted = k == effect ? on
                                   : (effect_at(effect)->needs >> k & 1) != 0 ||
                                         (k == DOM_EFFECT_row && effect == DOM_EFFECT_placement);
@@ -128,8 +150,7 @@ bool run_costs(const struct query *query, struct answer *a, struct problem *prob
 {
     struct dom_work work = {0};
     size_t dominoes;
-    struct domq_random_error error[DOM_ERROR_COUNT];
-    if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
+    if (!scene_work(query, problem, has_errors(query->scene), &work, &dominoes))
         return false;
     answer_columns(a, costs_columns);
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
@@ -222,9 +243,8 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                             : "roots of H', and H at each root (26; c8)",
                  n, "always");
     part_row(a, "time", "integral of 1/omega, by double-exponential quadrature", 0, "for times only");
-    struct domq_random_error error[DOM_ERROR_COUNT];
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
-    if (is_row && scene_errors(scene, error))
+    if (is_row && has_errors(scene))
         part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
                  has_placement ? "placement is on" : "errors are on");
     if (scene->effect[DOM_EFFECT_floor].on)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plot 'placement': the probability that the whole row falls, plotted against the size of random errors
  * in its gaps. */
+#include "chance/chance.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include "pictures/plots/plots.h"
-#include "session/random_errors.h"
 #include "train/falling.h"
 #include <stdlib.h>
 
@@ -103,7 +103,7 @@ static bool plot_placement(const struct query *query, struct answer *a, struct c
 /* The warning about missing initializers is off, because the entries leave out members. */
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
-static const struct column placement_columns[] = {
+static const struct column placement_points[] = {
     {"sigma", "m", "standard deviation of the errors in the gaps; for uniform errors, the largest error", 0},
     {"probability", "", "probability that the whole row falls", 0},
     {"low", "", "lower end of the 95 % interval of the probability", 0},
@@ -119,7 +119,7 @@ const struct plot placement_plots[] = {
      "how likely the whole row is to fall, for each size of the errors; 'plot placement 1000' tries 1000 "
      "random "
      "rows for each size, instead of 400",
-     placement_columns, .title = "", .x = {"sigma", "standard deviation (or limit) of the gap errors"},
+     placement_points, .title = "", .x = {"sigma", "standard deviation (or limit) of the gap errors"},
      .y = {NULL, "rows that fall,", .percent = true}, .curve = {{"probability", "", CHART_BOTH, INK_BLUE}},
      .argument = &rows_argument},
     {.name = NULL},

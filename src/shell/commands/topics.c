@@ -49,7 +49,7 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
                         .synonyms = parameter_synonyms(p)};
     if (p->effect) {
         snprintf(t->usage, sizeof t->usage, "set %s", effect_usage(p->which));
-        t->example = effect_example(p->which, t->shown);
+        t->example = p->example;
     } else
         snprintf(t->usage, sizeof t->usage, "set %s VALUE", p->name);
 }

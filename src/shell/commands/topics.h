@@ -12,7 +12,7 @@ struct topic {
     const struct command *command;     /* the command; NULL for other topics */
     const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
     const char *name, *kind, *summary, *equation, *text, *example, *see, *synonyms;
-    char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
+    char usage[96], keys[ANSWER_HEADER], value[VARIABLE_VALUE];
     char seen[TOPIC_SEE]; /* the text of `see` */
 };
 

@@ -31,8 +31,11 @@ void features_register(const struct feature *const *list)
     features = list;
     parameters_of_features(feature_has);
     static struct command_group all[GROUPS_MOST + 1];
+    const struct parameter *p;
     size_t count = 0;
     for (const struct feature *const *f = features; *f; f++) {
+        for (int k = 0; (*f)->parameter && (p = (*f)->parameter(k)) != NULL; k++)
+            parameters_add(p);
         if ((*f)->engine)
             scene_engine_use((*f)->engine);
         for (const struct command_group *g = (*f)->groups; g && g->title && count < GROUPS_MOST; g++)

@@ -19,11 +19,14 @@ struct feature_extension {
 };
 
 struct feature {
-    const char *name;                          /* its folder; a_b for a folder b in a folder a */
-    const struct command_group *groups;        /* its commands; the last title is NULL */
-    const struct plot *const *plots;           /* tables of charts for 'plot'; the last one is NULL */
-    const struct feature_extension *extension; /* the last command is NULL */
-    const struct engine_driver *engine;        /* a rigid-body engine */
+    const char *name;                            /* its folder; a_b for a folder b in a folder a */
+    const struct command_group *groups;          /* its commands; the last title is NULL */
+    const struct plot *const *plots;             /* tables of charts for 'plot'; the last one is NULL */
+    const struct feature_extension *extension;   /* the last command is NULL */
+    const struct engine_driver *engine;          /* a rigid-body engine */
+    const struct parameter *(*parameter)(int k); /* its effects, from k = 0; NULL after the last one */
+    /* Returns true if the effects of this feature can be combined with the others. */
+    bool (*check)(const struct scene *scene, struct problem *problem);
     /* Computes the main answer of a row that has an effect of this feature. Returns false if it has none. */
     bool (*row_answer)(const struct scene *scene, const struct domq_row *row,
                        const struct domq_compute *compute, enum dom_status *status);

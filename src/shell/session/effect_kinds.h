@@ -8,7 +8,8 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* The kinds of random error that have their own effect. Errors in gaps and heights belong to 'placement'. */
+/* The kinds of random error that have their own effect, which the feature 'chance' describes. Errors in gaps
+ * and heights belong to 'placement'. */
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {
@@ -28,8 +29,5 @@ enum {
 #define ENGINE_EFFECT_DECLARE(name) extern const struct domq_effect engine_effect_##name;
 ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
 #undef ENGINE_EFFECT_DECLARE
-#define ERROR_EFFECT_DECLARE(name) extern const struct domq_effect error_effect_##name;
-ERROR_EFFECTS(ERROR_EFFECT_DECLARE)
-#undef ERROR_EFFECT_DECLARE
 
 #endif

@@ -46,16 +46,17 @@ const struct domq_effect engine_effect_bounce = {
     .dissipates = "bounces",
 };
 
+static const struct domq_effect *effects[EFFECT_COUNT] = {
+    [EFFECT_feet] = &engine_effect_feet, [EFFECT_bounce] = &engine_effect_bounce};
+
+void effect_use(int k, const struct domq_effect *effect)
+{
+    effects[k] = effect;
+}
+
 const struct domq_effect *effect_at(int k)
 {
-    static const struct domq_effect *const more[] = {
-#define ENGINE_POINTER(name) &engine_effect_##name,
-#define ERROR_POINTER(name)  &error_effect_##name,
-        ENGINE_EFFECTS(ENGINE_POINTER) ERROR_EFFECTS(ERROR_POINTER)
-#undef ENGINE_POINTER
-#undef ERROR_POINTER
-    };
-    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : more[k - DOM_EFFECT_COUNT];
+    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : effects[k];
 }
 
 const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
@@ -69,35 +70,4 @@ const char *effect_usage_write(int effect, char usage[EFFECT_USAGE])
                                           : " %s",
                  e->argument[i].name);
     return usage;
-}
-
-/* Example commands for some effects. For all other effects, effect_example composes the commands. */
-static const char *const examples[EFFECT_COUNT] = {
-    [DOM_EFFECT_friction] = "set q hollow; set friction 0.2; rmax 0.4; set friction off",
-    [DOM_EFFECT_edges] = "set q hollow; set edges 0.01; rmax 0.2; set edges off",
-    [DOM_EFFECT_walls] = "set walls 1 mm; duration; set walls off",
-    [DOM_EFFECT_row] = "set row 13; fall; set row off",
-    [DOM_EFFECT_push] = "set row 5; set push 3; fall; set push off; set row off",
-    [DOM_EFFECT_placement] = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
-    [EFFECT_feet] = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
-    [EFFECT_bounce] = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off",
-    [DOM_EFFECT_floor] = "set row 5; set floor 0.4; fall; set floor off; set row off",
-};
-
-const char *effect_example(int effect, char example[EFFECT_EXAMPLE])
-{
-    const struct domq_effect *e = effect_at(effect);
-    const bool is_error = effect >= EFFECT_ENGINE_END;
-    if (examples[effect])
-        return examples[effect];
-    snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "set row on; " : "");
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        if (e->needs >> k & 1)
-            text_add(example, EFFECT_EXAMPLE, "set %s on; ", effect_at(k)->name);
-    text_add(example, EFFECT_EXAMPLE, "set %s on; %s", e->name,
-             !is_error ? "scene"
-             /* the engine takes a thousand times as long as the model, so only 5 rows are drawn */
-             : e->needs >> EFFECT_feet & 1 ? "placement 5"
-                                           : "placement 500");
-    return example;
 }

@@ -22,7 +22,9 @@
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
-/* Returns the description of effect number k, counted from 0. */
+/* Returns the description of effect number k, counted from 0, or NULL if this build lacks the effect.
+ * effect_use sets it. */
+void effect_use(int k, const struct domq_effect *effect);
 const struct domq_effect *effect_at(int k);
 
 /* Returns the usage of an effect, such as "friction MU". The text lives until the end of the caller's
@@ -30,9 +32,5 @@ const struct domq_effect *effect_at(int k);
 enum { EFFECT_USAGE = 64 };
 #define effect_usage(effect) effect_usage_write(effect, (char[EFFECT_USAGE]){""})
 const char *effect_usage_write(int effect, char usage[EFFECT_USAGE]);
-
-/* Returns commands that demonstrate an effect. */
-enum { EFFECT_EXAMPLE = 192 };
-const char *effect_example(int effect, char example[EFFECT_EXAMPLE]);
 
 #endif

@@ -104,18 +104,6 @@ static void precision_before(struct state *state, domq_real precision)
         compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
 }
 
-/* The library's parameter lists give only some members of an entry. These macros give the others. */
-#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
-#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
-#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help,
-#define MORE_q                                                                                               \
-    .synonyms = "exponent wood block box weight material", .help = q_help,                                   \
-    .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
-#define MORE_width .synonyms = "wide broad breadth", .help = width_help,
-#define MORE_tol   .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
-#define MORE_h     .synonyms = "height size tall scale",
-#define MORE_g     .synonyms = "gravity acceleration weight moon planet",
-
 /* The numbers of the output formats, and the words that 'set output' takes for them. */
 #define FORMAT_NUMBER(name) FORMAT_##name,
 #define FORMAT_WORD(name)   {#name, FORMAT_##name},
@@ -123,6 +111,30 @@ enum { FORMATS(FORMAT_NUMBER) };
 
 /* clang-format off */
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
+/* The library's lists of parameters and effects give only some members of an entry. These macros give the others. */
+#define RANGE(from_, to_) .from = from_, .to = to_
+#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help, RANGE(0.02, 1),
+#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help, RANGE(1, 4),
+#define MORE_d .synonyms = "thickness thin thick depth", .help = d_help, RANGE(0.01, 1),
+#define MORE_q .synonyms = "exponent wood block box weight material", .help = q_help, RANGE(1, 6), \
+    .words = WORD_LIST({"hollow", 3}, {"solid", 4}, {"massive", 4}),
+#define MORE_width .synonyms = "wide broad breadth", .help = width_help, RANGE(0.05, 5),
+#define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
+#define MORE_h .synonyms = "height size tall scale", RANGE(0.005, 10),
+#define MORE_g .synonyms = "gravity acceleration weight moon planet", RANGE(0.1, 30),
+#define MORE_friction .example = "set q hollow; set friction 0.2; rmax 0.4; set friction off", RANGE(0, 2),
+#define MORE_slope .example = "set slope on; scene", RANGE(-0.14, 0.14),
+#define MORE_edges .example = "set q hollow; set edges 0.01; rmax 0.2; set edges off", RANGE(0, 0.05),
+#define MORE_walls .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
+#define MORE_row .feature = "rows", .example = "set row 13; fall; set row off",
+#define MORE_push .example = "set row 5; set push 3; fall; set push off; set row off", RANGE(0, 30),
+#define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),
+#define MORE_placement .feature = "chance", RANGE(0, 0.1), \
+    .example = "set row 13; set placement 2 mm; placement 500; set placement off; set row off",
+#define MORE_feet .feature = "engine", RANGE(0.05, 2), \
+    .example = "set q hollow; set row 8; set feet 0.4; fall; set feet off; set row off",
+#define MORE_bounce .feature = "engine", RANGE(0, 1), \
+    .example = "set q hollow; set row 8; set bounce 0.5; verdict; set bounce off; set row off",
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* The first members of an entry: the name, and the offset and description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
@@ -134,27 +146,25 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define TRAIN_NUMBER(...) NUMBER(scene.train, __VA_ARGS__)
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
-#define DYNAMICS(name, member, status) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name,)
-/* The features without which an effect does not exist. */
-#define FEATURE_row .feature = "rows",
-#define FEATURE_placement .feature = "chance",
-#define FEATURE_push
-#define FEATURE_floor
-#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name, FEATURE_##name)
-#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name, .feature = "engine",)
-#define ERROR_EFFECT(name) EFFECT_ENTRY(error_##name, error_effect_##name, EFFECT_error_##name, .feature = "chance",)
-#define EFFECT_ENTRY(name_, of, number, ...) \
-    {.name = #name_, __VA_ARGS__ .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
+#define DYNAMICS(name, member, status) EFFECT(name)
+#define EFFECT(name) EFFECT_ENTRY(name, domq_effect_##name, DOM_EFFECT_##name)
+#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
+#define EFFECT_ENTRY(name_, of, number) \
+    {.name = #name_, MORE_##name_ .value = of.argument, .effect = &of, .which = number, .words = effect_words},
+/* The feature 'chance' has these entries; here is only whose they are. */
+#define ERROR_EFFECT(name_) {.name = "error_" #name_, .feature = "chance"},
+
+const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
 
 static const struct parameter every_parameter[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
     {ENTRY("mass", scene.mass, "kg", "mass of the first domino, 0 if not known; if no masses are known, energies are in m g h/2", .highest = 1e9),
-     .synonyms = "weight kilogram energy joule"},
+     .synonyms = "weight kilogram energy joule", RANGE(1e-3, 10)},
     {ENTRY("density", scene.density, "kg/m^3", "density of the material of the first domino; 0 if not known",
          .highest = 1e9),
-     .synonyms = "wood weight material", .help = density_help},
+     .synonyms = "wood weight material", .help = density_help, RANGE(50, 10000)},
     {ENTRY("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
@@ -202,20 +212,26 @@ static const struct parameter every_parameter[] = {
 };
 /* clang-format on */
 
-const struct parameter *session_parameters = every_parameter;
+enum { EVERY = sizeof every_parameter / sizeof *every_parameter };
+static struct parameter built[EVERY], *end = built;
+const struct parameter *session_parameters = built;
 
 void parameters_of_features(bool (*has)(const char *feature))
 {
-    static struct parameter left[sizeof every_parameter / sizeof *every_parameter];
-    struct parameter *to = left;
-    bool is_all = true;
+    end = built;
     for (const struct parameter *p = every_parameter; p->name; p++)
-        if (!p->feature || has(p->feature))
-            *to++ = *p;
-        else
-            is_all = false;
-    to->name = NULL;
-    session_parameters = is_all ? every_parameter : left;
+        if (p->value && (!p->feature || has(p->feature)))
+            *end++ = *p;
+    end->name = NULL;
+}
+
+void parameters_add(const struct parameter *p)
+{
+    if (end == built + EVERY - 1)
+        return;
+    effect_use(p->which, p->effect);
+    *end++ = *p;
+    end->name = NULL;
 }
 
 const char *parameter_missing(const char *name)

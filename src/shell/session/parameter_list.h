@@ -32,6 +32,9 @@ struct parameter {
     bool of_precision;
     /* the name of a parameter that may change when this parameter is set; may be NULL */
     const char *moves;
+    const char *example; /* commands that demonstrate an effect; may be NULL */
+    /* the usual range, which 'solve' searches unless another is given; 0 and 0 if there is none */
+    double from, to;
     size_t offset; /* the offset of the value in struct state; not used for effects */
 
     /* Hooks; each may be NULL. */
@@ -45,8 +48,14 @@ struct parameter {
 /* The parameters of this build in the order of 'show', followed by the effects. The last name is NULL. */
 extern const struct parameter *session_parameters;
 
+/* The words that every effect takes: off and on. */
+extern const struct word effect_words[];
+
 /* Leaves out the parameters of features for which `has` returns false. */
 void parameters_of_features(bool (*has)(const char *feature));
+
+/* Adds an effect that a feature describes. */
+void parameters_add(const struct parameter *effect);
 
 /* Returns the feature to which a parameter belongs that this build lacks, or NULL. */
 const char *parameter_missing(const char *name);

@@ -23,7 +23,7 @@ const char *effect_names(const void *context, int k)
 
 bool effect_exists(int effect)
 {
-    return parameter_find(effect_at(effect)->name) != NULL;
+    return effect_at(effect) && parameter_find(effect_at(effect)->name);
 }
 
 const char *parameter_words(const void *parameter, int k)
