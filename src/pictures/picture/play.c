@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <termios.h>
@@ -19,14 +20,67 @@ struct frame {
 struct player {
     FILE *out, *screen; /* the stream of the answer, and the terminal itself */
     int terminal;
-    struct termios before;
-    double delay, next; /* in s: the time between two frames, and when the next frame is due */
+    struct termios before, playing; /* the modes of the terminal */
+    struct sigaction stop;          /* what ^Z did before */
+    volatile sig_atomic_t is_back;  /* ^Z has stopped the program, and it goes on */
+    double delay, next;             /* in s: the time between two frames, and when the next frame is due */
     const volatile sig_atomic_t *interrupt;
     struct frame *frame; /* all frames so far */
     size_t count, room, at;
     int escaped; /* how many bytes of an arrow key have been read */
     bool is_stopped, has_ended, failed;
 };
+
+/* A second screen, without a cursor. */
+#define SCREEN_ENTER "\033[?1049h\033[?25l"
+#define SCREEN_LEAVE "\033[?25h\033[?1049l"
+
+static struct player *playing; /* for the signal handler */
+
+/* ^Z stops the program at once, also while a frame is being made. The shell gets the terminal as it was
+ * before the animation. All functions that are called here may be called in a signal handler. */
+static void on_stop(int number)
+{
+    const int reason = errno;
+    const struct sigaction action = {.sa_handler = SIG_DFL};
+    struct sigaction ours;
+    (void)!write(playing->terminal, SCREEN_LEAVE, strlen(SCREEN_LEAVE));
+    tcsetattr(playing->terminal, TCSADRAIN, &playing->before);
+    sigaction(number, &action, &ours);
+    raise(number); /* the program stops here until SIGCONT */
+    sigaction(number, &ours, NULL);
+    tcsetattr(playing->terminal, TCSADRAIN, &playing->playing);
+    (void)!write(playing->terminal, SCREEN_ENTER, strlen(SCREEN_ENTER));
+    playing->is_back = 1;
+    errno = reason;
+}
+
+/* Shows the second screen, where keys are read one by one and are not echoed. */
+static void screen_begin(struct player *p)
+{
+    /* With SA_NODEFER, the signal that stops the program is not blocked in the handler. */
+    const struct sigaction action = {.sa_handler = on_stop, .sa_flags = SA_RESTART | SA_NODEFER};
+    p->playing = p->before;
+    p->playing.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+    p->playing.c_cc[VMIN] = 1;
+    p->playing.c_cc[VTIME] = 0;
+    playing = p;
+    sigaction(SIGTSTP, NULL, &p->stop);
+    if (p->stop.sa_handler == SIG_DFL)
+        sigaction(SIGTSTP, &action, NULL);
+    tcsetattr(p->terminal, TCSANOW, &p->playing);
+    fputs(SCREEN_ENTER, p->screen);
+    fflush(p->screen);
+}
+
+static void screen_end(struct player *p)
+{
+    fputs(SCREEN_LEAVE, p->screen);
+    fflush(p->screen);
+    tcsetattr(p->terminal, TCSADRAIN, &p->before);
+    sigaction(SIGTSTP, &p->stop, NULL);
+    fclose(p->screen);
+}
 
 struct player *player_begin(FILE *out, int delay, const volatile sig_atomic_t *interrupt,
                             struct problem *problem)
@@ -49,13 +103,8 @@ struct player *player_begin(FILE *out, int delay, const volatile sig_atomic_t *i
                          .before = p->before,
                          .delay = delay / 100.0,
                          .interrupt = interrupt};
-    struct termios quiet = p->before;
-    quiet.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
-    quiet.c_cc[VMIN] = 1;
-    quiet.c_cc[VTIME] = 0;
-    tcsetattr(terminal, TCSANOW, &quiet);
     progress_end();
-    fputs("\033[?1049h\033[?25l", screen); /* a second screen, without a cursor */
+    screen_begin(p);
     p->next = terminal_clock();
     return p;
 }
@@ -117,10 +166,15 @@ static void frames_play(struct player *p)
         /* An interrupt can come just before poll, so poll does not wait for ever. */
         const int wait = p->is_stopped || left > 0.2 ? 200 : left > 0 ? (int)(1000 * left) + 1 : 0;
         const int ready = poll(&typed, 1, wait);
-        p->has_ended = p->has_ended || dom_raised(p->interrupt) || ready < 0 ||
-                       (typed.revents & (POLLHUP | POLLERR)) != 0;
+        p->has_ended = p->has_ended || dom_raised(p->interrupt) || (ready < 0 && errno != EINTR) ||
+                       (ready > 0 && (typed.revents & (POLLHUP | POLLERR)) != 0);
         if (p->has_ended || (ready > 0 && key_read(p)))
             return;
+        if (p->is_back) {
+            p->is_back = 0;
+            p->next = terminal_clock() + p->delay;
+            screen_show(p);
+        }
         if (p->is_stopped || terminal_clock() < p->next)
             continue;
         if (p->at + 1 == p->count)
@@ -151,6 +205,7 @@ static bool frame_add(struct player *p, const struct stage *stage)
     width = width > PICTURE_LEAST_WIDTH ? width - 1 : PICTURE_LEAST_WIDTH;
     height = height > PICTURE_LEAST_HEIGHT ? height - 1 : PICTURE_LEAST_HEIGHT;
     const bool is_drawn = stage_text(stage, display_of(p->out), width, height, text);
+    putc('\0', text);
     if (fclose(text) != 0 || !is_drawn) {
         free(f->text);
         return false;
@@ -174,10 +229,7 @@ bool player_frame(struct player *p, const struct stage *stage)
 bool player_end(struct player *p, struct problem *problem)
 {
     const bool done = !p->failed && !dom_raised(p->interrupt);
-    fputs("\033[?25h\033[?1049l", p->screen);
-    fflush(p->screen);
-    tcsetattr(p->terminal, TCSADRAIN, &p->before);
-    fclose(p->screen);
+    screen_end(p);
     if (done && p->count > 0)
         fputs(p->frame[p->at].text, p->out);
     for (size_t k = 0; k < p->count; k++)
