@@ -70,29 +70,35 @@ struct plan {
  * the signal in `ended` ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* True after --interruptible: SIGINT ends only the running command. */
-static bool is_interruptible;
+/* SIGINT does not end the program: with --interruptible it ends the running command, and in a file that runs
+ * before the prompt opens, it ends the file. */
+static bool is_interruptible, has_prompt;
+
+static bool sigint_ends(void)
+{
+    return !is_interruptible && !has_prompt;
+}
 
 static void on_signal(int number)
 {
     /* The store is atomic because other threads read `interrupted` in dom_raised. */
     __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED);
-    if (number != SIGINT || !is_interruptible)
+    if (number != SIGINT || sigint_ends())
         ended = number;
 }
 
 /* Installs the signal handler. The first signal ends the script, after the script has written its results so
- * far. If the same signal arrives again, the program ends at once. With --interruptible, however, every
- * SIGINT ends only the command that is running. A signal that was ignored when the program started stays
- * ignored, except for SIGINT with --interruptible. */
+ * far. If the same signal arrives again, the program ends at once. With --interruptible and before a prompt,
+ * however, no SIGINT ends the program. A signal that was ignored when the program started stays ignored,
+ * except for such a SIGINT. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
     struct sigaction before, action = {.sa_handler = on_signal};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        bool ends_command = all[i] == SIGINT && is_interruptible;
-        action.sa_flags = ends_command ? SA_RESTART : (int)SA_RESETHAND;
-        if (ends_command || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
+        const bool is_kept = all[i] == SIGINT && !sigint_ends();
+        action.sa_flags = is_kept ? SA_RESTART : (int)SA_RESETHAND;
+        if (is_kept || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
             sigaction(all[i], &action, NULL);
     }
     session->state.scene.compute.interrupt = &interrupted;
@@ -166,7 +172,8 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 
 static bool is_over(const struct session *session)
 {
-    return session->quit || (session->bail && session->errors > 0);
+    return session->quit || ended || (session->bail && session->errors > 0) ||
+           (interrupted && !is_interruptible);
 }
 
 /* A row from a spreadsheet is a file for 'set row'. */
@@ -187,11 +194,12 @@ static void run_row(struct session *session, const char *name)
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
+    const volatile sig_atomic_t *raised = is_interruptible ? &ended : &interrupted;
     if (is_row(name)) {
         run_row(session, name);
         return;
     }
-    FILE *in = standard ? io_stdin(&ended) : io_open_read(name, &ended);
+    FILE *in = standard ? io_stdin(raised) : io_open_read(name, raised);
     if (!in) {
         session->source.name = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
@@ -279,8 +287,8 @@ int main(int argc, char **argv)
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = plan.reads && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-    if (!plan.prompt)
-        signals_begin(&session);
+    has_prompt = plan.prompt;
+    signals_begin(&session);
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
@@ -292,6 +300,8 @@ int main(int argc, char **argv)
         session.bail = bails;
         session.state.scene.listed.saved = true; /* whatever these files change is in the files */
     }
+    if (plan.prompt)
+        interrupted = ended;
     if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
         /* At a prompt, the user has already seen the errors, so they do not affect the exit status. */
