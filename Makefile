@@ -283,6 +283,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # This test counts the checks for an interrupt.
 $(B)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
+# So does this one, for the shell.
+$(B)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_limits
 # The library starts no threads, so the thread pool of the shell runs its tasks.
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: numbers.
@@ -290,8 +292,9 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/
 # The reader of csv files.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # Completion and other functions that need the tables of commands.
-$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
-$(B)/unit/test_complete $(B)/unit/test_errors $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
+SHELL_UNIT := $(addprefix $(B)/unit/test_,complete errors lines stage stops)
+$(SHELL_UNIT): $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
+$(SHELL_UNIT): GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 

@@ -42,6 +42,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot while it draws an animation, and leaves no file" { prompt interrupt_animation; }
 @test "animate at a terminal: space stops, arrows go frame by frame, q ends; a file says what it has" { prompt play; }
+@test "^Z while an animation plays gives the terminal back, and fg goes on" { prompt suspend_animation; }
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
 @test "^Z during a computation suspends the session at once, and fg goes on" { prompt suspend; }
@@ -54,6 +55,7 @@ same_at_the_prompt() { # FORMAT
 @test "a backslash at the end continues the line below" { prompt backslash; }
 
 @test "the prompt opens with a row from a file, and after a file with -i" { prompt opened; }
+@test "^C in a file before the prompt ends the file, and the prompt opens" { prompt interrupt_opened; }
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
 @test "start-up file: an error says where it is, and the session opens" { prompt init_error; }
 @test "inputrc: \$if Domino" { prompt inputrc; }

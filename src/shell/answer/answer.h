@@ -10,6 +10,7 @@
 #include "answer/measure.h"
 #include "io/output.h"
 #include "language/units.h"
+#include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -68,7 +69,8 @@ struct answer {
     FILE *out;        /* the stream; NULL if nothing is written and only the cells of the last row are kept */
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     char made[64];    /* what the file has, for a note such as "wrote a.gif: 249 frames, 10 s, 1.3 MB" */
-    bool appended;    /* the answer is appended to the file, because the command has '>>' */
+    const volatile sig_atomic_t *interrupt; /* see answer_lost; may be NULL */
+    bool appended; /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
     const char *command;          /* the name of the command, for programs that read the answer */
     const char *note;             /* a remark for programs that read the answer, or NULL */
@@ -202,7 +204,8 @@ void answer_plan(struct answer *answer, const struct cell *sample);
  * copy also writes the lines above that row. */
 struct answer answer_part(const struct answer *answer, FILE *out, size_t row);
 
-/* Returns true if no more rows can be written: the disk is full, or a pipe has no reader. */
+/* Returns true if no more rows can be written, because the disk is full or a pipe has no reader, or if no
+ * more are wanted, because the user has interrupted the command. Every loop over rows asks this function. */
 bool answer_lost(const struct answer *answer);
 
 /* Returns true if column i shows errors. */

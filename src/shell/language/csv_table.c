@@ -447,6 +447,8 @@ bool csv_next(struct csv_table *csv)
                 kind->items, kind->item, kind->names);
         return false;
     }
+    if (dom_raised(csv->interrupt))
+        return csv_wrong(&csv->file, csv->row.at, "%s", dom_status_text(DOM_INTERRUPTED));
     if (csv->rows == kind->rows_most)
         return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, which is the maximum",
                          kind->rows_most, kind->items);

@@ -15,6 +15,7 @@
 
 #include "domino_quad.h"
 #include "language/csv.h"
+#include <signal.h>
 
 /* CSV_COLUMNS_MOST is the maximum number of columns that a kind of table knows. A file may also have unknown
  * columns, but at most CSV_OTHERS_MOST. When a row is saved, the unknown columns are written next to the
@@ -80,8 +81,9 @@ struct csv_table {
     int column[CSV_COLUMNS_MOST];
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives none. */
     domq_real unit[CSV_COLUMNS_MOST];
-    domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
-    bool other[CSV_CELLS_MOST];        /* true for each unknown column of the file */
+    domq_real value[CSV_COLUMNS_MOST];      /* the values of the current row, in SI units, or NaN */
+    bool other[CSV_CELLS_MOST];             /* true for each unknown column of the file */
+    const volatile sig_atomic_t *interrupt; /* once this flag is raised, no more rows are read; may be NULL */
     /* the names of the unknown columns of the file, except columns of notes */
     char unused[200];
 };

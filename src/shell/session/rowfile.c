@@ -53,7 +53,9 @@ struct csv_table *csv_named(const struct scene *scene, const struct run_context 
     char *path = path_beside(run_context, name);
     FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_open_read(path, interrupt);
     struct csv_table *csv = in ? csv_open(in, path, kind) : NULL;
-    if (!csv)
+    if (csv)
+        csv->interrupt = interrupt;
+    else
         problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
     if (in && !standard)
         fclose(in);

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * ^C in the shell, without a clock. The library's check of the flag and the shell's function for the lean of
+ * a domino are replaced by functions that count their calls, and that raise the flag at the k-th. Whatever k
+ * is, a long command must end soon after this call.
+ */
+#include "support.h"
+
+#include "commands/tables.h"
+#include "domino_quad.h"
+#include "interpreter/interpret.h"
+#include "io/system.h"
+#include "session/session.h"
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The checks that may follow: those of a search that evaluates a function once more before it returns. */
+enum { ROW = 150, FURTHER = 64 };
+
+static struct session session;
+static volatile sig_atomic_t flag;
+static size_t checks, raise_at;
+
+static void count_check(void)
+{
+    if (++checks >= raise_at)
+        flag = 1;
+}
+
+bool __wrap_dom_interrupted(const volatile sig_atomic_t *raised);
+bool __wrap_dom_interrupted(const volatile sig_atomic_t *raised)
+{
+    (void)raised;
+    count_check();
+    return flag;
+}
+
+void __real_domq_lean_limits(const struct domq_domino *domino, domq_real alpha, domq_real rho,
+                             domq_real *lean);
+void __wrap_domq_lean_limits(const struct domq_domino *domino, domq_real alpha, domq_real rho,
+                             domq_real *lean);
+void __wrap_domq_lean_limits(const struct domq_domino *domino, domq_real alpha, domq_real rho,
+                             domq_real *lean)
+{
+    count_check();
+    __real_domq_lean_limits(domino, alpha, rho, lean);
+}
+
+/* A line of output counts as a check. */
+static ssize_t line_count(void *cookie, const char *bytes, size_t size)
+{
+    (void)cookie;
+    for (size_t i = 0; i < size; i++)
+        if (bytes[i] == '\n')
+            count_check();
+    return (ssize_t)size;
+}
+
+static void session_begin(void)
+{
+    command_registry(all_commands);
+    session_init(&session, system_stream(&session, "w", (struct system_stream){.write = line_count}));
+    setvbuf(session.output->out, NULL, _IOLBF, BUFSIZ);
+    assert_non_null(session.output->out);
+    session.output->messages = fopen("/dev/null", "w");
+    assert_non_null(session.output->messages);
+    session.state.scene.compute.interrupt = &flag;
+}
+
+/* Runs a line and raises the flag at check number `at`, or before the line if `at` is 0. Returns the number
+ * of checks. */
+static size_t checks_of(const char *line, size_t at)
+{
+    flag = at == 0;
+    checks = 0;
+    raise_at = at;
+    session.errors = 0;
+    command_run_text(&session, line);
+    return checks;
+}
+
+/* Checks that a line ends soon after the flag is raised at one of several checks. */
+static void line_stops(const char *line)
+{
+    const size_t all = checks_of(line, SIZE_MAX);
+    if (session.errors > 0 || all < 10)
+        fail_msg("'%s' has %ld errors and %zu checks", line, session.errors, all);
+    for (size_t i = 0; i <= 12; i++) {
+        const size_t at = i < 4 ? 1 + i : all * (i - 3) / 10;
+        const size_t made = at < all ? checks_of(line, at) : at;
+        if (made > at + FURTHER || (at < all && session.errors == 0))
+            fail_msg("'%s', interrupted at check %zu of %zu: %ld errors, %zu more checks", line, at, all,
+                     session.errors, made - at);
+    }
+}
+
+/* Even before its first domino falls, a command looks at every domino of a long row. */
+TEST(long_rows)
+{
+    static const char *const lines[] = {"row",          "tolerance", "placement 8",
+                                        "budget 0.5 8", "fall",      "verdict",
+                                        "rowmax",       "mend",      "sweep friction 0 0.2 3 : verdict"};
+    char row[80];
+    session_begin();
+    snprintf(row, sizeof row, "set r 1; set row %d; set placement 1 mm; set threads 1; set output csv", ROW);
+    assert_true(checks_of(row, SIZE_MAX) < ROW && session.errors == 0);
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        line_stops(lines[i]);
+}
+
+TEST(a_long_file)
+{
+    char line[] = "set row /tmp/domino.XXXXXX", *path = line + strlen("set row ");
+    const int file = mkstemp(path);
+    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
+    assert_non_null(out);
+    fputs("height (mm),thickness (mm),gap (mm)\n", out);
+    for (int i = 0; i < ROW; i++)
+        fputs("48,7.5,20\n", out);
+    fclose(out);
+    checks_of(line, SIZE_MAX);
+    assert_int_equal(session.errors, 0);
+    checks_of(line, 0);
+    assert_int_equal(session.errors, 1);
+    unlink(path);
+}
