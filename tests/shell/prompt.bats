@@ -32,6 +32,7 @@ same_at_the_prompt() { # FORMAT
 @test "TAB completes files where a file belongs" { prompt complete_files; }
 @test "TAB completes no files in a safe session" { prompt complete_safe; }
 @test "TAB completes a file name with blanks so that it can be used" { prompt complete_files_blank; }
+@test "TAB quotes a file name with '#', ';', '>' or quotes" { prompt complete_files_quoted; }
 @test "^C on a half-typed line clears it" { prompt interrupt_typed; }
 @test "^C on an empty line says how to leave" { prompt interrupt_empty; }
 @test "^C in a history search ends the search" { prompt interrupt_search; }

@@ -255,6 +255,24 @@ static char *candidate_next(const char *text, int state)
     return candidates.next < candidates.count ? candidates.word[candidates.next++] : NULL;
 }
 
+/* Quotes a file name, or the beginning that several names share. Within quotes, two quotes stand for one.
+ * Readline frees the text. */
+char *complete_quote(char *name, int match, char *quote)
+{
+    char *quoted = malloc(2 * strlen(name) + 3), *to = quoted;
+    (void)quote;
+    if (!quoted)
+        return strdup(name);
+    *to++ = '"';
+    for (; *name; *to++ = *name++)
+        if (*name == '"')
+            *to++ = '"';
+    if (match == SINGLE_MATCH)
+        *to++ = '"';
+    *to = '\0';
+    return quoted;
+}
+
 char **complete_word(const char *text, int start, int end)
 {
     char *line = strndup(rl_line_buffer, (size_t)end);

@@ -204,7 +204,8 @@ static void readline_begin(void)
     rl_attempted_completion_function = complete_word;
     rl_completer_word_break_characters = " \t;";
     rl_completer_quote_characters = "\"";
-    rl_filename_quote_characters = " \t;#>";
+    rl_filename_quote_characters = " \t;#>\"";
+    rl_filename_quoting_function = complete_quote;
     rl_variable_bind("enable-bracketed-paste", "on");
     /* rl_initialize binds the keys of the inputrc, which overlay_begin may rebind. */
     rl_initialize();
