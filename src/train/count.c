@@ -16,8 +16,8 @@ const struct column count_columns[] = {
     {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
     {"goes_on", "", "whether an endless train with this growth keeps falling once it is moving", 7},
     {"stops_at", "", "the domino at which the fall ends, if not all dominoes fall", 8},
-    {"push", "rad/s", "the weakest push with which such a row would fall", 0},
-    {"r_start", "", "the largest growth at which such a row starts and keeps falling", 0},
+    {"push", "rad/s", "the weakest push with which such a row would fall, to four digits", 0},
+    {"r_start", "", "the largest growth at which such a row starts and keeps falling, to nine digits", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -57,7 +57,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
         status = domq_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
         return query_status(query, problem, status);
-    t->growths = (struct start_growths){DOMQ_NAN, false};
+    t->growths = (struct start_growths){.r_max = DOMQ_NAN};
     if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
         (t->limit.ends != DOM_END_NONE &&
          !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))
@@ -274,7 +274,8 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                    cell_computed(count.exact), cell_real(first), cell_computed(count.last),
                    cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
-                   cell_without_error(t.start.push), cell_without_error(t.growths.r_max)),
+                   cell_within(t.start.push, t.start.push / 1000),
+                   cell_within(t.growths.r_max, t.growths.uncertainty)),
                people && is_enough ? NULL : why);
     if (!people)
         return true;

@@ -58,7 +58,7 @@ static const struct column rmax_columns[] = {
      "what limits the growth: barrier (too little energy), reach (misses the next domino) or none", 7},
     {"r_max_exact", "", "r_max if the fuel is computed from the energy balance", 0},
     {"r_max_paper", "", "r_max if the fuel is computed with the paper's closed form", 0},
-    {"r_start", "", "the largest growth at which a row starts and keeps falling", 0},
+    {"r_start", "", "the largest growth at which a row starts and keeps falling, to nine digits", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -135,7 +135,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     if (!query_status(query, problem, status))
         return false;
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
-    struct start_growths growths = {DOMQ_NAN, false};
+    struct start_growths growths = {.r_max = DOMQ_NAN};
     const char *missing = no_growth(used);
     char reason[START_TEXT];
     if (a->out && !a->sink.take) {
@@ -148,7 +148,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     answer_row(a,
                ROW(cell_real(train.s), cell_uncertain(used.r_max, used.uncertainty),
                    cell_word(dom_end_text(used.ends)), cell_uncertain(exact.r_max, exact.uncertainty),
-                   cell_uncertain(paper.r_max, paper.uncertainty), cell_without_error(growths.r_max)),
+                   cell_uncertain(paper.r_max, paper.uncertainty),
+                   cell_within(growths.r_max, growths.uncertainty)),
                missing);
     rmax_fuels_detail(a, &train, &used, &exact, &paper);
     if (answer_for_people(a))

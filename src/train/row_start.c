@@ -19,7 +19,7 @@ enum { START_DIGITS = 9 };
 /* Two growths count as equal if their relative difference is below this number, or below 4 times the
  * tolerance of the search if that is larger. At exactly the largest growth the margin is 0, and rounding
  * errors would otherwise decide whether the row falls. */
-#define START_SAME 1e-8
+#define START_SAME ((domq_real)1e-8)
 
 /* Returns a copy of the scene with a row of `count` dominoes. The copy shares the memory of the original. */
 static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
@@ -208,12 +208,16 @@ static domq_real search_edge(struct search *s, struct tried good, struct tried b
     return good.r;
 }
 
+static domq_real search_same(const struct search *s)
+{
+    return quad_larger(START_SAME, 4 * s->made.compute.tol);
+}
+
 /* Finds the largest growth up to `highest` at which the row falls, or NaN. The train's r_max limits it from
  * above and is close to it in most cases, so the search goes down from there. */
 static domq_real search_run(struct search *s, domq_real highest)
 {
-    const double same = fmax(START_SAME, 4 * (double)s->made.compute.tol);
-    struct tried bad = {.r = quad_larger(highest * (domq_real)(1 - same), 1)}, good;
+    struct tried bad = {.r = quad_larger(highest * (1 - search_same(s)), 1)}, good;
     if (search_falls(s, bad.r))
         return highest;
     bad.spare = s->spare;
@@ -231,7 +235,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 {
     struct scene scene = start_scene(query, train, 2);
     struct search s = {.scene = &scene, .most = START_SEARCHED, .count = FEW};
-    *growths = (struct start_growths){DOMQ_NAN, scene_has_engine(&scene)};
+    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&scene)};
     scene.train.r = 1;
     if (growths->is_too_slow)
         return true;
@@ -251,6 +255,10 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     if (!row_status(query, problem, s.status))
         return false;
     growths->r_max = found >= highest ? highest : round_digits(found, START_DIGITS, false);
+    /* The edge is known to an eighth of the tolerance, and each run has an error within the tolerance, too.
+     */
+    growths->uncertainty = found >= highest ? search_same(&s) * highest
+                                            : found - growths->r_max + 2 * s.made.compute.tol * found;
     return true;
 }
 

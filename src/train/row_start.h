@@ -23,8 +23,9 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
                 struct start *start, struct problem *problem);
 
 struct start_growths {
-    domq_real r_max;  /* the largest growth at which a row starts, or NaN if no growth is small enough */
-    bool is_too_slow; /* true if r_max is NaN because the engine would take too long */
+    domq_real r_max;       /* the largest growth at which a row starts, or NaN if no growth is small enough */
+    domq_real uncertainty; /* r_max is wrong by at most this number */
+    bool is_too_slow;      /* true if r_max is NaN because the engine would take too long */
 };
 
 /* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. */

@@ -126,7 +126,7 @@ quad() { # COMMANDS KEY DIGITS
             value=$(values "$key" <<<"$answer")
             if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle " != *" $key "* ]] &&
                 [[ $call != cycle* || $key != theta* ]] &&
-                [[ $call != [cr]* || " push r_start stops_at " != *" $key "* ]]; then
+                [[ $call != c* || $key != stops_at ]]; then
                 [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+(e[-+][0-9]+)?$ ]] || same "$call: $key" 'a bound' "$answer"
                 bounds=$((bounds + 1))
             fi
@@ -135,5 +135,13 @@ quad() { # COMMANDS KEY DIGITS
         head=$("$DOMINO" -e "set errors on; set output csv; $call" | head -n 1)
         same "$call: csv" "$(json "set errors on; $call" | keys | tr ' ' ,)" "$head"
     done <<<"$commands"
+    # The largest growth from rest is that of a pair, and known to nine digits at every precision.
+    local precision pair answer
+    for precision in double quad; do
+        pair=$(json "set precision quad; pair" | values r_max)
+        answer=$(json "set precision $precision; set errors on; rmax")
+        awk -v p="$pair" -v r="$(values r_start <<<"$answer")" -v e="$(values r_start_error <<<"$answer")" \
+            'BEGIN { d = p - r; exit !(r > 1.5 && e < 1e-8 && d * d <= e * e) }' || same "$precision: r_start" "$pair" "$answer"
+    done
     same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
 }

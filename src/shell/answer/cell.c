@@ -26,6 +26,13 @@ struct cell cell_uncertain(domq_real value, domq_real uncertainty)
     return cell;
 }
 
+struct cell cell_within(domq_real value, domq_real error)
+{
+    struct cell cell = cell_real(value);
+    cell.error = error;
+    return cell;
+}
+
 struct cell cell_without_error(domq_real value)
 {
     struct cell cell = cell_real(value);

@@ -45,6 +45,9 @@ struct cell cell_computed(domq_real value);
  * least as large. */
 struct cell cell_uncertain(domq_real value, domq_real uncertainty);
 
+/* Makes a cell for a number that a search has rounded. Its error is at most `error`, at every precision. */
+struct cell cell_within(domq_real value, domq_real error);
+
 /* Makes a cell for a number whose error is not known, and is not computed either. */
 struct cell cell_without_error(domq_real value);
 
