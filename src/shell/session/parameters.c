@@ -83,7 +83,7 @@ static const char *without_effects_names(const void *context, int k)
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
     /* One or two letters mean a measure, not an effect: w is the width, not the walls. */
-    const bool is_short = strlen(word) < 3 && list != effect_names && names_exact(list, NULL, word) < 0;
+    const bool is_short = strlen(word) < 3 && names_exact(list, NULL, word) < 0;
     const struct without_effects without = {list};
     int k = is_short ? names_find(without_effects_names, &without, what, word, message)
                      : names_find(list, NULL, what, word, message);
