@@ -6,6 +6,14 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
+
+#if defined __GLIBC__ || defined __linux__
+#include <stdio_ext.h>
+#define STREAM_DROP __fpurge
+#else
+#define STREAM_DROP fpurge
+#endif
 
 static struct chipmunk functions;
 static bool loaded;
@@ -20,19 +28,19 @@ static bool find(void *library, const char *name, void *member)
 
 /*
  * Creates the first space of the process. If the Chipmunk library was built with assertions, as in Debian,
- * this call prints the library's name and version to `stdout`. To suppress this output, `stdout` is /dev/null
- * during the call. The file descriptor of standard output is not redirected, since a signal handler or
- * another thread may write to it.
+ * this call prints the library's name and version to `stdout`, and there is no way to tell it not to. The
+ * text stays in the buffer of `stdout`, and is dropped. Because `stdout` is locked, another thread that
+ * prints waits, and loses nothing. Afterwards `stdout` has the buffering that it has when a program begins.
  */
 static void make_first(void)
 {
-    FILE *standard = stdout, *nowhere = fopen("/dev/null", "we");
-    if (nowhere)
-        stdout = nowhere;
+    flockfile(stdout);
+    fflush(stdout);
+    setvbuf(stdout, NULL, _IOFBF, BUFSIZ);
     functions.cpSpaceFree(functions.cpSpaceNew());
-    stdout = standard;
-    if (nowhere)
-        fclose(nowhere);
+    STREAM_DROP(stdout);
+    setvbuf(stdout, NULL, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, BUFSIZ);
+    funlockfile(stdout);
 }
 
 static void load(void)

@@ -157,3 +157,15 @@ END
     same saved "$saved" "$("$DOMINO" -n -e "source \"saved.dom\"; verdict")"
     same reset "$(json "$scene; verdict")" "$(json "set method engine; effect row 3; effect feet 0.1; reset; $scene; verdict")"
 }
+
+@test "the library prints nothing of its own, into a file, a pipe or a terminal" {
+    local ask='set row 2; set feet 0.5; verdict' said
+    "$DOMINO" -n -e "$ask" >file
+    said=$("$DOMINO" -n -e "$ask")
+    [[ $said == *'Feet slide'* ]] || same 'the engine' 'Feet slide' "$said"
+    same 'a pipe' "$(cat file)" "$said"
+    for text in "$said" "$(python3 "$BATS_TEST_DIRNAME/terminal.py" 500 50 "$DOMINO" -n -e "$ask")"; do
+        [[ $text != *Initializing* && $text != *DNDEBUG* ]] || same 'nothing else' "$said" "$text"
+        same 'the answer begins' "$(head -c 20 file)" "${text:0:20}"
+    done
+}

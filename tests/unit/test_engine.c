@@ -5,6 +5,10 @@
  */
 #include "engine/engine.h"
 #include "support.h"
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <unistd.h>
 
 enum { MOST = 14 };
 #define THICK (7.0 / 48)
@@ -33,6 +37,54 @@ static bool boxes_fall(struct boxes *b)
 {
     assert_int_equal(engine_run(&b->row, &grain, NULL, b->hit, NULL, NULL, &b->fall), ENGINE_OK);
     return b->fall.all;
+}
+
+/* ---- Loading ---- */
+
+static atomic_int printed;
+static atomic_bool is_over;
+
+/* Prints the numbers from 0 on, one on each line. */
+static void *numbers_print(void *nothing)
+{
+    for (int k = 0; !is_over; k++) {
+        printf("%d\n", k);
+        printed = k;
+    }
+    return nothing;
+}
+
+/* While the library is loaded, it prints nothing, and another thread loses no line. This is the first test,
+ * because the library is loaded only once. */
+TEST(standard_output_keeps_the_lines_of_other_threads)
+{
+    char line[80];
+    pthread_t thread;
+    FILE *lines = tmpfile();
+    assert_non_null(lines);
+    fflush(stdout);
+    const int before = dup(STDOUT_FILENO);
+    dup2(fileno(lines), STDOUT_FILENO);
+    assert_int_equal(pthread_create(&thread, NULL, numbers_print, NULL), 0);
+    while (printed < 1000)
+        sched_yield();
+    assert_int_equal(engine_load(), ENGINE_OK);
+    for (const int at = printed; printed < at + 1000;)
+        sched_yield();
+    is_over = true;
+    pthread_join(thread, NULL);
+    fflush(stdout);
+    dup2(before, STDOUT_FILENO);
+    close(before);
+    rewind(lines);
+    for (int k = 0; k <= printed; k++) {
+        char expected[80];
+        snprintf(expected, sizeof expected, "%d\n", k);
+        assert_non_null(fgets(line, sizeof line, lines));
+        assert_string_equal(line, expected);
+    }
+    assert_null(fgets(line, sizeof line, lines));
+    fclose(lines);
 }
 
 TEST(chipmunk_is_installed)
