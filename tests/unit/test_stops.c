@@ -6,8 +6,8 @@
  */
 #include "support.h"
 
-#include "commands/tables.h"
 #include "domino_quad.h"
+#include "interpreter/feature.h"
 #include "interpreter/interpret.h"
 #include "io/system.h"
 #include "session/session.h"
@@ -59,7 +59,7 @@ static ssize_t line_count(void *cookie, const char *bytes, size_t size)
 
 static void session_begin(void)
 {
-    command_registry(all_commands);
+    features_register(every_feature);
     session_init(&session, system_stream(&session, "w", (struct system_stream){.write = line_count}));
     setvbuf(session.output->out, NULL, _IOLBF, BUFSIZ);
     assert_non_null(session.output->out);

@@ -205,7 +205,6 @@ static bool frame_add(struct player *p, const struct stage *stage)
     width = width > PICTURE_LEAST_WIDTH ? width - 1 : PICTURE_LEAST_WIDTH;
     height = height > PICTURE_LEAST_HEIGHT ? height - 1 : PICTURE_LEAST_HEIGHT;
     const bool is_drawn = stage_text(stage, display_of(p->out), width, height, text);
-    putc('\0', text);
     if (fclose(text) != 0 || !is_drawn) {
         free(f->text);
         return false;
