@@ -8,6 +8,7 @@
 # src/README.md lists all goals.
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
+, := ,
 PREFIX  ?= /usr/local
 DESTDIR ?=
 B       ?= .build
@@ -84,7 +85,12 @@ SHELL_C := src/main.c src/features.c $(wildcard src/shell/*/*.c) $(filter-out $(
            $(wildcard $(FOLDERS:%=src/%/*.c) $(FOLDERS:%=src/%/*/*.c)))
 SHELL_C := $(sort $(SHELL_C))
 
-UNIT    := $(wildcard tests/unit/test_*.c)
+# In a build without some features, tests that need them are left out: programs with a line 'Needs: NAMES', and sessions
+# with a tag. The tag 'whole' is for sessions that need every feature.
+LACK     = $(if $(PART),$(shell grep -lE 'Needs:.*\<($(subst $(eval) ,|,$(PART)))\>' $(1)))
+WITHOUT := $(if $(PART),!whole$(foreach f,$(filter-out $(JOINT),$(PART)),$(,)!$f))
+export WITHOUT
+UNIT    := $(filter-out $(call LACK,$(wildcard tests/unit/test_*.c)),$(wildcard tests/unit/test_*.c))
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
@@ -255,7 +261,6 @@ PC_TEXT = printf '%s\n' $(call PC_PATH,libdir,$(LIBDIR)) $(call PC_PATH,included
   'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
   'Libs: -L$${libdir} $${rpath} -ldomino' 'Libs.private: -lm -pthread' \
   'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))'
-, := ,
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@$(PC_TEXT) > $@
@@ -306,7 +311,7 @@ $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversio
 # Hard cases and sweeps, compared with a reference in MPFR. The other files of tests/hard are linked into each
 # test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
-HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
+HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(filter-out $(call LACK,$(HARD)),$(wildcard tests/hard/test_*.c)))
 $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
 	$(call LINK,$(GSL) -lmpfr -lgmp -lcmocka)
 
@@ -314,7 +319,7 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out 
 # longest first. A suite that fails does not stop the others. The counts are added up at the end.
 COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
 BATS       := $(foreach name,package terminal prompt,tests/shell/$(name).bats)
-BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
+BATS       += $(filter-out $(BATS),$(wildcard $(patsubst %,tests/%/*.bats,shell $(BUILT))))
 UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
 HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
 .SECONDARY: $(HARD_BIN)
@@ -324,13 +329,13 @@ $(B)/tap/unit/%.count: $(B)/unit/% FORCE
 $(B)/tap/hard/%.count: $(B)/hard/% FORCE
 	@tests/run --suite $(B) $<
 $(B)/tap/shell/python.bats.count: python
-$(B)/tap/shell/%.count: tests/shell/% all FORCE
+$(B)/tap/%.bats.count: tests/%.bats all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
 
 # Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the sweeps.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
-QUICK_BATS := $(patsubst %,tests/shell/%.bats,output count growth effects rows precision draw cycle)
+QUICK_BATS := $(wildcard $(patsubst %,tests/%.bats,shell/output train/count train/growth train/effects rows/rows train/precision pictures/draw train/cycle))
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
 quick: export SWEEP_SIZE := 0.05
@@ -385,8 +390,8 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 # files and store rows. A leak is a failure. The examples run in 'make valgrind' instead, and every command in 'make
 # fuzz'. Then tests/coverage counts the lines of the model that the tests have run. With -g1, which records only lines,
 # gcc takes half as long.
-SANITIZED := $(patsubst %,tests/shell/%.bats,prompt complete draw escape expressions files fifo lines names options rowfiles save \
-  settings undo variables)
+SANITIZED := $(patsubst %,tests/%.bats,pictures/draw rows/rowfiles $(addprefix shell/,prompt complete escape expressions files fifo lines \
+  names options save settings undo variables))
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
 	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof search sweep)' COVER=--coverage \
@@ -398,7 +403,7 @@ valgrind: all
 # Runs the parallel sessions under ThreadSanitizer.
 race: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
-	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/shell/sweep.bats
+	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/sweeps/sweep.bats
 
 # ---- Fuzzing and speed ----
 

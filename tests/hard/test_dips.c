@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
 /*
  * r_max of trains whose margin has a dip of a given depth, on both sides of zero. The separation at which the
  * dip touches 0 comes from a minimization of the margin by plain sums, which share no code with the model.

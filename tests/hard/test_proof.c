@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
 /*
  * Compares proofs with computed results, for random trains and for the hard cases: r_max is within the proved
  * bounds, a change of r_max in the ninth digit is refuted, and verdicts agree.

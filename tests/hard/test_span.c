@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
 /*
  * Tests each operation on intervals (proof/span.h) against exact rational numbers. The bounds of the
  * intervals are all pairs of difficult doubles: zeros of both signs, subnormal numbers, the largest doubles

@@ -1,6 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compatibility for programs: 300 commands answer as version 2.0 did.
+# bats file_tags=whole
 
 load common
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plots on a terminal of 80 x 24: a golden screen, and colours.
 # GOLDEN=write writes the golden screen again; check the new one by eye.
+# bats file_tags=whole
 
 load common
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows chance */
 /* The public API of rows, counts, scales and effects, in both headers, and the simple functions. */
 #include "support.h"
 #include <float.h>

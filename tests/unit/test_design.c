@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: planning */
 /* Designs, checked with the functions for trains and rows, and compared with all separations on a grid. */
 #include "support.h"
 

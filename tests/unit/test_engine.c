@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows chance engine */
 /*
  * The rigid-body engine: compared with the library where both can answer, and with published and known values
  * where only the engine can; how its runs end; and how the library calls the engine of a caller.

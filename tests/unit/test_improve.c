@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: chance planning */
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
  * interrupt. A study with an error that all dominoes share is also compared with studies of fixed values. */
 #include "planning/model/shape.c"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows chance planning proof */
 /*
  * Interrupts, without a clock. The library's check of the flag is replaced by one that counts the checks and
  * raises the flag at the k-th. Every long function must check often, and must end soon after the flag is

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: chance */
 /* The intervals of studies of any size, compared with tails of the binomial distribution that are summed term
  * by term. */
 #include "support.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /* Gaps and pushes that mend a row, compared with verdicts for nearby values and with a plain search. */
 #include "run.h"
 #include "support.h"

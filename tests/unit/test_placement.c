@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: chance */
 /* Studies of rows with random errors, and the largest errors with which enough of the rows fall. */
 #include "run.h"
 #include "support.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
 /*
  * Tests each bound of the proofs. The sources of the proofs are compiled with a switch that replaces one
  * bound by a wrong one. If all bounds are right, every check must succeed; if any single bound is wrong, a

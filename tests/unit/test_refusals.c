@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows chance */
 /* Bad parameters: every function that gets a bad parameter returns the status DOM_BAD_... that names it. */
 #include "support.h"
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
 /* The bounds for remainders of sums in proofs, compared with the sums of the omitted terms. */
 #include "proof/model/chain.c"
 #include "proof/model/power.c"

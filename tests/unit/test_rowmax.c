@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /* The largest growth of a finite row, compared with the pair, with the endless train, and with the verdicts
  * at slightly different growths. */
 #include "run.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: pictures */
 /* The dominoes of a picture touch where the model says, do not overlap, and stand on the ground. */
 #include "support.h"
 #include <float.h>

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: chance */
 /* Verdicts on random rows. In a study, bounds decide for most heads whether they keep falling. Here an engine
  * also runs each random row in full with this library, and must find the same verdicts. */
 #include "ask.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: rows */
 /* Windows: the verdict changes at the ends of a window, and all dominoes fall between them. */
 #include "run.h"
 #include "support.h"

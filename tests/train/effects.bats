@@ -4,7 +4,7 @@
 # slope, edges, walls and the floor.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "effects are off by default, and then none of their code runs; each effect runs only its own code" {
     run -0 json 'cost effects'

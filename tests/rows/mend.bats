@@ -3,7 +3,7 @@
 # Mend: the smallest change that makes a row fall.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "verdict says where a row stops and how much energy is missing, and mend finds the smallest change that makes the row fall" {
     scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"

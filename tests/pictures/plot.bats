@@ -3,7 +3,7 @@
 # Plots: their data compared with the commands, kinds of files, and pictures in characters.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 row='effect row 6; effect friction 0.1'
 
@@ -65,7 +65,7 @@ END
     local what title label
     while IFS='|' read -r what title label; do
         "$DOMINO" -e "$row; plot $what > a.svg"
-        "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$what" 'texts apart' "$(cat texts)"
+        "$root/tests/pictures/labels" a.svg >texts || same "$what" 'texts apart' "$(cat texts)"
         for words in "$title" "$label"; do
             cut -d ' ' -f 5- texts | grep -qxF -- "$words" || same "$what" "$words" "$(cat texts)"
         done
@@ -81,7 +81,7 @@ sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin against s an
 sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic against s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
 END
     "$DOMINO" -e 'plot growth paper > a.svg'
-    "$BATS_TEST_DIRNAME/labels" a.svg |
+    "$root/tests/pictures/labels" a.svg |
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
 }
 
@@ -91,7 +91,7 @@ END
     same 'errors of the gaps, and one in the legend' 14 "$(circles)"
     "$DOMINO" -e 'plot sweep tol 1e-12, 1e-6, 1e-3 : rmax > a.svg'
     same 'nearly equal' 3 "$(circles)"
-    same 'ticks' "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort)"
+    same 'ticks' "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- | sort)"
 }
 
 @test "plot fall: a mark for each domino rather than bars, which could not begin at 0 on a logarithmic axis" {
@@ -294,7 +294,7 @@ END
         for width in 6 8 12 30; do
             "$DOMINO" -e "$scene; plot $before width $width cm $after > a.svg" >/dev/null
             grep -q "width=\"$((45 * width))\"" a.svg
-            "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$before $width" 'texts apart' "$(cat texts)"
+            "$root/tests/pictures/labels" a.svg >texts || same "$before $width" 'texts apart' "$(cat texts)"
         done
     done <<END
 reset|growth|
@@ -314,9 +314,9 @@ reset|sweep|s 0.1 0.5 9 q 3, 4 : rmax
 reset|sweep legend off xrange 0.2 0.4|s 0.1 0.5 9 : duration.duration, thetac, fuel.fuel
 END
     "$DOMINO" -e 'plot growth paper legend right width 12 cm > a.svg'
-    "$BATS_TEST_DIRNAME/labels" a.svg >texts || same 'legend right' 'texts apart' "$(cat texts)"
+    "$root/tests/pictures/labels" a.svg >texts || same 'legend right' 'texts apart' "$(cat texts)"
     "$DOMINO" -e 'plot growth title "My title" xlabel "the gap" ylabel "factor" height 7 cm width 12 cm font 9 > b.svg'
-    "$BATS_TEST_DIRNAME/labels" b.svg >texts
+    "$root/tests/pictures/labels" b.svg >texts
     for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
     grep -q 'width="540" height="315"' b.svg && grep -q 'font-size="13.9' b.svg
     # The order of the words does not matter, and the words do not change the data.

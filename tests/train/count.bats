@@ -3,7 +3,7 @@
 # The number of dominoes that topple a height: count.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "count: the quiz, and powers that are exact" {
     while IFS='|' read -r arguments dominoes exact; do

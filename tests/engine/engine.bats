@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Rows that the rigid-body engine runs: feet that slip, dominoes that bounce, and a second opinion on any row.
 
-load common
+load ../shell/common
 
 scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Answers with a proof: statements, keys, incomplete proofs, and the table of proved growths.
 
-load common
+load ../shell/common
 
 root=$BATS_TEST_DIRNAME/../..
 

@@ -3,7 +3,7 @@
 # Rows: verdicts, causes of stops, rowmax, gaps.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "rows of the model: a single domino, each way to end, thousands of dominoes, dominoes taller than the Earth" {
     same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"

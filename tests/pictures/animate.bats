@@ -3,7 +3,7 @@
 # Animations of trains and rows.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 # Replaces gnuplot with a wrapper that stores the script in $PWD/script.
 keep_scripts() {
@@ -45,7 +45,7 @@ record="effect row \"$root/examples/record.csv\""
 
 @test "animate: a row in real time, from before the first hit to the end, which is held for a second" {
     same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
-    read -r width height frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
+    read -r width height frames delay rest <<<"$("$root/tests/pictures/gif" a.gif)"
     same 'one delay of a tenth of a second' '10 ' "$delay $rest"
     [ "$width" -eq 640 ] && [ "$height" -ge 170 ] && [ "$(stat -c %s a.gif)" -lt 300000 ]
     csv "$record; animate a.gif rate 10" >data
@@ -60,13 +60,13 @@ record="effect row \"$root/examples/record.csv\""
     set_push='set r 1; effect row 12; effect push 6'
     same 'from the push' 0 "$(csv "$set_push; animate a.gif" | sed -n '2s/,.*//p')"
     "$DOMINO" -e "$set_push; animate a.gif speed 0.5; animate b.gif speed 0.25"
-    read -r _ _ fast _ <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
-    read -r _ _ slow _ <<<"$("$BATS_TEST_DIRNAME/gif" b.gif)"
+    read -r _ _ fast _ <<<"$("$root/tests/pictures/gif" a.gif)"
+    read -r _ _ slow _ <<<"$("$root/tests/pictures/gif" b.gif)"
     awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
     # A row that stops, and a row in which the view follows the front, make valid gifs.
     "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
-    "$BATS_TEST_DIRNAME/gif" a.gif
-    "$BATS_TEST_DIRNAME/gif" b.gif
+    "$root/tests/pictures/gif" a.gif
+    "$root/tests/pictures/gif" b.gif
     same 'the train, with a row on' "$(csv 'animate a.gif 2')" "$(csv 'effect row 3; animate a.gif train 2')"
 }
 
@@ -115,7 +115,7 @@ END
         [ "$(stat -c %s "$root/examples/pictures/$picture")" -lt 300000 ]
     done
     for picture in *.svg; do xmllint --noout "$root/examples/pictures/$picture"; done
-    for picture in *.gif; do same "$picture" "$("$BATS_TEST_DIRNAME/gif" "$root/examples/pictures/$picture")" "$("$BATS_TEST_DIRNAME/gif" "$picture")"; done
+    for picture in *.gif; do same "$picture" "$("$root/tests/pictures/gif" "$root/examples/pictures/$picture")" "$("$root/tests/pictures/gif" "$picture")"; done
 }
 
 @test "animate: the number of the head is between its feet in every frame of every cycle" {
@@ -137,7 +137,7 @@ END
 
 @test "animate: a long row is shown faster, in at most 10 s and 300 frames, unless a speed is given" {
     "$DOMINO" -e 'effect row 20; animate a.gif'
-    read -r _ _ frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
+    read -r _ _ frames delay rest <<<"$("$root/tests/pictures/gif" a.gif)"
     same 'one delay' '4 ' "$delay $rest"
     [ "$frames" -gt 200 ] && [ "$frames" -le 250 ] # 10 s
     # The frames still cover the time from the first hit to the end.
@@ -150,7 +150,7 @@ END
     # With 'tower' the last domino of the row that the last count found topples the tower, which falls like a
     # domino of its height.
     "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
-    "$BATS_TEST_DIRNAME/gif" b.gif >said
+    "$root/tests/pictures/gif" b.gif >said
     csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d >tower
     same tower "$(csv 'effect row 9; change 9 height 1 m; change 9 thickness 14.5833333333333333333333333333333333 cm
         change 9 width 50 cm; change 9 gap 40 cm; animate a.gif rate 5')" "$(cat tower)"

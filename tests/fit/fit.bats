@@ -3,7 +3,7 @@
 # Fit: parameters from measured speeds, hit times and angles.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "fit: the published friction of each surface, and its residuals" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured

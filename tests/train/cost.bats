@@ -3,7 +3,7 @@
 # The time that accuracy costs: 'cost' and its picture.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "cost: a row for each method, precision and tolerance, and a summary in words" {
     run -0 "$DOMINO" -e 'cost rmax details'

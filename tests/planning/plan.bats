@@ -3,7 +3,7 @@
 # Plan: the guide for building a row, in text, on paper and as data.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3; place 8 75 cm > /dev/null; effect placement 5 mm"
 

@@ -3,7 +3,7 @@
 # Improve: the most reliable row.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect placement 3 mm'
 

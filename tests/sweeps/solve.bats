@@ -3,7 +3,7 @@
 # Solve and sensitivity.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 # The lines below have a parameter, 'less' or 'more' by 1 %, and the change of r_max in percent.
 @test "sensitivity: known changes of r_max, the largest first" {

@@ -3,7 +3,7 @@
 # Scripts that check: assert, and the status of a script.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "assert: a condition" {
     same 'true' '(nothing)' "$("$DOMINO" -n -e 'assert rmax(0.4) < 1.7; assert if(r > 1, 1, 0); assert (s > 0.1) and not r == 2')"

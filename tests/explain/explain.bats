@@ -3,7 +3,7 @@
 # Derivations of numbers: explain.
 # shellcheck disable=SC2154 # 'run' and 'load' set variables
 
-load common
+load ../shell/common
 
 check=$root/tests/derivations/check.py
 

@@ -3,7 +3,7 @@
 # Rows in files as people write them: names of columns, units, decimal commas.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "rows from csv: many ways to write the same row" {
     file plain.csv <<'END'

@@ -3,7 +3,7 @@
 # The largest growth: rmax, pair, best and curve; answers that are a physical "no".
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 @test "curve: separations are evenly spaced, and values agree with rmax and pair" {
     json 'set q hollow; curve 0.3 0.5 3' >rows

@@ -3,7 +3,7 @@
 # Pictures of trains and rows: positions of dominoes, captions, files, and errors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 record="effect row \"$root/examples/record.csv\""
 
@@ -131,7 +131,7 @@ record="effect row \"$root/examples/record.csv\""
     while IFS='|' read -r count row what; do
         "$DOMINO" -e "$row; $what > a.svg"
         xmllint --noout a.svg
-        same "$row; $what" "$count" "$("$DOMINO" -e "set output json; $row; $what" | "$BATS_TEST_DIRNAME/polygons" a.svg)"
+        same "$row; $what" "$count" "$("$DOMINO" -e "set output json; $row; $what" | "$root/tests/pictures/polygons" a.svg)"
     done <<END
 10|$record|draw
 10|$record|draw at 3.9 s
@@ -146,13 +146,13 @@ END
 @test "draw: texts in the svg do not overlap, and a repeated height is written once" {
     for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
         "$DOMINO" -e "$row; draw > a.svg"
-        "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
+        "$root/tests/pictures/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
         [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
         same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
     done
     # In a low picture of a row, the axis of heights has a single unit, which stands in the place of the 0.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
-    "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
+    "$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- >texts
     same 'the unit' cm "$(grep -x '[cm]*m' texts)"
     same 'heights' '2 4' "$(grep -x '[24]' texts | sort -u | paste -sd ' ' -)"
     same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
@@ -236,7 +236,7 @@ END
 }
 
 @test "draw: on a terminal with UTF-8 the row is drawn in braille and colour, and fits the terminal" {
-    terminal() { env -u NO_COLOR LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_DIRNAME/terminal.py" 100 30 "$DOMINO" -e "$record; draw at 5"; }
+    terminal() { env -u NO_COLOR LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$root/tests/shell/terminal.py" 100 30 "$DOMINO" -e "$record; draw at 5"; }
     terminal >seen
     grep -q $'\u28ff' seen || same braille 'a full cell' "$(cat seen)"
     grep -q $'\e\[' seen
@@ -254,7 +254,7 @@ END
     local row sentence numbers
     while IFS='|' read -r row sentence numbers; do
         "$DOMINO" -e "$row; draw > a.svg"
-        "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
+        "$root/tests/pictures/labels" a.svg | cut -d ' ' -f 5- >texts
         same "$row" "$sentence" "$(grep '^Too small' texts)"
         for k in $numbers; do
             grep -qx "$k" texts || same "$row" "domino $k" "$(cat texts)"

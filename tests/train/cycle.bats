@@ -3,7 +3,7 @@
 # A cycle as a table, and the walk through cycles event by event.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 # Prints the values of a key in json answers, in one line.
 all() { values "$1" | paste -sd ' ' -; }

@@ -3,7 +3,7 @@
 # Design: a row that fulfils a wish.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 wood='set q hollow; effect friction 0.3'
 

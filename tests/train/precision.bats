@@ -3,7 +3,7 @@
 # Precision, tolerance and errors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 # Checks the first digits of a number in quad.
 quad() { # COMMANDS KEY DIGITS

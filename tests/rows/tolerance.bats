@@ -3,7 +3,7 @@
 # Tolerance: how far the values of each domino of a row may be off.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 scene='effect row 6; effect push 6; effect friction 0.1'
 

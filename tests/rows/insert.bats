@@ -3,7 +3,7 @@
 # 'remove' and 'insert': a row loses and gains dominoes.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 # Prints the column KEY of the row after COMMANDS, in one line.
 column() { json "$2; row" | values "$1" | paste -sd ' ' -; } # KEY COMMANDS

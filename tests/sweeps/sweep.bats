@@ -3,7 +3,7 @@
 # Sweeps on any number of threads and in any number of parts, and the scripts for clusters.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 sweeps='sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
 sweep s 0.02 0.98 200 : barrier

@@ -3,7 +3,7 @@
 # Errors of placement: studies, complete and in parts, and budgets.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
-load common
+load ../shell/common
 
 study='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
 
