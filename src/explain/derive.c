@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/effects.h"
+#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -292,7 +293,7 @@ static bool train_set(struct derivation *d, const struct explained *e, domq_real
     train->s = isnan(value) ? train->s : value;
     enum dom_status status = domq_limit_rmax(train, &d->state->scene.compute, &limit);
     if (status != DOM_OK)
-        return problem_status(d->problem, &d->state->scene, status);
+        return problem_limit(d->problem, &d->state->scene, status, &limit);
     if (limit.ends == DOM_END_NONE)
         return problem_no_answer(d->problem, "no growth is possible here: 'rmax' says why");
     train->r = limit.r_max;

@@ -3,6 +3,7 @@
 #include "explain/paper.h"
 #include "interpreter/feature.h"
 #include "language/quad.h"
+#include "train/train.h"
 
 const struct column recipe_columns[] = {
     {"step", "", "the step of the recipe, from 1 to 5", 4},
@@ -25,6 +26,7 @@ const struct column recipe_columns[] = {
 /* The results of the recipe or of the program. A number that does not exist is NaN. */
 struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
+    struct domq_limit limit;
 };
 
 /* Finds the hardest moment of a cycle: the tilt theta_m, at which the potential energy is largest. The
@@ -53,10 +55,9 @@ static enum dom_status results_find(struct domq_train train, const struct domq_c
                                     const struct domq_compute *ours, struct results *f)
 {
     struct domq_launch launch;
-    struct domq_limit limit;
     struct domq_best best;
     *f = (struct results){DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN,
-                          DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN};
+                          DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, DOMQ_NAN, {.r_max = DOMQ_NAN}};
     enum dom_status status = domq_launch_find(&train, compute, &launch);
     if (status == DOM_OK) {
         f->J0 = launch.J0;
@@ -66,9 +67,9 @@ static enum dom_status results_find(struct domq_train train, const struct domq_c
     }
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
-    status = domq_limit_rmax(&train, compute, &limit);
-    if (status == DOM_OK && limit.ends != DOM_END_NONE)
-        f->r_max = limit.r_max;
+    status = domq_limit_rmax(&train, compute, &f->limit);
+    if (status == DOM_OK && f->limit.ends != DOM_END_NONE)
+        f->r_max = f->limit.r_max;
     /* The recipe does not say how to choose s, so the program's search is used. */
     if (status == DOM_OK || status == DOM_NOT_CONVERGED)
         status = domq_limit_best(&train, ours, &best);
@@ -132,7 +133,7 @@ bool run_recipe(const struct query *query, struct answer *a, struct problem *pro
     const struct domq_compute *compute = &query->scene->compute;
     struct domq_compute steps = *compute;
     struct domq_angles angles;
-    struct results paper, ours;
+    struct results paper, ours = {.limit.r_max = DOMQ_NAN};
     if (domq_first_effect(&train))
         return problem_no_answer(problem, "the paper's recipe does not include %s; first enter 'set %s off'",
                                  domq_first_effect(&train)->name, domq_first_effect(&train)->name);
@@ -151,7 +152,8 @@ bool run_recipe(const struct query *query, struct answer *a, struct problem *pro
                                  "the recipe needs r > 1: for equal dominoes, its energy sums do not "
                                  "converge; first enter a larger r, for example 'set r 1.5'");
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return problem_limit(problem, query->scene, status,
+                             isnan(ours.limit.open) ? &paper.limit : &ours.limit);
     answer_say(a, "The recipe of the paper (section 'A general domino train') at s = %.6g, r = %.6g:",
                (double)train.s, (double)train.r);
     if (answer_for_people(a))

@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "session/rowfile.h"
+#include "train/train.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,6 +101,8 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
         domq_row_rmax(&scene.row, &scene.compute, reach, row_grow, (void *)query->scene, &growth);
     if (status == DOM_OK)
         status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
+    if (status == DOM_OPEN)
+        return problem_limit(problem, query->scene, status, &limit);
     if (status != DOM_OK)
         return row_status(query, problem, status);
     snprintf(reason, sizeof reason,

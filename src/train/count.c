@@ -56,7 +56,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     if (status == DOM_OK)
         status = domq_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
-        return query_status(query, problem, status);
+        return problem_limit(problem, query->scene, status, &t->limit);
     t->growths = (struct start_growths){.r_max = DOMQ_NAN};
     if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
         (t->limit.ends != DOM_END_NONE &&

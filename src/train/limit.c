@@ -25,9 +25,11 @@ static const char *no_growth(struct domq_limit limit)
                  "1) have too little energy to keep falling";
 }
 
-/* Explains a limit that is open. Returns false. */
-static bool limit_is_open(struct problem *problem, const struct domq_limit *limit)
+bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
+                   const struct domq_limit *limit)
 {
+    if (status != DOM_OPEN)
+        return problem_status(problem, scene, status);
     return problem_no_answer(
         problem,
         "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
@@ -40,15 +42,17 @@ static bool limit_is_open(struct problem *problem, const struct domq_limit *limi
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
+    const struct domq_limit none = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .open = DOMQ_NAN};
+    *exact = *paper = none;
     train.fuel = DOM_FUEL_EXACT;
-    enum dom_status status = domq_limit_rmax(&train, compute, exact);
-    if (status != DOM_OK)
-        return status;
+    const enum dom_status status = domq_limit_rmax(&train, compute, exact);
+    paper->why = exact->why;
     /* The paper's formula does not cover friction, slopes or rounded edges. */
-    *paper =
-        (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why, .open = DOMQ_NAN};
+    if ((status != DOM_OK && status != DOM_OPEN) || domq_first_effect(&train))
+        return status;
     train.fuel = DOM_FUEL_PAPER;
-    return domq_first_effect(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
+    const enum dom_status of_paper = domq_limit_rmax(&train, compute, paper);
+    return of_paper == DOM_OK ? status : of_paper;
 }
 
 static const struct column rmax_columns[] = {
@@ -130,10 +134,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     struct domq_limit exact = {.r_max = DOMQ_NAN, .open = DOMQ_NAN}, paper = exact;
     train.s = argument_or(query->given, 0, train.s);
     const enum dom_status status = limits_find(train, query_compute(query), &exact, &paper);
-    if (status == DOM_OPEN)
-        return limit_is_open(problem, isnan(paper.open) ? &exact : &paper);
-    if (!query_status(query, problem, status))
-        return false;
+    if (status != DOM_OK)
+        return problem_limit(problem, query->scene, status, isnan(paper.open) ? &exact : &paper);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {.r_max = DOMQ_NAN};
     const char *missing = no_growth(used);
@@ -171,10 +173,8 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     struct domq_limit limit;
     train.s = argument_or(query->given, 0, train.s);
     const enum dom_status status = domq_limit_pair(&train, query_compute(query), &limit);
-    if (status == DOM_OPEN)
-        return limit_is_open(problem, &limit);
-    if (!query_status(query, problem, status))
-        return false;
+    if (status != DOM_OK)
+        return problem_limit(problem, query->scene, status, &limit);
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
                    "With a gap of %.6g times the height of the larger domino, a %s that just tips over can "
@@ -232,8 +232,16 @@ struct curve {
     struct domq_compute compute;
     struct answer answer;
     bool has_missing; /* true if no growth is possible at one or more of the points */
+    bool has_open;    /* true if a limit is open at one or more of the points */
     enum dom_status status;
 };
+
+/* Returns the cell of a limit. If the limit is open, the cell is empty. */
+static struct cell curve_cell(struct curve *c, const struct domq_limit *limit)
+{
+    c->has_open = c->has_open || !isnan(limit->open);
+    return cell_uncertain(isnan(limit->open) ? limit->r_max : DOMQ_NAN, limit->uncertainty);
+}
 
 static bool curve_point(void *context, size_t k, FILE *out)
 {
@@ -243,13 +251,12 @@ static bool curve_point(void *context, size_t k, FILE *out)
     domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
     c->train.s = (1 - f) * c->from + f * c->to;
     c->status = limits_find(c->train, &c->compute, &exact, &paper);
-    if (c->status == DOM_OK)
+    if (c->status == DOM_OK || c->status == DOM_OPEN)
         c->status = domq_limit_pair(&c->train, &c->compute, &pair);
-    if (c->status != DOM_OK)
+    if (c->status != DOM_OK && c->status != DOM_OPEN)
         return false;
-    answer_cells(&a, cell_real(c->train.s), cell_uncertain(exact.r_max, exact.uncertainty),
-                 cell_uncertain(paper.r_max, paper.uncertainty), cell_uncertain(pair.r_max, pair.uncertainty),
-                 cell_real(domq_train_reach(&c->train)));
+    answer_cells(&a, cell_real(c->train.s), curve_cell(c, &exact), curve_cell(c, &paper),
+                 curve_cell(c, &pair), cell_real(domq_train_reach(&c->train)));
     c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
@@ -257,7 +264,9 @@ static bool curve_point(void *context, size_t k, FILE *out)
 static void curve_gather(void *context, const void *worker)
 {
     struct curve *c = context;
-    c->has_missing = c->has_missing || ((const struct curve *)worker)->has_missing;
+    const struct curve *w = worker;
+    c->has_missing = c->has_missing || w->has_missing;
+    c->has_open = c->has_open || w->has_open;
 }
 
 static bool run_curve(const struct query *query, struct answer *a, struct problem *problem)
@@ -283,6 +292,9 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     if (c.has_missing)
         answer_say(
             a, "'-' under exact or pair means that no growth is possible; 'rmax S' and 'pair S' explain why");
+    if (c.has_open)
+        answer_say(a, "At one or more points a limit is open: there '-' means that the margin is 0 within "
+                      "rounding errors at some growth, which 'rmax S' or 'pair S' names.");
     return true;
 }
 

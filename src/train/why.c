@@ -141,7 +141,7 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
     if (status == DOM_OK || status == DOM_NO_FUEL)
         status = domq_limit_rmax(train, compute, &limit);
     if (status != DOM_OK)
-        return query_status(query, problem, status);
+        return problem_limit(problem, query->scene, status, &limit);
     bool people = answer_for_people(a);
     if (people) {
         verdict_train_say(query, a, verdict, &b);

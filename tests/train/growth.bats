@@ -94,5 +94,18 @@ END
 @test "an open limit is no number: a dip of the margin touches 0 within rounding errors, even in quad" {
     local scene='set precision quad; set d 0.254524; set q 0.474363'
     wrong "$scene; rmax 0.1192020420696138643273314766323029" 'r_max is open: at the growth 4.4669'
-    wrong "$scene; print rmax(0.1192020420696138643273314766323029)" 'r_max is open'
+    local s=0.1192020420696138643273314766323029
+    local named='r_max is open: at the growth 4.4669[0-9]* the margin is 0 within rounding errors, even in quad; if a train passes this growth, r_max is [5-9]'
+    wrong "$scene; print rmax($s)" 'r_max is open'
+    for call in "rmax $s" "set s $s; why" "set s $s; count 112" "set s $s; recipe" "set s $s; explain rmax"; do
+        run --separate-stderr "$DOMINO" -e "$scene; $call"
+        same "$call: status" 1 "$status"
+        grep -q "$named" <<<"$stderr" || same "$call" "$named" "$stderr"
+    done
+    # The curve goes on; the open limit has no value.
+    run "$DOMINO" -e "$scene; curve 0.2 $s 2"
+    same 'curve: status' 0 "$status"
+    grep -qE '^ +0\.2 +[0-9.]+ +[0-9.]+ +[0-9.]+ +5$' <<<"$output" || same 'a point with values' '0.2 ...' "$output"
+    grep -qE '^ +0\.119202 +- +[0-9.]+ +[0-9.]+ ' <<<"$output" || same 'the open point' '0.119202 -' "$output"
+    grep -q "a limit is open" <<<"$output"
 }

@@ -41,7 +41,7 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
         of->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
     if (status == DOM_OK && limit.ends != DOM_END_NONE)
         *r = limit.r_max;
-    return status;
+    return status == DOM_OPEN ? DOM_OK : status; /* the curve has a gap where a limit is open */
 }
 
 static domq_real reach_at(struct domq_train train, domq_real s)
