@@ -97,7 +97,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(text, size,
                  "infeasible: the start is too weak for a safety of %s at the second domino; domino 1 needs "
-                 "a push of %.40s rad/s (%.40s at its top); first enter 'set row 2; set push %.40s'",
+                 "a push of %.40s rad/s (%.40s at its top); first enter 'set push %.40s'",
                  safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(

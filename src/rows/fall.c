@@ -154,8 +154,8 @@ static bool fall_note(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns the energy of a domino, divided by the energy that it needs. For people, more than 100 times are not
- * told apart, as in energy_words. */
+/* Returns the energy of a domino, divided by the energy that it needs. For people, more than 100 times are
+ * not told apart, as in energy_words. */
 static struct cell energy_cell(const struct answer *a, const struct domq_fall *fall)
 {
     const domq_real share = fall_share(fall);

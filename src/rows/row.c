@@ -69,6 +69,9 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         }
     a->csv.extra = NULL;
     free(others);
+    struct problem no_room = {.kind = PROBLEM_NONE};
+    if (!scene_walls_fit(query->scene, &scene, &no_room) && answer_for_people(a))
+        answer_say(a, "This row has no answer yet: %s.", no_room.text);
     free(scene.domino);
     if (query->next && a->path)
         query->next->scene.listed.saved = true;

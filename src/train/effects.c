@@ -312,7 +312,13 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
                                                             : "the energy balance");
     answer_detail(a, "%s", "");
     parts.out = answer_rest(a);
-    return !parts.out || scene_write(query, &parts, a, problem);
+    struct problem missing = {.kind = PROBLEM_NONE};
+    if (parts.out && !scene_write(query, &parts, a, &missing)) {
+        if (dom_raised(query->scene->compute.interrupt))
+            return query_status(query, problem, DOM_INTERRUPTED);
+        answer_say(a, "This scene has no answer yet: %s.", missing.text);
+    }
+    return true;
 }
 
 const struct command effect_commands[] = {

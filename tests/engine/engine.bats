@@ -142,7 +142,7 @@ C
         run "$DOMINO" -n -e "$commands"
         same "$commands" "$message" "$(sed -E 's/^-e:1:([0-9]+:)? //' <<<"$output")"
     done <<'END'
-effect feet 0.4|effect: 'set feet' needs a row; first enter 'set row N'
+effect feet 0.4; fall|fall: there is no row; first enter 'set row N' or 'set row FILE'
 effect row 3; effect bounce 1.5|effect: E = 1.5 is out of range; E, the restitution between dominoes, must be in the range 0 .. 1
 effect row 3; effect bounce -1|effect: E = -1 is out of range; E, the restitution between dominoes, must be in the range 0 .. 1
 effect row 3; effect feet -0.1|effect: MU = -0.1 is out of range; MU, the friction coefficient of the floor, must be in the range 0 .. 100

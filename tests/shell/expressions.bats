@@ -352,7 +352,7 @@ END
     wrong 'rmax with' "'with' takes parameters and effects"
     wrong 'rmax with q' 'the value of q after .with. is missing'
     wrong 'rmax with digits 3' "'digits' is a setting of the calculator"
-    wrong 'rmax with push 3' "'set push' needs a row"
+    wrong 'verdict with push 3' 'there is no row'
     wrong 'rmax with s 2' 's = 2 is out of range'
     wrong 'set s 0.3 with r 2' "'with' can only follow a command that computes an answer"
 }

@@ -52,6 +52,7 @@ same_at_the_prompt() { # FORMAT
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
+@test "what is missing is noted after set, and show, save, reset and undo work" { prompt missing; }
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 @test "a backslash at the end continues the line below" { prompt backslash; }
 

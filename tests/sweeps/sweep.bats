@@ -208,7 +208,7 @@ END
     wrong_line 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
     wrong_line 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
     wrong_line 'sweep s 0.1 0.9 9 : fall' "there is no row; first enter 'set row N'"
-    wrong_line 'sweep push 1 9 9 : fall' "'set push' needs a row"
+    wrong_line 'sweep push 1 9 9 : fall' "there is no row"
     wrong_line 'set errors on; set threads 4; sweep s 0.1 0.9 9 : theta1 foo' "'foo' has no value"
 }
 

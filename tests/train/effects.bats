@@ -132,13 +132,15 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 }
 
 @test "effects that need each other, or cannot be combined, say so" {
-    wrong 'effect push 3' "'set push' needs a row; first enter 'set row N'"
-    # 'effect placement' may come before the row, but the command 'placement' needs a row.
+    # What is about a row may be set before there is a row, but a command about the row needs one.
+    same 'a push' "$(json 'set row 9; set push 3; verdict')" "$(json 'set push 3; set row 9; verdict')"
+    same 'feet' "$(json 'set row 4; set feet 0.4; rowmax' 2>/dev/null | head -c 20)" "$(json 'set feet 0.4; set row 4; rowmax' 2>/dev/null | head -c 20)"
+    same 'a push stays' "$(json 'set row 9; set push 3; verdict' | tail -n 1)" "$(json 'set row 4; set push 3; set row off; set row 9; verdict' | tail -n 1)"
+    wrong 'set push 3; verdict' "there is no row; first enter 'set row N'"
     wrong 'effect placement 1 mm; placement' "there is no row; first enter 'set row N'"
     same 'the order' "$(json 'effect row 9; effect placement 3 mm; placement 100')" \
         "$(json 'effect placement 3 mm; effect row 9; placement 100')"
     run -0 "$DOMINO" -e 'effect placement 3 mm; effect row 4; effect row off; effect row 3; placement 10'
-    wrong 'effect row 4; effect push 3; effect row off' "'set push' needs the row; first enter 'set push off'"
     wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
     wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'set friction off'"
     wrong 'effect friction 0.2; rmax with fuel paper' "'fuel paper' cannot be combined with friction"
@@ -167,13 +169,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a value' 0.2 "$(json 'set friction 0.2; show friction' | values value)"
     same 'a file' record.csv "$(json "set row $root/examples/record.csv; show row" | values value)"
     same 'the others stay' "$(json show)" "$(json 'set friction 0.2; reset s; show')"
-    [[ $("$DOMINO" -e 'set push on' 2>&1) == *"'set push' needs a row"* ]]
     [[ $("$DOMINO" -e 'set friction on') == 'friction is on now with MU = 0.2:'* ]]
     wrong 'set friction -1' 'MU = -1 is out of range'
     wrong 'set friction 0.1 0.2' 'one argument too many; usage: set friction MU'
     wrong 'set friction off 0.2' 'one argument too many; usage: set friction MU'
     wrong 'set fuel paper; set friction 0.2' 'cannot be combined with friction'
-    wrong 'set row 4; set push 3; reset row' "'set push' needs the row; first enter 'set push off'"
+    wrong 'set row 4; set feet 0.4; set error_floor 0.1; set feet off' "'set error_floor' needs the feet; first enter 'set error_floor off'"
     wrong 'set s 0.4 0.5' "'0.5' is one argument too many; usage: set NAME VALUE"
 }
 

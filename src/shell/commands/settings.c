@@ -87,16 +87,24 @@ static struct typed_length length_typed(const struct arguments *given)
 }
 
 /* At the prompt, says why the scene has no answer yet. Another command may change that. */
-static void missing_say(const struct query *query, struct answer *a, const struct scene *scene)
+static void missing_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
+    const struct scene *scene = &query->next->scene;
+    const bool has_row = scene->effect[DOM_EFFECT_row].on;
     struct problem missing = {.kind = PROBLEM_NONE};
     struct domq_angles angles;
+    struct scene_row row = {.domino = NULL};
     if (query->run_context->script || query->run_context->sourced || !answer_for_people(a))
         return;
-    if (lengths_check(query->next, &missing))
+    if (lengths_check(query->next, &missing) && !has_row)
         problem_status(&missing, scene, domq_angles_find(&scene->train, &scene->compute, &angles));
+    else if (has_row && missing.kind == PROBLEM_NONE && scene_row_list(scene, &row, &missing))
+        scene_row_check(scene, &row, &missing);
+    free(row.domino);
     if (missing.kind != PROBLEM_NONE)
         answer_say(a, "This is set, but there is no answer yet: %s.", missing.text);
+    else if (!has_row && p->effect && p->effect->needs >> DOM_EFFECT_row & 1 && scene->effect[p->which].on)
+        answer_say(a, "This is set, and counts once there is a row: enter 'set row N' or 'set row FILE'.");
 }
 
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
@@ -137,7 +145,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
                    kept, next->scene.listed.changes - 1);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
-    missing_say(query, a, &next->scene);
+    missing_say(query, a, p);
     return true;
 }
 

@@ -41,10 +41,11 @@ const char *effect_setting_write(const struct scene *scene, int effect, char set
     return setting;
 }
 
-/* Returns true if `effect` cannot be on without `other`. */
+/* Returns true if `effect` cannot be on without the effect `other`. An effect that is about rows waits until
+ * there is a row. */
 static bool needs(int effect, int other)
 {
-    return effect_at(effect)->needs >> other & 1;
+    return other != DOM_EFFECT_row && (effect_at(effect)->needs >> other & 1) != 0;
 }
 
 static bool row_read(const struct scene *scene, const char *name, const struct run_context *run_context,
@@ -93,9 +94,9 @@ bool effect_check_needs(const struct scene *scene, int effect, struct problem *p
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (needs(effect, k) && !scene->effect[k].on)
-            return problem_error(problem, "'set %s' needs %s%s; first enter 'set %s %s'",
-                                 effect_at(effect)->name, k == DOM_EFFECT_row ? "a " : "the effect ",
-                                 effect_at(k)->name, effect_at(k)->name, effect_at(k)->argument[0].name);
+            return problem_error(problem, "'set %s' needs the effect %s; first enter 'set %s %s'",
+                                 effect_at(effect)->name, effect_at(k)->name, effect_at(k)->name,
+                                 effect_at(k)->argument[0].name);
     return effect >= DOM_DYNAMICS_COUNT || effect_at(effect)->cancels ||
            scene->train.fuel != DOM_FUEL_PAPER ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",

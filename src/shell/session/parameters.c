@@ -256,12 +256,11 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
 /* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so the
-     * order is: effects that need more than a row, effects that need only a row, and the others, one of which
-     * is the row. Effects that are on come last. */
+    /* Effects that are off come first. An effect cannot be turned off while another effect needs it, so those
+     * that need others, and not just a row, are the first. Effects that are on come last. */
     const unsigned row = 1U << DOM_EFFECT_row;
     if (p->effect)
-        return state->scene.effect[p->which].on ? 6 : p->effect->needs & ~row ? 0 : p->effect->needs ? 1 : 2;
+        return state->scene.effect[p->which].on ? 6 : p->effect->needs & ~row ? 0 : 2;
     /* A parameter that takes only words, such as 'precision', comes before those that take numbers, because
      * the range of tol depends on the precision. */
     return !p->words_only ? 5 : p->setting ? 3 : 4;

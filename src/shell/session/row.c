@@ -85,15 +85,16 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, domino, count);
 }
 
-static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
-                      struct problem *problem)
+bool scene_walls_fit(const struct scene *scene, const struct scene_row *row, struct problem *problem)
 {
+    const domq_real walls = scene_walls(scene);
     struct domq_box box;
-    for (size_t k = 0; k < count; k++)
-        if (domino[k].height > scene_boxes_above(scene) &&
-            domq_box_find(domino[k].height, domino[k].thickness, domino[k].width, scene_walls(scene), &box) !=
-                DOM_OK)
-            return problem_no_room(problem, scene, k + 1, domino[k].thickness);
+    for (size_t k = 0; k < row->row.count && walls > 0; k++) {
+        const struct domq_domino *d = &row->domino[k];
+        if (d->height > scene_boxes_above(scene) &&
+            domq_box_find(d->height, d->thickness, d->width, walls, &box) != DOM_OK)
+            return problem_no_room(problem, scene, k + 1, d->thickness);
+    }
     return true;
 }
 
@@ -113,11 +114,6 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
     scene_row_fill(scene, row->domino, count);
-    if (scene_walls(scene) > 0 && !walls_fit(scene, row->domino, count, problem)) {
-        free(row->domino);
-        row->domino = NULL;
-        return false;
-    }
     row->row = (struct domq_row){
         .domino = row->domino,
         .count = count,
@@ -153,6 +149,11 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
     return true;
 }
 
+bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem)
+{
+    return scene_walls_fit(scene, row, problem) && row_stands(scene, &row->row, problem);
+}
+
 /* The smallest relative tolerance of searches that run the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 
@@ -160,7 +161,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 {
     if (!scene_row_list(scene, row, problem))
         return false;
-    bool good = row_stands(scene, &row->row, problem);
+    bool good = scene_row_check(scene, row, problem);
     if (good && scene_has_engine(scene)) {
         good = scene_engine_make(scene, row->row.count, &row->engine, problem);
         row->row.engine = &row->engine.engine;

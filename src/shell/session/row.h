@@ -20,9 +20,14 @@ struct scene_row {
  * if the row cannot be run, sets *problem and returns false. */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Like scene_row_make, but does not prepare a run. It checks only that there is a row and that the walls fit
- * into its dominoes. */
+/* Like scene_row_make, but does not prepare a run. It checks only that there is a row. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
+
+/* Checks that the walls fit into the dominoes of a row. */
+bool scene_walls_fit(const struct scene *scene, const struct scene_row *row, struct problem *problem);
+
+/* Checks that the walls fit into the dominoes of a row, and that the dominoes stand. */
+bool scene_row_check(const struct scene *scene, const struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the changes that the user has
  * made. If 'change' changes the height, the width stays as it was. */

@@ -113,19 +113,31 @@ static bool edit_begin(const struct scene *scene, struct listed_row *next, struc
     return problem_status(problem, scene, DOM_NO_MEMORY);
 }
 
-/* Gives the scene an edited row if `good` is true and if the walls fit into its dominoes. Otherwise frees the
- * edited row. Returns true if the scene has it. */
+/* Returns true if there is a row into whose dominoes the walls fit. */
+static bool walls_fit(const struct scene *scene, struct problem *problem)
+{
+    struct scene_row row;
+    if (!scene_row_list(scene, &row, problem))
+        return false;
+    const bool fit = scene_walls_fit(scene, &row, problem);
+    free(row.domino);
+    return fit;
+}
+
+/* Gives the scene an edited row if `good` is true. The walls must fit into its dominoes, unless they did not
+ * fit before: one edit need not mend all dominoes. If the scene does not get the edited row, frees it and
+ * returns false. */
 static bool edit_end(struct scene *scene, struct listed_row *next, bool good, struct problem *problem)
 {
-    struct scene_row changed;
+    struct problem ignored = {.kind = PROBLEM_NONE};
     struct listed_row before = scene->listed;
+    const bool fitted = good && walls_fit(scene, &ignored);
     next->saved = false;
     scene->listed = *next;
-    good = good && scene_row_list(scene, &changed, problem);
-    if (good) {
-        free(changed.domino);
+    good = good && (!fitted || walls_fit(scene, problem));
+    if (good)
         scene_apply_lengths(scene);
-    } else
+    else
         scene->listed = before;
     listed_free(good ? &before : next);
     return good;
