@@ -104,24 +104,41 @@ TEST(long_rows)
     char row[80];
     session_begin();
     snprintf(row, sizeof row, "set r 1; set row %d; set placement 1 mm; set threads 1; set output csv", ROW);
-    assert_true(checks_of(row, SIZE_MAX) < ROW && session.errors == 0);
+    checks_of(row, SIZE_MAX);
+    assert_int_equal(session.errors, 0);
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         line_stops(lines[i]);
+}
+
+/* Writes a line into a new file, several times. Puts the name of the file, which the caller removes, into
+ * `path`, which ends with XXXXXX. */
+static void file_make(char *path, const char *head, const char *line, int times)
+{
+    const int file = mkstemp(path);
+    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
+    assert_non_null(out);
+    fputs(head, out);
+    for (int i = 0; i < times; i++)
+        fputs(line, out);
+    fclose(out);
 }
 
 TEST(a_long_file)
 {
     char line[] = "set row /tmp/domino.XXXXXX", *path = line + strlen("set row ");
-    const int file = mkstemp(path);
-    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
-    assert_non_null(out);
-    fputs("height (mm),thickness (mm),gap (mm)\n", out);
-    for (int i = 0; i < ROW; i++)
-        fputs("48,7.5,20\n", out);
-    fclose(out);
+    file_make(path, "height (mm),thickness (mm),gap (mm)\n", "48,7.5,20\n", ROW);
     checks_of(line, SIZE_MAX);
     assert_int_equal(session.errors, 0);
     checks_of(line, 0);
     assert_int_equal(session.errors, 1);
+    unlink(path);
+}
+
+/* ^C between two commands of a file is reported, too. */
+TEST(a_sourced_file)
+{
+    char line[] = "source /tmp/domino.XXXXXX", *path = line + strlen("source ");
+    file_make(path, "", "help tol\n", 30);
+    line_stops(line);
     unlink(path);
 }

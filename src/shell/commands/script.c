@@ -33,6 +33,9 @@ static bool run_source(struct session *session, const struct arguments *given, s
     session->source.depth--;
     if (!standard)
         fclose(in);
+    /* ^C can end the file between two of its commands, which then report nothing. */
+    if (session->errors == errors && dom_raised(session->state.scene.compute.interrupt))
+        return problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     return session->errors == errors;
 }
 
