@@ -5,6 +5,7 @@
  * given time is found from the tilt at the time before, by Newton's method.
  */
 #include "row/moments.h"
+#include "dynamics/flow.h"
 #include "dynamics/losses.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -238,22 +239,29 @@ static real tipping_phi(real p)
     return 4 * atan(exp(p));
 }
 
+/* With drag, the solution of the equation of motion has too few digits where the domino has hardly moved.
+ * There, a power series for omega^2 takes its place, with an error of about the square of the angle, and
+ * times have a coarser tolerance. */
+#define DRAG_CLOSE ((real)1e-4)
+#define DRAG_TOL   ((real)1e-7)
+
 /* Returns tau omega / sin(phi / 2), which is a smooth function of phi. */
 static real tipping_rate(const struct segment *st, real phi)
 {
     const struct geometry *geometry = &st->geometry;
-    const real close = (real)1e-4;
-    real omegasq = 0;
-    if (!losses_end_alone(geometry) && phi > close) {
-        st->geometry.dynamics->speed(geometry, &st->start, st->lo + phi, &omegasq);
-        return sqrt(fmax(omegasq, 0)) / sin(phi / 2);
+    if (!losses_end_alone(geometry) && phi > DRAG_CLOSE) {
+        const real theta = fmin(st->lo + phi, st->hi);
+        real ln_G, u;
+        flow_at(geometry, theta, &ln_G, &u);
+        u = num_linear_moved(&geometry->flow->solution, theta, theta - st->lo); /* without cancellation */
+        return sqrt(fmax(exp(ln_G) * u, 0)) / sin(phi / 2);
     }
     const struct tilt u = tilt_half(geometry_half_u(geometry)),
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
-    /* released energy divided by sin^2(phi / 2), here its limit for phi = 0 */
+    /* The released energy divided by sin^2(phi / 2). h' is 0 at theta_u, so no large terms cancel. */
     real energy = 2 * geometry_height(geometry, u) * (1 - 2 * geometry->drag * phi / 3);
-    if (losses_end_alone(geometry) && phi > cbrt(REAL_EPSILON))
-        energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
+    if (phi > cbrt(REAL_EPSILON))
+        energy += geometry->rounded.roll * (sin(phi) - phi) / (sin(phi / 2) * sin(phi / 2));
     return sqrt(energy / geometry_inertia(geometry, at));
 }
 
@@ -267,8 +275,9 @@ static real tipping_over(real p, void *context)
 {
     const struct tipping *t = context;
     real time = 0;
+    const real tol = losses_end_alone(&t->st->geometry) ? t->st->geometry.tol / 8 : DRAG_TOL;
     enum num_status solver =
-        num_integral(tipping_slowness, context, p, t->end, t->st->geometry.tol / 8, &time, NULL);
+        p < t->end ? num_integral(tipping_slowness, context, p, t->end, tol, &time, NULL) : NUM_OK;
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
