@@ -10,8 +10,8 @@
  * whose s, d and q round to the given doubles. The train that the caller meant, with d = 7/48 for instance,
  * is one of them. If q is a whole number, it is taken as exact.
  *
- * There is no proof for trains with friction, a slope or rounded edges. Nothing is proved unless the rounding
- * mode is round-to-nearest.
+ * There is no proof for trains with effects that change their motion. Nothing is proved unless the
+ * rounding mode is round-to-nearest.
  */
 #ifndef DOMINO_PROOF_H
 #define DOMINO_PROOF_H
@@ -25,7 +25,7 @@ extern "C" {
 /* Why a proof is incomplete: X(name, meaning). */
 #define DOM_PROOF_GAPS(X)                                                                                    \
     X(NONE, "nothing is missing")                                                                            \
-    X(EFFECT, "there is no proof for trains with friction, a slope or rounded edges")                        \
+    X(EFFECT, "there is no proof for trains with effects that change their motion")                          \
     X(ROUNDING, "the energy and the barrier differ by less than the rounding error of double precision")     \
     X(BOXES, "the proof would have to examine more rectangles or dominoes than the limit allows")            \
     X(INTERRUPTED, "interrupted")                                                                            \

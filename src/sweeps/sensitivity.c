@@ -38,7 +38,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
          angle = strcmp(p->value->unit, "rad") == 0;
     *i = (struct influence){.parameter = p, .value = value == EFFECT_OFF ? 0 : value};
     if (p->setting || p->words_only || p->value->whole || strcmp(p->name, "tol") == 0 ||
-        (value == EFFECT_OFF && !dynamic))
+        (value == EFFECT_OFF && (!dynamic || p->effect->needs)))
         return false;
     i->step = dynamic && angle ? QUAD_PI / 180 : dynamic ? (domq_real)1 / 100 : quad(fabs)(i->value) / 100;
     i->step_text = dynamic && angle ? "1 deg" : dynamic ? "0.01" : "1 %";

@@ -143,7 +143,10 @@ const struct column costs_columns[] = {
 
 static const char *method_of(int effect)
 {
-    return effect >= DOM_EFFECT_COUNT ? "engine" : effect_at(effect)->dissipates ? "motion" : "balance";
+    bool loses = effect_at(effect)->dissipates;
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        loses = loses || ((effect_at(effect)->needs >> k & 1) != 0 && effect_at(k)->dissipates);
+    return effect >= DOM_EFFECT_COUNT ? "engine" : loses ? "motion" : "balance";
 }
 
 bool run_costs(const struct query *query, struct answer *a, struct problem *problem)
@@ -202,8 +205,10 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
          is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
          has_losses = law->dissipates != NULL;
-    char engine[96], loses[LOSSES_TEXT + 8];
-    snprintf(loses, sizeof loses, "%s is on", losses_of(&scene->train));
+    char engine[96], loses[LOSSES_TEXT] = "";
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (scene->effect[k].on && effect_at(k)->dissipates)
+            text_add(loses, sizeof loses, "%s%s is on", *loses ? ", " : "", effect_at(k)->name);
     if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
         version = scene_engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",

@@ -112,9 +112,9 @@ static const struct column walk_columns[] = {
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
     {"gained", "mgh/2", "energy released since the launch, H(0) - H(theta); negative if H has increased", 0},
     {"fallen", "mgh/2", "energy released by dominoes that have detached, a part of 'gained'", 0},
-    {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained (- rubbed, with friction)", 0},
+    {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained (- rubbed, with losses)", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
-    {"rubbed", "mgh/2", "energy lost to friction since the launch", 0},
+    {"rubbed", "mgh/2", "energy lost since the launch, but not in the collision", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -334,7 +334,7 @@ const struct command walk_commands[] = {
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
      .help = "The first 'step' goes to the launch of the first cycle. The hit begins the next cycle, whose "
              "dominoes are larger and fall more slowly. The table shows the energy balance: before - lost "
-             "+ gained = kinetic. With friction, 'rubbed' is subtracted as well.",
+             "+ gained = kinetic. With losses in motion, 'rubbed' is subtracted as well.",
      .example = "step; step",
      .see = "cycle why",
      .brief = "theta t omega",

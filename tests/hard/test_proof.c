@@ -182,7 +182,7 @@ TEST(gaps_statuses_and_counts)
     assert_status(dom_prove_pair(&rubs, NULL, &proof), DOM_OK);
     assert_true(proof.ends == DOM_PROVED_PARTLY && proof.gap == DOM_PROOF_EFFECT);
     assert_string_equal(dom_proof_gap_text(proof.gap),
-                        "there is no proof for trains with friction, a slope or rounded edges");
+                        "there is no proof for trains with effects that change their motion");
     wrong.s = 2;
     assert_status(dom_prove_rmax(&wrong, NULL, &proof), DOM_BAD_S);
     wrong = train;

@@ -199,13 +199,8 @@ domq_real scene_push(const struct scene *scene, domq_real height)
 void scene_apply_lengths(struct scene *scene)
 {
     domq_real share[SHARE_COUNT];
-    bool any = false;
-    for (int k = 0; k < SHARE_COUNT; k++) {
+    for (int k = 0; k < SHARE_COUNT; k++)
         share[k] = scene->length[k].m / scene->scale.h;
-        any = any || share[k] > 0;
-    }
-    if (!any)
-        return;
     scene->train.s = share[SHARE_s] > 0 ? share[SHARE_s] : scene->train.s;
     scene->train.d = share[SHARE_d] > 0 ? share[SHARE_d] : scene->train.d;
     scene->train.width = share[SHARE_width] > 0 ? share[SHARE_width] : scene->train.width;

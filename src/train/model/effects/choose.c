@@ -18,12 +18,11 @@ KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT]
     return status;
 }
 
-KERNEL enum dom_status dynamics_of_domino(const struct row_request *row, size_t k, struct geometry *geometry)
+KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT])
 {
-    dom_real effect[DOM_DYNAMICS_COUNT];
     for (int i = 0; i < DOM_DYNAMICS_COUNT; i++)
-        effect[i] = terms[i]->of_domino ? terms[i]->of_domino(row, k) : row->effect[i];
-    return dynamics_choose(effect, geometry);
+        effect[i] =
+            dynamics_on(row->effect[i]) && terms[i]->of_domino ? terms[i]->of_domino(row, k) : row->effect[i];
 }
 
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry)

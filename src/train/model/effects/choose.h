@@ -11,8 +11,8 @@ struct terms {
     /* Switches the effect on, with this value, for a train or for one domino of a row. The geometry has its
      * d, and the effects before this one. */
     enum dom_status (*apply)(struct geometry *geometry, real value);
-    /* Returns the value for domino k of a row, counted from 0. NULL if all dominoes have the value of the
-     * row. */
+    /* Returns the value for domino k of a row, counted from 0, if the effect is on. NULL if all dominoes have
+     * the value of the row. */
     dom_real (*of_domino)(const struct row_request *row, size_t k);
 };
 
@@ -27,8 +27,8 @@ KERNEL dom_real edges_of_domino(const struct row_request *row, size_t k);
 /* Chooses the law of motion and the potential energy for the effects that are on. geometry->d must be set. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
 
-/* The same for domino k of a row. */
-KERNEL enum dom_status dynamics_of_domino(const struct row_request *row, size_t k, struct geometry *geometry);
+/* Finds the values of all effects for domino k of a row, counted from 0. */
+KERNEL void dynamics_of_domino(const struct row_request *row, size_t k, dom_real effect[DOM_DYNAMICS_COUNT]);
 
 /* Prepares the geometry and the law of motion. geometry_set must then set the separation and the growth. */
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);

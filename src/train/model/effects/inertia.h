@@ -40,10 +40,11 @@ KERNEL inline bool walls_fit(real d, real walls)
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
 }
 
-/* Returns the moment of inertia of a domino relative to that of a solid block of the same size and mass.
- * `walls` is the value of this effect for the domino, or 0. */
-KERNEL inline real inertia_factor(real d, real width, real walls)
+/* Returns the moment of inertia of a domino relative to that of a solid block of the same size and mass. The
+ * values of the effects are those of this domino. */
+KERNEL inline real inertia_factor(real d, real width, const dom_real effect[DOM_DYNAMICS_COUNT])
 {
+    const real walls = (real)effect[DOM_EFFECT_walls];
     return walls != 0 ? walls_box(d, width, walls).inertia : 1;
 }
 

@@ -90,7 +90,8 @@ const struct dom_effect *dom_law(const struct dom_train *train)
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
 {
     dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
-    return sqrt(solid * inertia_factor(d, train->width, train->walls));
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    return sqrt(solid * inertia_factor(d, train->width, value));
 }
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)

@@ -22,8 +22,9 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
         return row->block[k];
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    real g = (real)row->g, walls = (real)walls_of_domino(row, k),
-         factor = inertia_factor(d, row_width(row, k), walls);
+    dom_real effect[DOM_DYNAMICS_COUNT];
+    dynamics_of_domino(row, k, effect);
+    real g = (real)row->g, factor = inertia_factor(d, row_width(row, k), effect);
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * factor), factor, m * g * h / 2};
 }
 
@@ -127,7 +128,9 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
                                   .n = k + 1};
     geometry->steepest = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
-    enum dom_status status = dynamics_of_domino(request, k, geometry);
+    dom_real effect[DOM_DYNAMICS_COUNT];
+    dynamics_of_domino(request, k, effect);
+    enum dom_status status = dynamics_choose(effect, geometry);
     geometry->c = row_end(request, k, geometry);
     if (k > 0)
         joint_make(request, k, &row[k - 1], geometry);
