@@ -98,7 +98,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 #define DOM_MU_HIGHEST 100
 
 /*
- * A self-similar train. Start from dom_train_default() and change the members that differ. The last four
+ * A self-similar train. Start from dom_train_default() and change the members that differ. The last six
  * members are the effects of DOM_DYNAMICS. They are off (0) by default.
  *
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, energy is
@@ -115,13 +115,17 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * rho: the radius of the edges divided by the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
  * than d/2.
  *
- * If mu, alpha or rho is not 0, the method must be DOM_METHOD_OURS. If the answer depends on the fuel, the
- * fuel must also be DOM_FUEL_EXACT. With any other method or fuel, the status is DOM_NO_METHOD.
+ * air: the density of the air divided by that of the dominoes, 0 ... 100. Air brakes dominoes and adds to
+ * their inertia, and so to tau. The status is DOM_NO_AIR unless q is 4, because other trains are not
+ * self-similar in air. drag: the drag coefficient, 0.001 ... 100, where 0 stands for 1.2.
+ *
+ * If mu, alpha, rho or air is not 0, the method must be DOM_METHOD_OURS. If the answer depends on the fuel,
+ * the fuel must also be DOM_FUEL_EXACT. With any other method or fuel, the status is DOM_NO_METHOD.
  */
 struct dom_train {
     dom_real s, r, d, q, width; /* see DOM_TRAIN_PARAMETERS */
     enum dom_fuel fuel;         /* default DOM_FUEL_EXACT */
-    dom_real mu, alpha, walls, rho;
+    dom_real mu, alpha, walls, rho, air, drag;
 };
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
@@ -576,7 +580,7 @@ struct dom_effect {
 
 /* The descriptions of all effects. dom_effect returns one of them, or NULL if there is no such effect. */
 extern const struct dom_effect dom_effect_friction, dom_effect_slope, dom_effect_walls, dom_effect_edges,
-    dom_effect_row, dom_effect_push, dom_effect_placement, dom_effect_floor;
+    dom_effect_air, dom_effect_drag, dom_effect_row, dom_effect_push, dom_effect_placement, dom_effect_floor;
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
 /* Returns the first effect that is on in a train and changes anything besides tau, or NULL if there is

@@ -28,6 +28,8 @@ extern "C" {
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \
     X(BAD_RHO, "the radius rho of the edges is outside its range")                                           \
+    X(BAD_AIR, "the density of the air is outside its range, or that of the dominoes is not known")          \
+    X(BAD_DRAG, "the drag coefficient is outside its range")                                                 \
     X(BAD_FUEL, "the fuel is not a value of enum dom_fuel")                                                  \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the smallest that the precision can reach") \
     X(BAD_PRECISION, "the precision is not a value of enum dom_precision")                                   \
@@ -59,6 +61,7 @@ extern "C" {
     X(NO_ROUND,                                                                                              \
       "the radius of the edges is too large: it must be at most half of the thickness, rho <= d/2")          \
     X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \
+    X(NO_AIR, "in air only solid dominoes (q = 4) make a train that is self-similar")                        \
     X(NO_MARGIN,                                                                                             \
       "the margin is 0 within rounding errors, so times cannot be computed; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
@@ -106,7 +109,9 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
  */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
-    X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS) X(edges, rho, DOM_BAD_RHO)
+    X(slope, alpha, DOM_BAD_ALPHA)                                                                           \
+    X(walls, walls, DOM_BAD_WALLS)                                                                           \
+    X(edges, rho, DOM_BAD_RHO) X(air, air, DOM_BAD_AIR) X(drag, drag, DOM_BAD_DRAG)
 
 /* The effects that are not in DOM_DYNAMICS. They concern rows and questions about rows: X(effect). */
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
@@ -117,6 +122,8 @@ enum dom_effect_name {
     DOM_EFFECT_slope,
     DOM_EFFECT_walls,
     DOM_EFFECT_edges,
+    DOM_EFFECT_air,
+    DOM_EFFECT_drag,
     DOM_EFFECT_row,
     DOM_EFFECT_push,
     DOM_EFFECT_placement,
@@ -125,7 +132,7 @@ enum dom_effect_name {
 };
 
 /* The number of effects in DOM_DYNAMICS. */
-enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
+enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_drag + 1 };
 
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 3 };

@@ -153,8 +153,9 @@ struct dom_row {
     /* The push: the angular velocity in rad/s, >= 0, that the first domino gets while it is upright. NaN
      * means that there is no push. The first domino is then tipped over its edge and released. */
     dom_real push;
-    /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m. */
-    dom_real mu, alpha, walls, rho;
+    /* The effects of DOM_DYNAMICS, as in struct dom_train. `walls` is a length in m, and `air` a density in
+     * kg/m^3, so all masses must be in kg. */
+    dom_real mu, alpha, walls, rho, air, drag;
     /* An engine adds this number to the floor's friction coefficient. The model ignores the number. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
@@ -421,8 +422,8 @@ struct dom_wish {
     enum dom_least least;
     const struct dom_engine *engine; /* an engine in which the row must also fall; may be NULL */
     /* The thickness of the walls, and the height above which dominoes have walls, in m, as in struct dom_row.
-     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, and all masses
-     * follow from the volume of the wood. */
+     * If boxes_above is 0, both are ignored. Otherwise `walls` replaces the walls of the train, and all
+     * masses follow from the volume of the wood. */
     dom_real walls, boxes_above;
 };
 

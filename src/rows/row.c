@@ -106,7 +106,10 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
         status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status == DOM_OPEN)
         return problem_limit(problem, query->scene, status, &limit);
-    if (status != DOM_OK)
+    const bool has_train = status != DOM_NO_AIR;
+    if (!has_train)
+        limit.r_max = DOMQ_NAN;
+    else if (status != DOM_OK)
         return row_status(query, problem, status);
     snprintf(reason, sizeof reason,
              "there is no growth from 1 to %.6g at which all dominoes fall; 'set r 1; fall' shows why",
@@ -114,7 +117,9 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     bool more = answer_row(a,
                            ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
                                cell_computed(growth.r_max), cell_computed(limit.r_max)),
-                           isnan(growth.r_max) ? reason : NULL);
+                           isnan(growth.r_max) ? reason
+                           : has_train         ? NULL
+                                               : dom_status_text(DOM_NO_AIR));
     if (growth.r_min > 1)
         answer_say(a,
                    "All dominoes fall if r is between %.6g and r_max, but not if r is smaller, as 'set r 1; "

@@ -87,7 +87,10 @@ static size_t kinds_find(const struct query *query, const struct domq_train *tra
         /* Several words can have the same value. */
         if (w->value == train->q || (w[1].name && w[1].value == w->value))
             continue;
-        other.q = kind[count].q = w->value;
+        other.q = w->value;
+        if (domq_train_check(&other, query_compute(query)) == DOM_NO_AIR) /* not self-similar */
+            continue;
+        kind[count].q = other.q;
         kind[count].is_session = false;
         if (!tower_find(query, &other, dominoes, &kind[count++].tower, problem))
             return 0;

@@ -54,23 +54,45 @@ struct run {
     size_t event;
 };
 
+static double width(const struct direct_row *row, size_t i)
+{
+    return row->width[i] > 0 ? row->width[i] : row->height[i] / 2;
+}
+
+/* Returns the sum of y^power dy over the strips of a plate, from the floor to its upper edge, times its width
+ * to the power `across`. */
+static double strips(const struct direct_row *row, size_t i, int power, int across)
+{
+    return pow(row->height[i], power + 1) / (power + 1) * pow(width(row, i), across);
+}
+
+/* Returns the torque of the air on a domino, which acts against its motion. Each strip is as fast as omega y,
+ * and its arm is y. */
+static double air_torque(const struct direct_row *row, size_t i, double omega)
+{
+    return row->air * row->drag / 2 * omega * fabs(omega) * strips(row, i, 3, 1);
+}
+
 static double inertia(const struct direct_row *row, size_t i)
 {
-    double h = row->height[i], d = row->thickness[i], w = row->width[i] > 0 ? row->width[i] : h / 2,
+    double h = row->height[i], d = row->thickness[i], w = width(row, i),
            t = h > row->boxes_above ? row->walls : 0, sum = 0, volume = 0;
     /* Six boards in three pairs: front and back, bottom and top, left and right. A pair leaves out the edges
      * that the pairs before it fill. */
     const double size[][4] = {{t, h, w, d - t}, {d - 2 * t, t, w, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
+    /* The air that moves along: rho pi (w/2)^2 for each length of a strip. */
+    double more = row->air * acos(-1) / 4 * strips(row, i, 2, 2);
+
     if (t == 0)
-        return row->mass[i] * (h * h + d * d) / 3;
+        return row->mass[i] * (h * h + d * d) / 3 + more;
     for (int k = 0; k < 3; k++) {
         const double *s = size[k], own = s[0] * s[1] * s[2], about = (s[0] * s[0] + s[1] * s[1]) / 12;
         double away = s[3] / 2; /* distance from the centre of a board to the centre of the box */
         volume += own * (k < 2 ? 2 : 1);
         sum += own * (k < 2 ? 2 : 1) * (about + away * away);
     }
-    return row->mass[i] * (sum / volume + (h * h + d * d) / 4);
+    return row->mass[i] * (sum / volume + (h * h + d * d) / 4) + more;
 }
 
 /* Returns the tilt of a domino before it is hit. */
@@ -85,7 +107,8 @@ static double torque(const struct run *run, size_t i)
     double h = row->height[i], d = row->thickness[i];
 
     return row->mass[i] * row->g *
-           (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2;
+               (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2 -
+           air_torque(row, i, run->omega[i]);
 }
 
 /* Finds the position and the velocity of domino j from its leader k = j + 1, and the terms of their contact
@@ -216,6 +239,8 @@ static int derivative(double t, const double y[], double dydt[], void *params)
     dydt[FRICTION_WORK] = 0;
     for (size_t j = run->tail; j < run->head; j++)
         dydt[FRICTION_WORK] += run->row->mu * run->force[j] * run->contact[j].sliding;
+    for (size_t i = run->tail; i <= run->head; i++)
+        dydt[FRICTION_WORK] += air_torque(run->row, i, run->omega[i]) * run->omega[i];
     if (status == GSL_SUCCESS && !isfinite(dydt[OMEGA] + dydt[FRICTION_WORK]))
         return GSL_ERANGE; /* a trial step reached an impossible position */
     return status;

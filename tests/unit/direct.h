@@ -17,9 +17,12 @@ struct direct_row {
     double mu, g;
     double omega; /* angular velocity given to the first domino at time 0 */
     double slope; /* angle in rad by which the floor descends towards the later dominoes */
-    double walls, boxes_above; /* thickness of the walls, or 0; only blocks taller than boxes_above have them */
-    const double *width;       /* width[k] is 0 if domino k is half as wide as it is tall */
-    const double *lean;        /* tilts in rad before the hits; NULL if all dominoes are upright */
+    double walls,
+        boxes_above;     /* thickness of the walls, or 0; only blocks taller than boxes_above have them */
+    const double *width; /* width[k] is 0 if domino k is half as wide as it is tall */
+    /* density of the air, and drag coefficient; the air acts on a plate without thickness */
+    double air, drag;
+    const double *lean; /* tilts in rad before the hits; NULL if all dominoes are upright */
 };
 
 struct direct_hit {
@@ -32,7 +35,7 @@ struct direct_hit {
     double kinetic_before;
     /* potential energy of all dominoes that have not detached, including upright ones */
     double potential;
-    double friction_work; /* energy lost to sliding friction since the start */
+    double friction_work; /* energy lost to sliding friction and to the air since the start */
 };
 
 struct direct_result {

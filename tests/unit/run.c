@@ -63,7 +63,9 @@ void newton_run(const struct run *run, struct newton *n)
                                    .omega = run->row.push,
                                    .slope = run->row.alpha,
                                    .walls = run->row.walls,
-                                   .boxes_above = run->row.boxes_above};
+                                   .boxes_above = run->row.boxes_above,
+                                   .air = run->row.air,
+                                   .drag = run->row.drag != 0 ? (double)run->row.drag : 1.2};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }
 

@@ -100,13 +100,16 @@ bool planner_row_write(struct planner *p, struct choice c)
     const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
     p->train.s = choice_separation(c.k);
     p->train.r = planner_growth(p, c.steps);
-    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
+    /* In air the masses count: with the density 1, the ratio of the densities is the density of the air. */
+    const dom_real volume = p->wish->first * p->wish->first * p->wish->first * p->train.d * p->train.width,
+                   mass = p->train.air != 0 ? volume : 1;
+    dom_row_of_train(&p->train, &scale, mass, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
     p->domino[c.steps].width = p->train.width * p->wish->height;
     const struct dom_row row = planner_row(p, c, p->wish->push, NULL);
     for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
         struct dom_domino *d = &p->domino[k], *first = p->domino;
-        d->mass = wood_volume(&row, d) / wood_volume(&row, first);
+        d->mass = mass * wood_volume(&row, d) / wood_volume(&row, first);
         if (!(d->mass > 0)) {
             p->status = DOM_NO_ROOM;
             return false;

@@ -126,6 +126,8 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define MORE_slope .example = "set slope on; scene", RANGE(-0.14, 0.14),
 #define MORE_edges .example = "set q hollow; set edges 0.01; rmax 0.2; set edges off", RANGE(0, 0.05),
 #define MORE_walls .example = "set walls 1 mm; duration; set walls off", RANGE(1e-4, 0.07),
+#define MORE_air .example = "set density 650; set air on; rmax 0.4; set air off", RANGE(0, 5),
+#define MORE_drag .example = "set density 650; set air on; set drag 2; rmax 0.4; set drag off; set air off", RANGE(0.5, 3),
 #define MORE_row .feature = "rows", .example = "set row 13; fall; set row off",
 #define MORE_push .example = "set row 5; set push 3; fall; set push off; set row off", RANGE(0, 30),
 #define MORE_floor .example = "set row 5; set floor 0.4; fall; set floor off; set row off", RANGE(0, 3),

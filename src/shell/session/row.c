@@ -125,6 +125,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
             .floor = effect[DOM_EFFECT_floor].on,
     };
     row->row.walls = scene_walls(scene);
+    row->row.air = scene_has_masses(scene) ? scene_air(scene) : row->row.air;
     row->row.boxes_above = scene_boxes_above(scene);
     row->compute = scene->compute;
     return true;

@@ -80,6 +80,18 @@ void effects_apply(struct scene *scene)
 #undef APPLY
     if (scene_boxes_above(scene) > 0)
         scene->train.walls = 0; /* in an endless train, either all dominoes are boxes or all are solid */
+    if (scene->train.air > 0) {
+        struct domq_domino first;
+        domq_row_of_train(&scene->train, &scene->scale, 1, &first, 1);
+        const domq_real mass = scene_first_mass(scene, &first);
+        scene->train.air *= mass > 0 ? first.height * first.thickness * first.width / mass : DOMQ_NAN;
+    }
+}
+
+domq_real scene_air(const struct scene *scene)
+{
+    const struct effect_state *air = &scene->effect[DOM_EFFECT_air];
+    return air->on ? air->value[0] : 0;
 }
 
 void effects_reset(struct scene *scene)
@@ -192,6 +204,14 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "%s of %.3g; enter 'set precision %s', or a larger tolerance with 'set tol'",
                                  dom_status_text(status), (double)scene->compute.tol,
                                  scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+    if (status == DOM_BAD_AIR && scene_air(scene) > 0)
+        return problem_no_answer(problem,
+                                 "'set air' needs the mass of the dominoes; first enter, for example, "
+                                 "'set density 650 kg/m^3'");
+    if (status == DOM_NO_AIR)
+        return problem_no_answer(problem,
+                                 "%s; 'set q solid', or ask about a row: 'set row 20; fall', 'rowmax'",
+                                 dom_status_text(status));
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     if (status == DOM_NO_ROOM)

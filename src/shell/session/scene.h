@@ -113,8 +113,12 @@ void effects_reset(struct scene *scene);
 /* Sets the parameters for which lengths, or a speed, have been given. */
 void scene_apply_lengths(struct scene *scene);
 
-/* Copies the values of effects into the train of the scene. */
+/* Copies the values of effects into the train of the scene. Must be called again if the sizes or the mass of
+ * the dominoes change, because the effect of the air depends on them. */
 void effects_apply(struct scene *scene);
+
+/* Returns the density of the air in kg/m^3, or 0 if this effect is off. */
+domq_real scene_air(const struct scene *scene);
 
 /* Returns true if the row has been changed since it was last saved. */
 static inline bool row_unsaved(const struct scene *scene)

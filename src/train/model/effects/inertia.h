@@ -40,12 +40,29 @@ KERNEL inline bool walls_fit(real d, real walls)
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
 }
 
+/* The usual drag coefficient of a domino. */
+#define AIR_COEFFICIENT ((real)12 / 10)
+
+/* These two functions are for air (air.c) whose density is `air` times the density of the domino. Returns the
+ * torque of the drag, divided by omega^2 and by the moment of inertia of a solid block of the same mass. */
+KERNEL inline real air_drag(real d, real air, real coefficient)
+{
+    return 3 * coefficient * air / (8 * d * (1 + d * d));
+}
+
+/* Returns the moment of inertia of the air that moves along, relative to that of a solid block. */
+KERNEL inline real air_entrained(real d, real width, real air)
+{
+    return PI * air * width / (4 * d * (1 + d * d));
+}
+
 /* Returns the moment of inertia of a domino relative to that of a solid block of the same size and mass. The
  * values of the effects are those of this domino. */
 KERNEL inline real inertia_factor(real d, real width, const dom_real effect[DOM_DYNAMICS_COUNT])
 {
-    const real walls = (real)effect[DOM_EFFECT_walls];
-    return walls != 0 ? walls_box(d, width, walls).inertia : 1;
+    const real walls = (real)effect[DOM_EFFECT_walls], air = (real)effect[DOM_EFFECT_air];
+    return (walls != 0 ? walls_box(d, width, walls).inertia : 1) +
+           (air != 0 ? air_entrained(d, width, air) : 0);
 }
 
 #endif

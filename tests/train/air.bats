@@ -1,0 +1,85 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# bats file_tags=whole
+# Air: which commands answer with it, and why the others do not. tests/unit/test_air.c has the numbers.
+
+load ../shell/common
+
+less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a < b) }'; }
+
+@test "air: a parameter like the others, and a drag coefficient" {
+    local airy='set density 650; set air 1.2 kg/m^3'
+    same 'on' 1.2 "$(json 'set density 650; set air on; show air' | values value)"
+    same 'off' off "$(json "$airy; set air off; show air" | values value)"
+    same 'another density' 0.6 "$(json 'set density 650; set air 0.6 kg/m^3; show air' | values value)"
+    wrong 'set air 1 kg' 'density|kg/m'
+    wrong 'set air -1' 'RHO = -1 is out of range'
+    wrong 'set drag 2' "'set drag' needs the effect air"
+    wrong 'set air 1.2; set drag 1; set air off' "needs the air"
+    same 'usual coefficient' "$(json "$airy; rmax" | values r_max)" "$(json "$airy; set drag 1.2; rmax" | values r_max)"
+    less "$(json "$airy; set drag 2; rmax" | values r_max)" "$(json "$airy; rmax" | values r_max)"
+    same 'saved' "$(json "$airy; set drag 2; rmax; verdict with row 5" | sed 1d)" \
+        "$(json "$airy; set drag 2; save airy.dom" >/dev/null; json 'source airy.dom; set output json; rmax; verdict with row 5' | sed 1d)"
+    grep -qx 'set air 1.2' airy.dom
+    same 'undo' off "$(json "$airy; undo; show air" | values value)"
+    same 'reset' off "$(json "$airy; reset; show air" | values value)"
+    same 'sweep' 3 "$(json 'set density 650; sweep air 0, 1, 2 : rmax' | values r_max | sort -r | uniq | wc -l)"
+    same 'falling' "$(json 'set density 650; sweep air 0, 1, 2 : rmax' | values r_max)" \
+        "$(json 'set density 650; sweep air 0, 1, 2 : rmax' | values r_max | sort -r)"
+    same 'air of density 0' "$(json 'rmax; set row 20; fall; placement 20 with placement 1 mm')" \
+        "$(json 'set air 0; rmax; set row 20; fall; placement 20 with placement 1 mm')"
+}
+
+@test "air: endless trains of solid dominoes, and why no others" {
+    local airy='set density 650; set air 1.2'
+    wrong 'set air 1.2; rmax' "needs the mass of the dominoes; first enter, for example, 'set density 650 kg/m"
+    wrong 'set air 1.2; set row 5; fall' 'needs the mass of the dominoes'
+    for ask in 'rmax 0.4' best duration pair barrier step cycle why 'explain launch' 'curve 0.3 0.5 3' 'count 8' 'design 8 m'; do
+        wrong "$airy; set q hollow; $ask" "self-similar; 'set q solid', or ask about a row: 'set row 20; fall', 'rowmax'"
+        json "$airy; $ask" >out
+        [ -s out ]
+    done
+    wrong "$airy; set fuel paper" "'fuel paper' cannot be combined with air"
+    same 'no proof' 'not proved: there is no proof for trains with effects that change their motion' "$(json "$airy; prove rmax" | values reason)"
+    # A solid train is the same at any size, and less of it moves in a wind of lighter wood.
+    close 'any size' 1 "$(json "$airy; rmax; set h 8 m; rmax" | values r_max | paste -sd ' ' | awk '{ print $2 / $1 }')"
+    less "$(json "$airy; set density 50; rmax" | values r_max)" "$(json "$airy; rmax" | values r_max)"
+    same 'a mass is as good' "$(json "$airy; rmax" | values r_max)" \
+        "$(json "set density 650; set row 1; row" | values mass | { read -r m; json "set mass $m; set air 1.2; rmax" | values r_max; })"
+    # Sentences say what takes the energy.
+    [[ $("$DOMINO" -e "$airy; why") == *'in spite of the drag of the air'* ]]
+    [[ $("$DOMINO" -e "$airy; set friction 0.2; why") == *'in spite of friction and the drag of the air'* ]]
+    [[ $("$DOMINO" -e "$airy; step; step; details") == *'the drag of the air has taken'* ]]
+    "$DOMINO" -e "$airy; explain launch" | grep -qxF '    k I = rho C w h^4/8, the torque of the drag over omega^2'
+    "$DOMINO" -e 'help air' | grep -qF "B = sum r^(-(q+1) i) S_i (theta_i'' + k theta_i'^2)"
+    "$DOMINO" -e "$airy; effects" | grep -q '^air  *1.2 kg/m^3'
+    same 'the method' 'motion motion' "$(json "$airy; effects" | jq -r 'select(.effect == "air" or .effect == "drag").method' | paste -sd ' ')"
+    [[ $("$DOMINO" -e "$airy; scene") == *'air is on'* ]]
+    same 'its own code' 'air drag' "$(json "$airy; set drag 2; cost effects" | jq -r 'select(.entered > 0).effect' | paste -sd ' ')"
+    same 'in a row' 'air row' "$(json "$airy; set row 4; cost effects" | jq -r 'select(.entered > 0).effect' | paste -sd ' ')"
+}
+
+@test "air: rows, and giants that feel it" {
+    # Boxes of 8 m, 20 mm boards, 1.17 m thick: about 1,200 kg each.
+    local giants='set h 8 m; set d 1.17 m; set width 4 m; set walls 20 mm; set density 650; set r 1; set row 12; set push 1'
+    same 'mass' 1 "$(json "$giants; row" | values mass | awk 'NR == 1 { print ($1 > 1100 && $1 < 1300) }')"
+    less "$(json "$giants; fall" | values hit | tail -n 1)" "$(json "$giants; set air 1.2; fall" | values hit | tail -n 1)"
+    less "$(json "$giants; set air 1.2; set q hollow; rowmax" | values r_max)" "$(json "$giants; set q hollow; rowmax" | values r_max)"
+    same 'without a train' null "$(json "$giants; set air 1.2; set q hollow; rowmax" | values r_train)"
+    # A row from a file has the masses and widths of the file.
+    printf 'height (mm), thickness (mm), gap (mm), mass (g), width (mm)\n48, 7, -, 1, 24\n72, 10, 20, 2, 36\n100, 15, 30, 3, 50\n' >light.csv
+    less "$(json 'set row light.csv; set push 6; fall' | values hit | tail -n 1)" \
+        "$(json 'set row light.csv; set push 6; set air 1.2; fall' | values hit | tail -n 1)"
+    same 'wider dominoes have more drag' 1 "$(json 'set row light.csv; set push 6; set air 1.2; fall; change 1-3 width +100 %; fall' |
+        values hit | awk '{ t[NR] = $1 } END { print (t[6] > t[3]) }')"
+    for ask in verdict tolerance mend 'placement 5 with placement 1 mm' 'explain verdict' row 'slip with floor 0.4' 'rowmax'; do
+        json "set density 50; set air 1.2; set r 1.3; set row 8; $ask" >out
+        [ -s out ]
+    done
+    "$DOMINO" -e 'set density 50; set air 1.2; set row 8; set r 1.3; draw > out.csv; animate > out.gif'
+    [ -s out.csv ] && [ -s out.gif ]
+    wrong 'set density 650; set air 1.2; set row 5; set method engine; fall' "does not include air; first enter 'set air off'"
+    wrong 'set density 650; set air 1.2; set row 5; set feet 0.5; fall' "does not include air; first enter 'set air off'"
+    json 'set density 650; set air 1.2; design 2 m; verdict' >out
+    same 'a design falls' 'all fall' "$(values verdict <out | tail -n 1)"
+}

@@ -1,0 +1,448 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Needs: proof */
+/* Air: rows against Newton's equations with the torque of the air (direct.c), single plates against closed
+ * forms, trains against long rows. Without air nothing changes. Giants feel it, small dominoes do not. */
+#include "domino_proof.h"
+#include "run.h"
+#include "support.h"
+
+/* The formulas of the two estimates, written out in SI units: the torque of the drag over omega^2, and the
+ * moment of inertia with the air that moves along. */
+static double torque_of(const struct domq_domino *d, double air, double drag)
+{
+    const double h = (double)d->height, w = d->width > 0 ? (double)d->width : h / 2;
+    return air * drag * w * pow(h, 4) / 8;
+}
+
+static double inertia_of(const struct domq_domino *d, double air)
+{
+    const double h = (double)d->height, w = d->width > 0 ? (double)d->width : h / 2, t = (double)d->thickness;
+    return (double)d->mass * (h * h + t * t) / 3 + air * acos(-1) * w * w * pow(h, 3) / 12;
+}
+
+/* ---- Rows against Newton's equations ---- */
+
+static void random_airy_row(struct run *run, uint64_t *seed, int i)
+{
+    make_row(run, 2 + (size_t)(12 * random_unit(seed)), 0.15 + 0.5 * random_unit(seed),
+             1 + 0.6 * random_unit(seed), i % 3 == 0 ? 0.3 * random_unit(seed) : 0);
+    for (size_t k = 0; k < run->row.count; k++) {
+        struct domq_domino *d = &run->domino[k];
+        d->thickness *= 0.6 + 0.8 * random_unit(seed);
+        d->gap *= 0.8 + 0.4 * random_unit(seed);
+        d->mass *= random_log(seed, 0.02, 2);
+        d->width = i % 2 ? d->height * (domq_real)(0.2 + random_unit(seed)) : 0;
+    }
+    run->row.air = random_log(seed, 0.1, 20);
+    run->row.drag = i % 4 ? 0 : random_log(seed, 0.1, 10);
+    if (i % 5 == 0)
+        run->row.alpha = 0.05 * (2 * random_unit(seed) - 1);
+    if (i % 7 == 0)
+        run->row.walls = run->domino[0].thickness / 5;
+    run->row.push = (2 + 6 * random_unit(seed)) * push_over(run->domino);
+}
+
+TEST(newton_agrees)
+{
+    static struct run run;
+    static struct newton n;
+    uint64_t seed = 1501;
+    int met[DOM_ROW_SKEWED + 1] = {0}, near = 0;
+    for (int i = 0; i < 300; i++) {
+        random_airy_row(&run, &seed, i);
+        assert_status(run_whole(&run), DOM_OK);
+        newton_run(&run, &n);
+        met[run.verdict.end]++;
+        if (!run_is_clear(&run)) {
+            near++;
+            continue;
+        }
+        newton_compare(&run, &n);
+    }
+    print_message("# %d fall, %d stop, %d part; %d near\n", met[DOM_ROW_FALLS], met[DOM_ROW_STOPS],
+                  met[DOM_ROW_PARTS], near);
+    assert_true(met[DOM_ROW_FALLS] > 50 && met[DOM_ROW_STOPS] > 50 && near < 10);
+}
+
+TEST(precisions_agree)
+{
+    static struct run run;
+    uint64_t seed = 1502;
+    for (int i = 0; i < 20; i++) {
+        struct domq_verdict v[3];
+        random_airy_row(&run, &seed, i);
+        if (i % 4 == 0)
+            run.row.rho = 0.02;
+        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
+            run.row.precision = (enum dom_precision)p;
+            run.row.tol = p == DOM_FLOAT ? 1e-5 : 1e-12;
+            assert_status(run_whole(&run), DOM_OK);
+            v[p] = run.verdict;
+        }
+        assert_int_equal(v[DOM_DOUBLE].domino, v[DOM_QUAD].domino);
+        if (v[DOM_QUAD].end != DOM_ROW_FALLS || fabs((double)v[DOM_QUAD].spare) < 0.1)
+            continue;
+        assert_near("double", (double)v[DOM_DOUBLE].seconds, (double)v[DOM_QUAD].seconds, 1e-10);
+        assert_near("float", (double)v[DOM_FLOAT].seconds, (double)v[DOM_QUAD].seconds, 1e-3);
+    }
+}
+
+/* ---- A single plate ---- */
+
+struct moments {
+    double tilt[64], omega[64], time[64];
+    size_t count;
+};
+
+static bool moment_seen(const struct domq_moment *m, void *context)
+{
+    struct moments *seen = context;
+    seen->time[seen->count] = (double)m->time;
+    seen->tilt[seen->count] = (double)m->tilt[0];
+    seen->omega[seen->count++] = (double)m->omega[0];
+    return true;
+}
+
+/* Almost without gravity, a plate keeps the part exp(-2 k D) of omega^2 when it turns by the angle D. */
+TEST(single_plate_without_gravity)
+{
+    struct domq_domino domino = {.height = 8, .thickness = 1.17, .mass = 1200, .width = 4};
+    for (int i = 0; i < 3; i++) {
+        const double air = i == 1 ? 40 : 1.2, drag = i == 2 ? 2 : 1.2;
+        struct row_setup row = row_setup_default(&domino, 1, 1);
+        struct domq_verdict verdict;
+        domq_real times[] = {0, 0.2, 0.5, 0.9, 1.4};
+        struct moments seen = {.count = 0};
+        row.g = 1e-8;
+        row.air = air;
+        row.drag = i == 2 ? drag : 0;
+        assert_status(ask_row_watch(&row, times, 5, moment_seen, &seen, &verdict), DOM_OK);
+        const double k = torque_of(&domino, air, drag) / inertia_of(&domino, air);
+        if (i == 0) {
+            assert_near("drag", k, 0.11, 0.1); /* the giant of the model */
+            assert_near("inertia", inertia_of(&domino, air) / inertia_of(&domino, 0), 1.1, 0.01);
+        }
+        assert_int_equal(seen.count, 5);
+        for (size_t m = 1; m < seen.count; m++) {
+            assert_true(seen.tilt[m] > seen.tilt[m - 1]);
+            assert_near("omega^2", seen.omega[m] * seen.omega[m], exp(-2 * k * seen.tilt[m]), 1e-7);
+            /* omega = 1/(1 + k t) in time */
+            assert_near("in time", seen.omega[m], 1 / (1 + k * seen.time[m]), 1e-7);
+        }
+    }
+}
+
+/* Before the first hit, the tilts of a domino that tips over change at the rate omega. */
+static void tilts_follow_omega(struct run *run)
+{
+    domq_real times[60];
+    struct moments seen = {.count = 0};
+    run->row.domino = run->domino;
+    for (int n = 0; n < 60; n++)
+        times[n] = -(domq_real)(60 - n) / 100;
+    assert_status(ask_row_watch(&run->row, times, 60, moment_seen, &seen, &run->verdict), DOM_OK);
+    for (size_t n = 1; n + 1 < 60; n++)
+        assert_near("tipping", (seen.tilt[n + 1] - seen.tilt[n - 1]) / 0.02,
+                    (seen.omega[n - 1] + 4 * seen.omega[n] + seen.omega[n + 1]) / 6, 1e-4);
+}
+
+/* A domino that tips over and falls alone: integrates dw/dtheta + 2 k w = torque of gravity by the classical
+ * fourth-order method, from the top to the hit. Then the next domino has what the collision leaves. */
+TEST(first_domino_tips_over)
+{
+    for (int i = 0; i < 4; i++) {
+        static struct run run;
+        run = (struct run){.falls = 0};
+        make_row(&run, 2, 0.4, 1.3, 0);
+        const double air = i < 2 ? 30 : 5;
+        run.domino[0].mass *= i % 2 ? 1 : 0.05;
+        run.domino[1].mass *= i % 2 ? 1 : 0.05;
+        run.row.push = DOMQ_NAN;
+        run.row.air = air;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_true(run.falls == 2);
+        const struct domq_domino *a = &run.domino[0], *b = &run.domino[1];
+        const double h = (double)a->height, t = (double)a->thickness, I = inertia_of(a, air),
+                     k = torque_of(a, air, 1.2) / I, from = atan(t / h), to = asin((double)b->gap / h),
+                     m = (double)a->mass * 9.81;
+        const int steps = 20000;
+        const double step = (to - from) / steps;
+        double w = 0;
+#define RATE(theta, w) (m * (h * sin(theta) - t * cos(theta)) / I - 2 * k * (w))
+        for (int n = 0; n < steps; n++) {
+            const double at = from + n * step, r1 = RATE(at, w), r2 = RATE(at + step / 2, w + r1 * step / 2),
+                         r3 = RATE(at + step / 2, w + r2 * step / 2), r4 = RATE(at + step, w + r3 * step);
+            w += (r1 + 2 * r2 + 2 * r3 + r4) / 6 * step;
+        }
+#undef RATE
+        const double hit = inertia_of(a, air) * w / 2;
+        const double free = m * (h * (cos(from) - cos(to)) + t * (sin(from) - sin(to))) / 2;
+        assert_near("lost to the air", (double)run.fall[0].friction_work, free - hit, 1e-7);
+        /* Both arms are equal when the struck domino is upright, and a is then a height h cos(to). */
+        const double I2 = inertia_of(b, air), arm = h * cos(to) / (h * cos(to)), ratio = I / I2 * arm * arm;
+        assert_near("omega", (double)run.fall[1].omega, sqrt(w) * ratio / (1 + ratio), 1e-9);
+        tilts_follow_omega(&run);
+    }
+}
+
+/* Rounded edges, with and without air: the same motion before the first hit as with hardly rounded edges. */
+TEST(round_dominoes_tip_over)
+{
+    for (int i = 0; i < 3; i++) {
+        static struct run run;
+        make_row(&run, 2, 0.4, 1.3, 0);
+        run.row.push = DOMQ_NAN;
+        run.row.air = i ? 5 : 0;
+        run.row.rho = i > 1 ? 1e-7 : 0.02;
+        tilts_follow_omega(&run);
+        assert_status(run_whole(&run), DOM_OK);
+        const double round = (double)run.fall[1].omega, lost = (double)run.fall[0].friction_work;
+        assert_true(i == 0 ? lost == 0 : lost > 0);
+        if (i < 2)
+            continue;
+        run.row.rho = 0;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_near("sharp", round, (double)run.fall[1].omega, 1e-5);
+        assert_near("lost", lost, (double)run.fall[0].friction_work, 1e-4);
+    }
+}
+
+/* ---- The energy that is lost is the work of the drag ---- */
+
+struct work {
+    const struct run *run;
+    double air, sum[2], last_time;
+    size_t steps, moving;
+};
+
+static bool work_seen(const struct domq_moment *m, void *context)
+{
+    struct work *work = context;
+    double power = 0;
+    for (size_t k = 0; k < work->run->row.count; k++)
+        power += torque_of(&work->run->domino[k], work->air, 1.2) * pow((double)m->omega[k], 3);
+    /* the trapezoidal rule, with all points and with every second point */
+    work->sum[0] += power;
+    work->sum[1] += work->steps++ % 2 == 0 ? power : 0;
+    return true;
+}
+
+TEST(lost_energy_is_the_work_of_the_drag)
+{
+    enum { STEPS = 4000 };
+    static domq_real times[STEPS + 1];
+    for (int i = 0; i < 3; i++) { /* sharp edges, rounded edges, and rounded edges on a slope */
+        static struct run run;
+        make_row(&run, 6, 0.4, 1.2, 0);
+        run.row.rho = i > 0 ? 0.02 : 0;
+        run.row.alpha = i > 1 ? 0.01 : 0;
+        run.row.air = 10;
+        for (size_t k = 0; k < 6; k++)
+            run.domino[k].mass /= 20;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_FALLS);
+        double lost = 0, sum = 0;
+        for (size_t k = 0; k < run.falls; k++) {
+            /* Within one fall the speeds are smooth, unless a domino detaches. */
+            const double begins = (double)run.fall[k].time, lasts = (double)run.fall[k].duration;
+            struct work work = {.run = &run, .air = 10};
+            for (int n = 0; n <= STEPS; n++) /* times just inside */
+                times[n] = (domq_real)(begins + lasts * (1e-9 + (1 - 2e-9) * n / STEPS));
+            assert_status(ask_row_watch(&run.row, times, STEPS + 1, work_seen, &work, &run.verdict), DOM_OK);
+            lost += (double)run.fall[k].friction_work;
+            sum += work.sum[0] * lasts / STEPS;
+        }
+        assert_near("work", lost, sum, 2e-3);
+        assert_true(lost > 0);
+    }
+}
+
+/* ---- Trains ---- */
+
+/* A long row of solid dominoes moves like the endless train in air whose density is a part of theirs. */
+TEST(rows_become_the_train)
+{
+    enum { MOST = 60 };
+    static const double some[][4] = {/* s, r, air in kg/m^3, rho */
+                                     {0.4, 1.5, 5, 0},
+                                     {0.3, 1.3, 40, 0},
+                                     {0.6, 1.5, 40, 0},
+                                     {0.4, 1.4, 40, 0.02}};
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+        static struct run run;
+        struct setup train = setup_default();
+        struct domq_scale scale = domq_scale_default();
+        struct domq_launch launch;
+        struct domq_barrier barrier;
+        domq_real duration;
+        train.s = some[i][0];
+        train.r = some[i][1];
+        make_row(&run, MOST, some[i][0], some[i][1], 0);
+        const struct domq_domino *first = run.domino;
+        train.air = some[i][2] * first->height * first->thickness * first->width / first->mass;
+        train.rho = some[i][3];
+        run.row.air = some[i][2];
+        run.row.rho = some[i][3];
+        assert_status(ask_launch_find(&train, &launch), DOM_OK);
+        assert_status(ask_barrier_find(&train, &barrier), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration), DOM_OK);
+        run.row.push = 5 * push_over(run.domino);
+        assert_status(run_whole(&run), DOM_OK);
+        assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_FALLS));
+        for (size_t k = MOST - 4; k + 1 < MOST; k++) {
+            const struct domq_fall *f = &run.fall[k];
+            const double unit = (double)(run.domino[k].mass * run.domino[k].height) * 9.81 / 2;
+            const struct domq_train t = setup_train(&train);
+            scale.h = run.domino[k].height;
+            const double tau = (double)domq_scale_tau(&scale, &t), h = (double)scale.h;
+            assert_near("tau", tau * tau, inertia_of(&run.domino[k], some[i][2]) / (2 * unit), 1e-13);
+            assert_near("omega", (double)f->omega * tau, sqrt((double)launch.omegasq), 1e-9);
+            assert_near("kinetic", (double)f->kinetic / unit, (double)launch.kinetic, 1e-9);
+            assert_near("margin", (double)f->margin / unit, (double)barrier.margin, 1e-8);
+            assert_near("duration", (double)f->duration / tau, (double)duration, 1e-8);
+            (void)h;
+        }
+    }
+}
+
+/* A pair of which the first tips over: it falls below the largest growth of the pair, and stops above it. */
+TEST(pair_is_a_row_of_two)
+{
+    for (int i = 0; i < 3; i++) {
+        static struct run run;
+        struct setup train = setup_default();
+        struct domq_limit limit;
+        make_row(&run, 2, 0.4, 1.2, 0);
+        train.air = (domq_real[]){0.002, 0.02, 0.07}[i];
+        assert_status(ask_limit_pair(&train, &limit), DOM_OK);
+        for (int side = -1; side <= 1; side += 2) {
+            struct domq_scale scale = domq_scale_default();
+            train.r = limit.r_max * (1 + side * (domq_real)1e-9);
+            ask_row_of_train(&train, &scale, 0.01, run.domino, 2);
+            const struct domq_domino *first = run.domino;
+            run.row.air = train.air * first->mass / (first->height * first->thickness * first->width);
+            run.row.push = DOMQ_NAN;
+            assert_int_equal(row_end(&run), side < 0 ? DOM_ROW_FALLS : DOM_ROW_STOPS);
+        }
+    }
+}
+
+/* Air lowers r_max, more of it lowers r_max further, and r_max tends to the answer without air in proportion.
+ */
+TEST(rmax_in_air)
+{
+    struct setup train = setup_default();
+    struct domq_limit none, limit;
+    assert_status(ask_limit_rmax(&train, &none), DOM_OK);
+    double before = (double)none.r_max, off[2];
+    for (int i = 0; i < 2; i++) {
+        train.air = i ? 2e-4 : 1e-4;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        off[i] = before - (double)limit.r_max;
+    }
+    assert_near("proportion", off[1] / off[0], 2, 1e-3);
+    for (int i = 1; i < 20; i++) {
+        train.air = 0.01 * i;
+        assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+        assert_true((double)limit.r_max < before);
+        before = (double)limit.r_max;
+    }
+    train.s = 0.65; /* the reach is the limit, with air as without */
+    train.air = 0.002;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_OK);
+    assert_true(limit.ends == DOM_END_REACH);
+    struct domq_best best, airless;
+    assert_status(ask_limit_best(&train, &best), DOM_OK);
+    train.air = 0;
+    assert_status(ask_limit_best(&train, &airless), DOM_OK);
+    assert_true(best.r_max < airless.r_max && best.r_max > airless.r_max * (1 - (domq_real)0.01));
+}
+
+TEST(refusals)
+{
+    struct setup train = setup_default();
+    struct domq_limit limit;
+    struct domq_best best;
+    domq_real number;
+    train.air = 0.002;
+    train.q = 3;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_AIR);
+    assert_status(ask_limit_pair(&train, &limit), DOM_NO_AIR);
+    assert_status(ask_limit_best(&train, &best), DOM_NO_AIR);
+    assert_status(ask_cycle_duration(&train, &number), DOM_NO_AIR);
+    assert_status(ask_train_check(&train), DOM_NO_AIR);
+    train.q = 4;
+    assert_status(ask_train_check(&train), DOM_OK);
+    train.air = DOMQ_NAN; /* the mass is not known */
+    assert_status(ask_train_check(&train), DOM_BAD_AIR);
+    train.air = 0.002;
+    train.drag = -1;
+    assert_status(ask_train_check(&train), DOM_BAD_DRAG);
+    train.drag = 0;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+    train.fuel = DOM_FUEL_EXACT;
+    train.method = DOM_METHOD_GSL;
+    assert_status(ask_limit_rmax(&train, &limit), DOM_NO_METHOD);
+    struct dom_train proved = dom_train_default();
+    struct dom_proof proof;
+    proved.air = 0.002;
+    assert_status(dom_prove_rmax(&proved, NULL, &proof), DOM_OK);
+    assert_int_equal(proof.gap, DOM_PROOF_EFFECT);
+}
+
+/* ---- Without air, and who feels it ---- */
+
+TEST(no_air_changes_nothing)
+{
+    static struct run run, bare;
+    uint64_t seed = 1503;
+    for (int i = 0; i < 40; i++) {
+        random_airy_row(&run, &seed, i);
+        run.row.air = 0;
+        run.row.drag = 2; /* without air it has no effect */
+        run.row.rho = i % 6 == 0 ? 0.01 : 0;
+        bare = run;
+        bare.row.drag = 0;
+        assert_status(run_whole(&run), DOM_OK);
+        assert_status(run_whole(&bare), DOM_OK);
+        assert_int_equal(run.falls, bare.falls);
+        for (size_t k = 0; k < run.falls; k++)
+            assert_true(run.fall[k].omega == bare.fall[k].omega &&
+                        run.fall[k].kinetic == bare.fall[k].kinetic &&
+                        run.fall[k].barrier == bare.fall[k].barrier);
+    }
+}
+
+/* The standard domino of solid wood hardly feels the air. A box of 8 m, which is 1,200 kg light, loses
+ * several per cent of its energy in a cycle. */
+TEST(giants_feel_it)
+{
+    double lost[2], slower[2];
+    for (int giant = 0; giant < 2; giant++) {
+        static struct run run;
+        const double h = giant ? 8 : 0.048, d = h * 1.17 / 8, mass = giant ? 1200 : 650 * h * d * h / 2;
+        double seconds[2], sum = 0;
+        make_row(&run, 12, 0.4, 1, 0);
+        for (size_t k = 0; k < 12; k++)
+            run.domino[k] = (struct domq_domino){.height = (domq_real)h,
+                                                 .thickness = (domq_real)d,
+                                                 .gap = (domq_real)(k ? 0.4 * h : 0),
+                                                 .mass = (domq_real)mass};
+        run.row.push = 2 * push_over(run.domino);
+        for (int air = 0; air < 2; air++) {
+            run.row.air = air ? 1.2 : 0;
+            assert_status(run_whole(&run), DOM_OK);
+            assert_true(run.verdict.end == DOM_ROW_FALLS);
+            seconds[air] = (double)run.verdict.seconds;
+        }
+        const struct domq_fall *f = &run.fall[9];
+        sum = (double)(f[1].kinetic + f[1].lost + f->friction_work - f->kinetic); /* released in the cycle */
+        lost[giant] = (double)f->friction_work / sum;
+        slower[giant] = seconds[1] / seconds[0] - 1;
+    }
+    print_message("# lost %g and %g of a cycle's energy; slower by %g and %g\n", lost[0], lost[1], slower[0],
+                  slower[1]);
+    assert_true(lost[1] > 0.04 && lost[1] < 0.15 && slower[1] > 0.05);
+    assert_true(lost[0] < 0.01 && slower[0] < 0.01);
+}
