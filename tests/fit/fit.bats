@@ -155,3 +155,17 @@ noisy_hits() { # SEED
     close 'three times as many' 2 "$(values friction_sd < <(json "$scene; fit friction trials.csv") | head -n 1 | awk -v nine="$(json "$scene; fit friction nine.csv" | values friction_sd | head -n 1)" '{ print $1/nine }')" 0.01
     wrong "$scene; fit friction, slope trials.csv" 'trials.csv has the speeds at 1 gap, which cannot determine 2 unknowns'
 }
+
+@test "the ends of an interval have as many digits as it takes to tell them apart" {
+    local scene='set r 1; set s 0.4; set row 12' line from to
+    "$DOMINO" -e "$scene; set push 4; set friction 0.25; fall > exact.csv"
+    # Exact times, and times with errors of a tenth and of a hundredth of a millisecond.
+    for digits in 12 5 4; do
+        awk -F , -v digits=$digits 'NR == 1 { print "domino,time (s)" } NR > 1 { printf "%d,%.*f\n", $1, digits, $3 }' exact.csv >times.csv
+        line=$("$DOMINO" -e "$scene; fit friction, push times.csv; details" | grep 'The best fit is')
+        while read -r from to; do
+            [ "$from" != "$to" ] || same "$digits digits" 'two ends' "$line"
+        done < <(grep -oE '[0-9.]+( rad/s)? to [0-9.]+' <<<"$line" | sed 's/ rad.s//; s/ to / /')
+        [ "$(grep -oE '[0-9.]+( rad/s)? to [0-9.]+' <<<"$line" | wc -l)" -ge 2 ] || same "$digits digits" 'two intervals' "$line"
+    done
+}

@@ -357,3 +357,21 @@ count 112 m 1; draw tower|the last 'count' needs more dominoes than a row can ha
 count 112 m; draw tower 3|one argument too many
 END
 }
+
+@test "a safe session at a terminal runs no other program, whatever the terminal can show" {
+    mkdir programs
+    for name in gnuplot ffmpeg less cat sh more; do
+        printf '#!/bin/bash\n: >"%s/ran-%s"\n' "$PWD" $name >programs/$name
+        chmod +x programs/$name
+    done
+    local ask='plot omega; draw 0.3; set row 3; draw; plot fall; help all; sweep s 0.1 0.9 200 : rmax'
+    for term in xterm-kitty xterm-256color foot dumb; do
+        PATH=$PWD/programs:$PATH TERM=$term DOMINO_GRAPHICS=kitty PAGER=less \
+            python3 "$BATS_TEST_DIRNAME/../shell/terminal.py" 80 24 "$DOMINO" -n --safe -e "$ask" >seen
+        grep -q 'Angular velocity over a cycle' seen && grep -q '^.*0\.9 ' seen
+        same "$term" '(nothing)' "$(find . -name 'ran-*')"
+    done
+    # Without --safe, help that is longer than the screen goes through the pager.
+    PATH=$PWD/programs:$PATH TERM=xterm PAGER=less python3 "$BATS_TEST_DIRNAME/../shell/terminal.py" 80 24 "$DOMINO" -n -e 'help all' >seen || true
+    same 'the programs are found' ./ran-less "$(find . -name 'ran-less')"
+}
