@@ -18,45 +18,48 @@ class dom_status(IntEnum):
     DOM_BAD_ALPHA = 7
     DOM_BAD_WALLS = 8
     DOM_BAD_RHO = 9
-    DOM_BAD_FUEL = 10
-    DOM_BAD_TOL = 11
-    DOM_BAD_PRECISION = 12
-    DOM_BAD_METHOD = 13
-    DOM_BAD_TILT = 14
-    DOM_BAD_TIME = 15
-    DOM_BAD_G = 16
-    DOM_BAD_PUSH = 17
-    DOM_BAD_COUNT = 18
-    DOM_BAD_HEIGHT = 19
-    DOM_BAD_THICKNESS = 20
-    DOM_BAD_GAP = 21
-    DOM_BAD_MASS = 22
-    DOM_BAD_RADIUS = 23
-    DOM_BAD_LEAN = 24
-    DOM_BAD_ERROR = 25
-    DOM_BAD_ROWS = 26
-    DOM_BAD_PROBABILITY = 27
-    DOM_BAD_SAFETY = 28
-    DOM_BAD_HALL = 29
-    DOM_OUT_OF_REACH = 30
-    DOM_NO_FUEL = 31
-    DOM_STOPS = 32
-    DOM_LOCKS = 33
-    DOM_NO_STAND = 34
-    DOM_NO_ROOM = 35
-    DOM_NO_ROUND = 36
-    DOM_NO_LEAN = 37
-    DOM_NO_MARGIN = 38
-    DOM_NO_GROWTH = 39
-    DOM_OPEN = 40
-    DOM_TOO_LONG = 41
-    DOM_UNDERFLOW = 42
-    DOM_NO_PRECISION = 43
-    DOM_NO_METHOD = 44
-    DOM_NOT_FINITE = 45
-    DOM_NOT_CONVERGED = 46
-    DOM_NO_MEMORY = 47
-    DOM_INTERRUPTED = 48
+    DOM_BAD_AIR = 10
+    DOM_BAD_DRAG = 11
+    DOM_BAD_FUEL = 12
+    DOM_BAD_TOL = 13
+    DOM_BAD_PRECISION = 14
+    DOM_BAD_METHOD = 15
+    DOM_BAD_TILT = 16
+    DOM_BAD_TIME = 17
+    DOM_BAD_G = 18
+    DOM_BAD_PUSH = 19
+    DOM_BAD_COUNT = 20
+    DOM_BAD_HEIGHT = 21
+    DOM_BAD_THICKNESS = 22
+    DOM_BAD_GAP = 23
+    DOM_BAD_MASS = 24
+    DOM_BAD_RADIUS = 25
+    DOM_BAD_LEAN = 26
+    DOM_BAD_ERROR = 27
+    DOM_BAD_ROWS = 28
+    DOM_BAD_PROBABILITY = 29
+    DOM_BAD_SAFETY = 30
+    DOM_BAD_HALL = 31
+    DOM_OUT_OF_REACH = 32
+    DOM_NO_FUEL = 33
+    DOM_STOPS = 34
+    DOM_LOCKS = 35
+    DOM_NO_STAND = 36
+    DOM_NO_ROOM = 37
+    DOM_NO_ROUND = 38
+    DOM_NO_LEAN = 39
+    DOM_NO_AIR = 40
+    DOM_NO_MARGIN = 41
+    DOM_NO_GROWTH = 42
+    DOM_OPEN = 43
+    DOM_TOO_LONG = 44
+    DOM_UNDERFLOW = 45
+    DOM_NO_PRECISION = 46
+    DOM_NO_METHOD = 47
+    DOM_NOT_FINITE = 48
+    DOM_NOT_CONVERGED = 49
+    DOM_NO_MEMORY = 50
+    DOM_INTERRUPTED = 51
 
 
 class dom_precision(IntEnum):
@@ -81,13 +84,15 @@ class dom_effect_name(IntEnum):
     DOM_EFFECT_slope = 1
     DOM_EFFECT_walls = 2
     DOM_EFFECT_edges = 3
-    DOM_EFFECT_row = 4
-    DOM_EFFECT_push = 5
-    DOM_EFFECT_placement = 6
-    DOM_EFFECT_floor = 7
-    DOM_EFFECT_COUNT = 8
+    DOM_EFFECT_air = 4
+    DOM_EFFECT_drag = 5
+    DOM_EFFECT_row = 6
+    DOM_EFFECT_push = 7
+    DOM_EFFECT_placement = 8
+    DOM_EFFECT_floor = 9
+    DOM_EFFECT_COUNT = 10
 
-DOM_DYNAMICS_COUNT = 4
+DOM_DYNAMICS_COUNT = 6
 DOM_EFFECT_ARGUMENTS = 3
 
 class dom_end(IntEnum):
@@ -375,7 +380,7 @@ dom_work._fields_ = [
     ("passes", c_size_t),
     ("dominoes", c_size_t),
     ("longest", c_size_t),
-    ("entered", c_size_t * 8),
+    ("entered", c_size_t * 10),
 ]
 dom_train._fields_ = [
     ("s", c_double),
@@ -388,6 +393,8 @@ dom_train._fields_ = [
     ("alpha", c_double),
     ("walls", c_double),
     ("rho", c_double),
+    ("air", c_double),
+    ("drag", c_double),
 ]
 dom_scale._fields_ = [
     ("h", c_double),
@@ -526,7 +533,8 @@ dom_effect._fields_ = [
     ("plan", c_char_p),
     ("argument", dom_effect_argument * 3),
     ("needs", c_uint),
-    ("dissipates", c_bool),
+    ("dissipates", c_char_p),
+    ("equations", POINTER(c_char_p)),
     ("cancels", c_bool),
     ("synonyms", c_char_p),
 ]
@@ -560,6 +568,8 @@ dom_row._fields_ = [
     ("alpha", c_double),
     ("walls", c_double),
     ("rho", c_double),
+    ("air", c_double),
+    ("drag", c_double),
     ("feet", c_double),
     ("floor", c_bool),
     ("engine", POINTER(dom_engine)),

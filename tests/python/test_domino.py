@@ -97,6 +97,15 @@ class SameAsTheProgram(unittest.TestCase):
             self.assertTrue(math.isclose(row.verdict().seconds, answer["seconds"], rel_tol=1e-12))
             self.assertTrue(math.isclose(row.dominoes[5].width, width * row.dominoes[5].height, rel_tol=1e-12))
 
+    def test_air_brakes_trains_and_rows(self):
+        [limit], [verdict] = ask(["set density 650; set air 1.2; set drag 2; rmax 0.4", "set row 6; set push 4; verdict"])
+        train = domino.rmax(s=0.4, air=1.2 / 650, drag=2).r_max
+        self.assertTrue(math.isclose(train, limit["r_max"], rel_tol=1e-11))
+        mass = 650 * 0.048**3 / 2 * 7 / 48
+        for air, same in ((1.2, True), (0, False)):
+            row = domino.Row.of_train(6, mass=mass, air=air, drag=2, push=4)
+            self.assertEqual(math.isclose(row.verdict().seconds, verdict["seconds"], rel_tol=1e-11), same)
+
     def test_counts_and_designs(self):
         [count], [best], design = ask(["count 112 m", "set q hollow; best", "reset; design 2 m"])
         self.assertEqual(domino.count(112).dominoes, count["dominoes"])

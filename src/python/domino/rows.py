@@ -138,12 +138,13 @@ class Row:
     of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean,
     radius and width, whose units stand in brackets: "height (mm)". Without masses, all dominoes have the same density.
 
-    friction, slope (rad), edges (radius over height) and walls (m) are effects. push is the angular velocity of the
+    friction, slope (rad), edges (radius over height), walls (m) and air (kg/m^3) are effects; drag is the drag
+    coefficient in air, if it is not 1.2. In air, masses count: in kg. push is the angular velocity of the
     first domino in rad/s; without it, this domino tips over its edge from rest.
     """
 
     def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,
-                 walls: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None,
+                 walls: float = 0.0, air: float = 0.0, drag: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None,
                  precision: str = "double"):  # fmt: skip
         self.dominoes = tuple(Domino(*map(float, domino)) for domino in dominoes)
         if any(domino.mass == 0 for domino in self.dominoes):
@@ -151,7 +152,7 @@ class Row:
                 domino if domino.mass else domino._replace(mass=500 * domino.height * (domino.width or domino.height / 2) * domino.thickness)
                 for domino in self.dominoes
             )
-        self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls,
+        self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls, "air": air, "drag": drag,
                          "push": math.nan if push is None else push, "g": g}  # fmt: skip
         self._how = {"tol": tol, "precision": precision}
 

@@ -112,13 +112,16 @@ def _named(values: dict[str, Any], given: Any, what: str) -> Any:
 
 
 class Train:
-    """The parameters of a train, which are checked by every question. A notebook shows a picture of the train."""
+    """The parameters of a train, which are checked by every question. A notebook shows a picture of the train.
+
+    air is the density of the air over that of the dominoes, and drag the drag coefficient, if it is not 1.2.
+    """
 
     def __init__(self, s: Number = 0.4, r: Number = 1.5, d: Number = 7 / 48, q: Number | str = 4.0, *,
                  friction: Number = 0.0, slope: Number = 0.0, edges: Number = 0.0, walls: Number = 0.0,
-                 width: Number = 0.5, fuel: str = "exact"):  # fmt: skip
+                 air: Number = 0.0, drag: Number = 0.0, width: Number = 0.5, fuel: str = "exact"):  # fmt: skip
         self.values = {"s": s, "r": r, "d": d, "q": _named(MASSES, q, "q"), "mu": friction, "alpha": slope, "rho": edges,
-                       "walls": walls, "width": width}  # fmt: skip
+                       "walls": walls, "air": air, "drag": drag, "width": width}  # fmt: skip
         self.fuel = int(_named(FUELS, fuel, "fuel"))
 
     def structure(self) -> ctypes.Structure:
