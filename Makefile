@@ -12,6 +12,8 @@ VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino
 PREFIX  ?= /usr/local
 DESTDIR ?=
 B       ?= .build
+# Objects are in B; programs and libraries, which depend on the features, in P.
+P       ?= $(B)
 
 CC      ?= gcc
 # -g1 records lines and functions, and compiles faster than -g. For a debugger, use make OPTIM='-O0
@@ -80,7 +82,7 @@ QUAD    := $(addprefix $(TRAIN)/precision/,float.c quad.c)
 MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
 ENGINE_C := $(filter-out %/feature.c,$(wildcard $(patsubst %,src/%/*.c,$(filter engine,$(BUILT)))))
 # The sources of a feature are in its folder, and in folders within it that are neither a model nor a feature.
-SHELL_C := src/main.c src/features.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
+SHELL_C := src/main.c $(wildcard src/shell/*/*.c) $(filter-out $(ENGINE_C) \
            $(foreach f,$(EVERY),$(if $(filter $f,$(BUILT)),,src/$(subst _,/,$f)/%)) src/train/model/% $(BUILT:%=src/%/model/%), \
            $(wildcard $(FOLDERS:%=src/%/*.c) $(FOLDERS:%=src/%/*/*.c)))
 SHELL_C := $(sort $(SHELL_C))
@@ -105,7 +107,7 @@ endef
 .PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format \
         install uninstall deb dist clean
 # A part of the library must not look like the whole.
-all: $(B)/domino $(B)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc)
+all: $(P)/domino $(P)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc)
 
 # ---- Dependencies, but only those that the goals of this call need ----
 
@@ -141,7 +143,7 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h $(B)/feature_list.h \
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h $(P)/feature_list.h \
            $(B)/system_features.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
@@ -159,7 +161,9 @@ $(B)/system_features.h $(B)/portable/system_features.h: $(SYSTEM) | $(FIRST)
 	@PORTABLE=$(PORTABLE) $(SYSTEM) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 # The list of features, for src/features.c.
-$(B)/feature_list.h: FORCE
+$(P)/features.o: src/features.c $(P)/feature_list.h
+	$(Q)$(CC) -I$(P) $(C_FLAGS) -c $< -o $@
+$(P)/feature_list.h: FORCE
 	@mkdir -p $(@D)
 	@echo '#define FEATURES(X) $(foreach f,$(BUILT) shell,X($f))' > $@.new
 	@cmp -s $@.new $@ || mv $@.new $@
@@ -221,7 +225,7 @@ $(B)/objq/%.o: %.c | $(FIRST)
 
 $(LIB_OBJ): $(B)/library.h
 # Objects from different folders may have the same name, so 'ar q' appends them. 'ar r' would replace one with the other.
-$(B)/libdomino.a: $(LIB_OBJ) $(B)/feature_list.h
+$(P)/libdomino.a: $(LIB_OBJ) $(P)/feature_list.h
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
 	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $(LIB_OBJ)
@@ -247,11 +251,11 @@ $(B)/libdomino.so: $(B)/$(SONAME)
 # The program with nothing beyond POSIX, for 'make portable'. Only one file differs.
 $(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
 	$(Q)$(CC) -I$(B)/portable $(C_FLAGS) -c $< -o $@
-$(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/portable/system.o $(B)/libdomino.a
+$(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C)) $(P)/features.o) $(B)/portable/system.o $(P)/libdomino.a
 	$(call LINK,$(PROGRAM) -lbsd)
 
 $(B)/shared/domino: PROGRAM := $(GSL) -lreadline
-$(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
+$(P)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(P)/features.o $(P)/libdomino.a
 	$(call LINK,$(PROGRAM))
 
 # Programs find a shared library in /usr/lib without help. For other folders, domino.pc adds an rpath.
@@ -276,34 +280,34 @@ $(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHO
 	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_proof.h > $@.new && mv $@.new $@
 
 run: all
-	@$(B)/domino
+	@$(P)/domino
 
 # ---- Tests ----
 
 UNIT_MORE := $(filter-out $(UNIT),$(wildcard tests/unit/*.c))
-$(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
+$(P)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(P)/libdomino.a
 	$(call LINK,$(GSL) -lcmocka)
 
 # This test can make allocations and threads fail.
-$(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+$(P)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # This test counts the checks for an interrupt.
-$(B)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
+$(P)/unit/test_interrupt: LDFLAGS += -Wl,--wrap=dom_interrupted
 # So does this one, for the shell.
-$(B)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_limits
+$(P)/unit/test_stops: LDFLAGS += -Wl,--wrap=dom_interrupted,--wrap=domq_lean_limits
 # The library starts no threads, so the thread pool of the shell runs its tasks.
-$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
+$(P)/unit/test_corners $(P)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: numbers.
-$(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
+$(P)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # The reader of csv files.
-$(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
+$(P)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # Completion and other functions that need the tables of commands.
-SHELL_UNIT := $(addprefix $(B)/unit/test_,complete errors lines stage stops)
-$(SHELL_UNIT): $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
-$(SHELL_UNIT): GSL := $(B)/libdomino.a $(GSL) -lreadline
+SHELL_UNIT := $(addprefix $(P)/unit/test_,complete errors lines stage stops)
+$(SHELL_UNIT): $(filter-out %/src/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C))) $(P)/features.o
+$(SHELL_UNIT): GSL := $(P)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
-$(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
+$(P)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 
-UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
+UNIT_BIN := $(patsubst tests/unit/%.c,$(P)/unit/%,$(UNIT))
 # Tests convert results of the widest type to double to compare them, so warnings about such conversions are off.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
 .SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
@@ -311,30 +315,30 @@ $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversio
 # Hard cases and sweeps, compared with a reference in MPFR. The other files of tests/hard are linked into each
 # test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
-HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(filter-out $(call LACK,$(HARD)),$(wildcard tests/hard/test_*.c)))
-$(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
+HARD_BIN := $(patsubst tests/hard/%.c,$(P)/hard/%,$(filter-out $(call LACK,$(HARD)),$(wildcard tests/hard/test_*.c)))
+$(P)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(P)/libdomino.a
 	$(call LINK,$(GSL) -lmpfr -lgmp -lcmocka)
 
 # Each suite is a target that always runs the suite and writes its counts: suites run in parallel, the
 # longest first. A suite that fails does not stop the others. The counts are added up at the end.
-COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
+COUNTS_OF   = $(patsubst %,$(P)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(P)/%,%,$(1))))
 BATS       := $(foreach name,package terminal prompt,tests/shell/$(name).bats)
 BATS       += $(filter-out $(BATS),$(wildcard $(patsubst %,tests/%/*.bats,shell $(BUILT))))
 UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
 HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
 .SECONDARY: $(HARD_BIN)
 SHELL_RUN   = $(call COUNTS_OF,$(BATS))
-$(B)/tap/unit/%.count: $(B)/unit/% FORCE
-	@tests/run --suite $(B) $<
-$(B)/tap/hard/%.count: $(B)/hard/% FORCE
-	@tests/run --suite $(B) $<
-$(B)/tap/shell/python.bats.count: python
-$(B)/tap/%.bats.count: tests/%.bats all FORCE
-	@tests/run --suite $(B) $<
+$(P)/tap/unit/%.count: $(P)/unit/% FORCE
+	@tests/run --suite $(P) $<
+$(P)/tap/hard/%.count: $(P)/hard/% FORCE
+	@tests/run --suite $(P) $<
+$(P)/tap/shell/python.bats.count: python
+$(P)/tap/%.bats.count: tests/%.bats all FORCE
+	@tests/run --suite $(P) $<
 FORCE:
 
 # Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the sweeps.
-QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
+QUICK_HARD := $(P)/hard/test_sweep $(P)/hard/test_properties
 QUICK_BATS := $(wildcard $(patsubst %,tests/%.bats,shell/output train/count train/growth train/effects rows/rows train/precision pictures/draw train/cycle))
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
@@ -349,7 +353,7 @@ quick test unit hard sessions:
 
 # Compares rows with Chipmunk, a rigid-body engine. Fails if they differ.
 VERIFY := $(wildcard tests/verify/*.c)
-$(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/libdomino.a
+$(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 verify: $(B)/verify_rows
@@ -361,7 +365,7 @@ ATLAS_PARTS := 1 2 3 4
 atlas: all
 	@echo '  ATLAS  examples/atlas.csv'
 	@{ sed -n '/^# Proved/,/^$$/p' examples/atlas.dom | grep '^#' && for part in $(ATLAS_PARTS); do \
-	  $(B)/domino -n --shard $$part/$(words $(ATLAS_PARTS)) -f examples/atlas.dom || exit 1; done; } > $(B)/atlas.csv
+	  $(P)/domino -n --shard $$part/$(words $(ATLAS_PARTS)) -f examples/atlas.dom || exit 1; done; } > $(B)/atlas.csv
 	@tests/atlas $(B)/atlas.csv
 	@cp $(B)/atlas.csv examples/atlas.csv
 
@@ -423,7 +427,7 @@ fuzz: | $(FIRST)
 	$(B)/fuzz/fuzz_grammar $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=300 -len_control=0 $(abspath $(B))/fuzz/lines
 	$(B)/fuzz/fuzz_csv $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/csv.dict $(abspath $(B))/fuzz/tables
 
-$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/src/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/libdomino.a
+$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/src/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C)) $(P)/features.o) $(P)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
@@ -434,10 +438,10 @@ bench: all $(B)/bench $(B)/answers python
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
 $(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
-$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(B)/libdomino.a
+$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
-$(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
+$(B)/answers: $(B)/obj/tests/bench/answers.o $(P)/libdomino.a
 	$(call LINK,$(GSL))
 
 # Compares the numbers of instructions of answers with tests/bench/instructions.csv. 'make guard KEEP=1' writes that
@@ -509,7 +513,7 @@ DOCDIR     ?= $(DATADIR)/doc/domino
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 COMPLETIONS := $(addprefix $(B)/completion/,domino _domino domino.fish)
 IN         = $(foreach file,$(1),'$(file)' "$(2)")
-INSTALLED  = $(call IN,$(B)/domino,$(BINDIR)) $(call IN,$(B)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
+INSTALLED  = $(call IN,$(P)/domino,$(BINDIR)) $(call IN,$(P)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
   $(call IN,$(wildcard include/*.h) $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
   $(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig) \
   $(foreach page,$(PAGES),$(call IN,$(page),$(MANDIR)/man$(subst .,,$(suffix $(page))))) \
