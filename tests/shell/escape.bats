@@ -14,6 +14,7 @@ harmless() { # FILE
     fi
 }
 
+# bats test_tags=rows,chance,sweeps
 @test "names that cannot be shown are escaped in table, csv, json, help and messages" {
     local name=$'a\e[31m\u202e\u009b\xff\tb.csv' shown='a\x1b[31m\u202e\u009b\xff\x09b.csv'
     printf '%s\n' "$two_dominoes" >"$name"
@@ -59,6 +60,7 @@ harmless() { # FILE
     [[ $stderr == *"unknown command 'foo'"* ]] || same 'long name' foo "$stderr"
 }
 
+# bats test_tags=rows,chance
 @test "long names: complete in json, cut between characters in a table, and no message is hidden" {
     local name
     name=$(printf 'é%.0s' {1..120}).csv
@@ -87,6 +89,7 @@ typed() { printf '"%s"' "${1//\"/\"\"}"; }
 # Prints the texts of an svg, a line each.
 svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g'; }
 
+# bats test_tags=rows,pictures,planning
 @test "a text in a picture is shown as it is typed, and gnuplot never runs it: in every format, and when a .gp is drawn" {
     local text all
     for text in "${hostile_texts[@]}"; do
@@ -106,6 +109,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     done
 }
 
+# bats test_tags=pictures
 @test "every byte in a title makes a picture, and is shown as itself or as an escape sequence" {
     local byte text
     for byte in {1..9} {11..255}; do
@@ -128,6 +132,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     grep -qF '{\textbackslash{}a\{b\}\$c\$d\%e\#f\_g\^{}h\~{}i\&j\textbar{}k\textless{}l\textgreater{}m}' a.tex
 }
 
+# bats test_tags=pictures
 @test "the name of a file is a name, not a command, for gnuplot too" {
     local name
     for name in '|touch P1;' '`touch P1`' "'.system('touch P1').'" '"' '~' '!x' '-' '|cat>P1' '%d' ' a ' '$HOME' 'a\b' '<x'; do
@@ -144,6 +149,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     same files row.csv "$("$DOMINO" -e 'complete source r')"
 }
 
+# bats test_tags=rows,pictures
 @test "no file with control characters in its name is written" {
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
@@ -157,6 +163,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     "$DOMINO" -e 'save "Größe 你好.dom"' && [ -f 'Größe 你好.dom' ]
 }
 
+# bats test_tags=rows
 @test "a line break in the name of a csv file does not smuggle a command into a saved session" {
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$two_dominoes" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
@@ -167,6 +174,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     [ ! -e s.dom ]
 }
 
+# bats test_tags=rows,chance
 @test "endless NUL bytes: the first one ends the file, and the session goes on" {
     for command in 'source /dev/zero' 'pool /dev/zero' 'effect row /dev/zero'; do
         run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going -e "$command; print 41 + 1"
@@ -178,6 +186,7 @@ svg_texts() { xmllint --xpath '//*[local-name()="text"]' "$1" | sed 's/<[^>]*>//
     same 'the next source' 42 "$output"
 }
 
+# bats test_tags=rows,chance
 @test "an endless line: one message, little memory, and the session goes on" {
     # A line of 100 MB in a session that may take 200 MB, except under sanitizers, which need more
     # memory.

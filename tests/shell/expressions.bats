@@ -330,6 +330,7 @@ END
     wrong 'let and = 1' "'and' is a word of the expression language"
 }
 
+# bats test_tags=rows,sweeps
 @test "with: changes parameters for one answer only" {
     local alone
     alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
@@ -357,6 +358,7 @@ END
     wrong 'set s 0.3 with r 2' "'with' can only follow a command that computes an answer"
 }
 
+# bats test_tags=rows,chance,planning
 @test "a command with a principal column stands for that column, and any other command is an error" {
     local name key list=''
     for name in $("$DOMINO" -e 'complete '); do
@@ -373,6 +375,7 @@ END
         `' verdict.seconds rowmax.r_max design.steps improve.probability placement.probability budget.sigma slip.motion' "$list"
 }
 
+# bats test_tags=rows
 @test "every command, called as a function of 0 to 4 arguments, gives a value or a one-line error" {
     local name arguments names
     names=$("$DOMINO" -e complete)
@@ -390,6 +393,7 @@ END
     done
 }
 
+# bats test_tags=rows,chance,pictures,sweeps
 @test "commands that take a file or a word have no value in an expression" {
     wrong 'print pool(1)' "'pool FILE' cannot be used in an expression"
     wrong 'set s pool' "'pool FILE' cannot be used in an expression"
@@ -438,6 +442,7 @@ END
     [[ $(wc -l <<<"$output") -ge 2 && $stderr == *'nested too deeply'* ]]
 }
 
+# bats test_tags=sweeps
 @test "an argument without parentheses: the message shows them" {
     wrong 'print energy 0' "in an expression, the argument of 'energy' stands in parentheses: 'energy[(]0[)]'"
     wrong 'print 2*omega 0.1' "'omega[(]0.1[)]'"

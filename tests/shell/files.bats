@@ -5,6 +5,7 @@
 
 load common
 
+# bats test_tags=rows,planning
 @test "'> FILE' and '>> FILE' after any command" {
     while IFS='|' read -r call _; do
         case $call in design*) continue ;; esac # a file gets the designed row: see plan.bats
@@ -146,6 +147,7 @@ END
     same 'nothing is left' s.dom "$(ls)"
 }
 
+# bats test_tags=rows,pictures
 @test "the name of a file without '>' leads to a message that names '>'" {
     wrong 'draw row.png' "put '>' before its name: '> row.png'\$"
     wrong 'rmax 0.4 x.csv; print 1' "put '>' before its name: '> x.csv'\$"
@@ -175,6 +177,7 @@ END
     same 'one after the other' "$("$DOMINO" -e fuel)" "$(cat out)"
 }
 
+# bats test_tags=rows
 @test ".csv and .json choose the format; .txt, or no extension, means the format of 'set output'" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
@@ -194,6 +197,7 @@ END
     same 'a hidden file has no extension' "$("$DOMINO" -e rmax)" "$(cat .csv)"
 }
 
+# bats test_tags=pictures
 @test "a picture is drawn whatever 'set output' says; a .csv or .json file gets its data" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; draw > d.svg; plot energy > e.svg; draw > d.csv; plot energy > e.json"
@@ -209,6 +213,7 @@ END
     same 'characters' "$("$DOMINO" -e draw)" "$(cat d.txt)"
 }
 
+# bats test_tags=rows,chance,pictures
 @test "a file extension that does not suit the answer is an error before anything is computed, and leaves no file" {
     wrong 'rmax > a.gif' "'a.gif' is the name of a film, which 'rmax' cannot write; use .csv, .json or .txt"
     for name in a.jpg a.md a.xlsx a.foo v.dat; do
@@ -304,6 +309,7 @@ END
     same 'another head' "$(cat plain.csv)" "$(tail -n +2 a.csv)"
 }
 
+# bats test_tags=pictures
 @test "a file that the session is writing is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
@@ -347,6 +353,7 @@ END
     [[ $output == *': File name too long' ]]
 }
 
+# bats test_tags=pictures
 @test "temporary files are in TMPDIR" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     run -1 --separate-stderr env TMPDIR="$PWD/none" "$DOMINO" -e 'plot energy > x.svg'

@@ -5,6 +5,7 @@
 
 load common
 
+# bats test_tags=lesson
 @test "lesson: in a pipe it shows the tutorial without waiting, and within a file it shows the rest of the file" {
     golden=$BATS_TEST_DIRNAME/golden/tutorial.out
     same steps 10 "$(grep -c '^---- ' "$golden")"
@@ -47,6 +48,7 @@ END
 END
 }
 
+# bats test_tags=rows,explain
 @test "help NAME for every command and parameter; its example is what the program prints" {
     "$DOMINO" -e 'help all' | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' | uniq >"$PWD/names"
     [ "$(wc -l <names)" -ge 22 ]
@@ -98,6 +100,7 @@ END
     grep -q '^ *fuel  *paper ' <<<"$answer"
 }
 
+# bats test_tags=fit,planning
 @test "help shows the whole text of a topic, however long" {
     for name in design improve fit print friction; do
         text=$("$DOMINO" -e "set output json; help $name" | sed -n 's/.*"text":"\([^"]*\)".*/\1/p' | sed 's/\\u000a\\u000a/ /g')
@@ -107,6 +110,7 @@ END
     done
 }
 
+# bats test_tags=rows
 @test "help answers for the words that people use: one topic is explained, several are listed" {
     while IFS='|' read -r word topic; do
         same "$word" "$("$DOMINO" -e "help $topic")" "$("$DOMINO" -e "help $word")"
@@ -139,6 +143,7 @@ END
     done
 }
 
+# bats test_tags=chance,pictures,engine
 @test "apropos finds everyday words, and lists the best match first" {
     while read -r word wanted; do
         same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
@@ -167,6 +172,7 @@ END
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }
 
+# bats test_tags=chance,pictures
 @test "help is one screen; a group has a line for each of its commands, and 'help all' for every command" {
     run -0 "$DOMINO" -e help
     [ "${#lines[@]}" -le 24 ] && [ "$(wc -L <<<"$output")" -le 80 ]

@@ -30,6 +30,7 @@ END
     same 'set output j' "$(json fuel)" "$("$DOMINO" -e 'set output j; fuel')"
 }
 
+# bats test_tags=rows,chance,pictures,sweeps
 @test "messages suggest the right name after a misspelling, and list the candidates after an ambiguous abbreviation" {
     all_wrong <<'END'
 1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
@@ -99,6 +100,7 @@ END
     same 'help q' 'hollow 3 solid 4' "$("$DOMINO" -e 'help q' | sed -n 's/^  \(hollow\|solid\|massive\) */\1 /p' | paste -sd ' ' -)"
 }
 
+# bats test_tags=rows,chance,pictures,sweeps,fit
 @test "an unknown name: the message has a suggestion, the possible names, or where they are listed, but never two of these" {
     while IFS='|' read -r line message; do
         run -1 "$DOMINO" --keep-going -e "$line"
@@ -133,6 +135,7 @@ END
     same 'an effect' "$("$DOMINO" -e 'effect friction 0.1; fuel')" "$("$DOMINO" -e 'effect Friction 0.1; FUELS')"
 }
 
+# bats test_tags=rows,pictures,sweeps
 @test "one or two letters are no effect's name, as w may be a width" {
     local before line
     before=$(json 'show walls; show slope; show edges')

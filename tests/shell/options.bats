@@ -139,6 +139,7 @@ END
     same 'bare environment' "$expected" "$(env -i "$DOMINO" -e 'set output json; fuel; show')"
 }
 
+# bats test_tags=rows
 @test "-i reads standard input after the other sources, and a .csv file is a row" {
     printf 'set s 0.3\n' >s.dom
     "$DOMINO" -e 'effect row 4; row > hall.csv; row > "two words.CSV"'

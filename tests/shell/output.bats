@@ -77,10 +77,12 @@ null_of() { # COMMANDS SELECTION KEY REASON
     [[ $said =~ ^null\|.*$4 ]] || same "$1" "null|$4" "$said"
 }
 
+# bats test_tags=rows,chance,pictures,sweeps,explain
 @test "every command answers with its keys, with -e, -f, '#!' and from standard input" {
     for way in -e stdin -f '#!'; do answers_in "$way"; done
 }
 
+# bats test_tags=rows,chance
 @test "in tables, the labels of every command are its keys" {
     while IFS='|' read -r call expected; do
         answer=$("$DOMINO" -e "$call")
@@ -116,6 +118,7 @@ null_of() { # COMMANDS SELECTION KEY REASON
     done <<<"$commands"
 }
 
+# bats test_tags=rows
 @test "csv: the header consists of the keys, and the rows agree with json" {
     answered=0
     while IFS='|' read -r call expected; do
@@ -145,6 +148,7 @@ null_of() { # COMMANDS SELECTION KEY REASON
     same 'theta_c is a tilt' "$theta_c" "$(json "theta1 $theta_c" | values theta)"
 }
 
+# bats test_tags=rows,sweeps
 @test "json: an object for each command, with the name of the command, also for errors" {
     while IFS='|' read -r line expected; do
         got=$(printf '%s\n' 'set output json' "$line" | "$DOMINO" 2>err) || true
@@ -194,6 +198,7 @@ END
     same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
 }
 
+# bats test_tags=rows
 @test "csv and json say that an answer is about the train although a row is on" {
     for format in json csv; do
         for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do
@@ -205,6 +210,7 @@ END
     done
 }
 
+# bats test_tags=rows,chance,pictures,sweeps
 @test "all commands in all outputs and precisions: every number is finite or null" {
     local scene precision style status errors sessions=0
     calls >calls.dom
@@ -235,6 +241,7 @@ END
     same sessions 112 "$sessions"
 }
 
+# bats test_tags=rows,sweeps
 @test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
     null_of 'print 1e400' true value "too large for double precision; quad precision has a wider range"
     null_of 'print -1e4000' true value 'too large for double precision'
@@ -257,6 +264,7 @@ END
     [[ $output == *$'\n60,,,,' ]]
 }
 
+# bats test_tags=rows,chance,pictures
 @test "a contact at the hinge, and a foot that no friction can hold, are explained in words" {
     [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'weight: 0: no force is enough'* ]]
     null_of 'set s 1; set r 1; draw forces' '.i == 0' force 'the contact is at the hinge'

@@ -21,6 +21,7 @@ columns_in_line() { # WHAT FILLED
         END { exit bad || rows == 0 }'
 }
 
+# bats test_tags=rows,chance
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >all
     same names 's r d q width tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <all | paste -sd ' ' -)"
@@ -119,6 +120,7 @@ END
     same 'q does not leave' 3 "$("$DOMINO" -e 'q; 1+2' | tail -n 1)"
 }
 
+# bats test_tags=rows,chance
 @test "show: columns are aligned with their headers, however long the values are" {
     for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
         'set density 700; set output table'; do
@@ -129,6 +131,7 @@ END
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
+# bats test_tags=rows,planning
 @test "set s, r and d say that they do not change a row from a file, and which command makes a row from them" {
     for name in s r d; do
         same "$name" "$name does not change the row, whose dominoes come from record.csv; 'set row N' makes a row from s, r, d and h." \

@@ -4,6 +4,7 @@
 
 load common
 
+# bats test_tags=rows,sweeps,explain
 @test "width: a parameter like the others, and 'w' is short for it" {
     same 'show' 'width 24 mm' "$("$DOMINO" -e 'set width 24 mm; show' | awk '$1 == "width" { print $1, $2, $3 }')"
     for name in w wi width Width; do
@@ -26,6 +27,7 @@ load common
     same 'a variable w stays one' 3 "$(json 'let w = 3; print w' | values value)"
 }
 
+# bats test_tags=rows,planning
 @test "width: masses from a density, and boxes" {
     local mass
     mass=$(awk 'BEGIN { print 700 * 48 * 7 * 30 / 1e9 }')
@@ -43,6 +45,7 @@ load common
     same 'no column for the usual width' 'domino height thickness gap relative' "$(json 'set width 24 mm; set row 3; row' | keys)"
 }
 
+# bats test_tags=rows
 @test "width: rows from files, in which a width of their own counts" {
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3)\n48, 7, -, 0.7\n72, 10, 20, 0.7\n' >plain.csv
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n48, 7, -, 0.7, 20\n72, 10, 20, 0.7, 20\n' >wide.csv
@@ -58,6 +61,7 @@ load common
     same 'changed' '0.02 0.03' "$(json 'set row plain.csv; set width 20 mm; change 2 width 3 cm; row' | values width | paste -sd ' ')"
 }
 
+# bats test_tags=rows,planning
 @test "width: designs, and the tower" {
     close 'mass of a design' 2 "$(json 'set density 700; design 1 m; undo; set width 1; design 1 m' | values mass | paste -sd ' ' | awk '{ print $2 / $1 }')"
     close 'blocks and boxes' "$(awk 'BEGIN { OFMT = "%.17g"; h = 1; t = 7 / 48; print 600 * (0.3 * t - (h - 0.024) * (0.3 - 0.024) * (t - 0.024)) }')" \

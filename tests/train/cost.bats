@@ -5,6 +5,7 @@
 
 load ../shell/common
 
+# bats test_tags=rows,explain
 @test "cost: a row for each method, precision and tolerance, and a summary in words" {
     run -0 "$DOMINO" -e 'cost rmax details'
     for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
@@ -51,6 +52,7 @@ load ../shell/common
     [[ $output == *'r s = 3.6 > 1'* ]]
 }
 
+# bats test_tags=pictures,explain
 @test "plot cost: the labels of the picture, and its data" {
     run -0 "$DOMINO" -e 'plot cost launch'
     for words in 'What accuracy costs' 'time per answer' 'this program, quad' 'recipe'; do

@@ -71,6 +71,7 @@ falls() { # SCENE DOMINOES
     json "$1; effect row $(($2 + 1)); verdict" | values verdict
 }
 
+# bats test_tags=rows
 @test "count agrees with 'verdict' about a row whose first domino tips over or is pushed" {
     while IFS='|' read -r scene dominoes feasible goes_on; do
         answer=$(json "$scene; count 112" | tail -n 1)
@@ -101,6 +102,7 @@ effect edges 0.01; set r 1.5|20|true|true
 END
 }
 
+# bats test_tags=rows
 @test "count: how a row ends if its first domino just tips over, and how many dominoes are needed at a smaller growth" {
     answer=$("$DOMINO" -e 'count 112 m 1.64 details')
     for words in '^16 solid dominoes, .* would be needed .* Such a row does not fall\.$' '^Solid .* 1\.59 each: then 17 are enough' \

@@ -149,6 +149,7 @@ END
     [[ ${lines[0]} =~ ^'The train keeps falling: to push the next domino over, it needs 99.9'[0-9]+' % of the energy that it has.'$ ]] || same share '99.9... %' "${lines[0]}"
 }
 
+# bats test_tags=rows,chance,pictures,explain
 @test "draw without T shows the state of 'where', whatever has changed since the last step" {
     local change where
     for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \

@@ -68,6 +68,7 @@ END
         "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
 }
 
+# bats test_tags=rows
 @test "rmax names two limits if they differ: for a row that starts, and for a train that is already moving" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax details')
     for words in '1\.64422 times as large' 'A row that starts from rest can have a growth of up to 1\.59459 if its first domino just tips over' \

@@ -66,6 +66,7 @@ quad() { # COMMANDS KEY DIGITS
     same 'and nothing where it has not' '(nothing)' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
 }
 
+# bats test_tags=chance
 @test "tables show 6 digits, or as many as 'set digits' says, but no more than tol guarantees; csv and json have all" {
     rmax() { "$DOMINO" -e "$1; rmax; details" | sed -n 's/^r_max  *\([0-9.]*\) .*/\1/p'; }
     same default 1.64423 "$(rmax '')"
@@ -115,6 +116,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
+# bats test_tags=chance,sweeps,planning
 @test "errors on: every number has an error, in table, csv and json" {
     while IFS='|' read -r call expected; do
         case $call in print* | scene | slip | design* | sensitivity* | solve* | effect* | reset*) continue ;; esac # these commands have no errors
