@@ -104,7 +104,7 @@ $(call SAY,LD,$@)
 $(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(1) -o $@
 endef
 
-.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format \
+.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format removable \
         install uninstall deb dist clean
 # A part of the library must not look like the whole.
 all: $(P)/domino $(P)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc)
@@ -350,6 +350,17 @@ hard: $(HARD_RUN)
 sessions: $(SHELL_RUN)
 quick test unit hard sessions:
 	@tests/run --sum $^
+
+# Takes each feature away in turn, with what needs it, and runs the sessions that are left. 'make removable
+# REMOVED="centre fit"' tests only these; 'centre' takes all away. With LEFT=all, no sessions run.
+REMOVABLE := $(filter-out $(JOINT) train,$(EVERY))
+REMOVED   ?= centre $(REMOVABLE)
+LEFT      ?= sessions
+left_by    = $(foreach f,$(REMOVABLE),$(if $(filter centre,$(1))$(filter $(1),$(call with_needs,$f)),,$f))
+removable: $(REMOVED:%=without-%)
+without-%: all
+	+@$(MAKE) --no-print-directory P=$(B)/without/$* FEATURES='$(call left_by,$*)' $(LEFT)
+	@tests/names $(P)/domino $(B)/without/$*/domino
 
 # Compares rows with Chipmunk, a rigid-body engine. Fails if they differ.
 VERIFY := $(wildcard tests/verify/*.c)

@@ -20,8 +20,8 @@ static const struct command fit_commands[] = {
              "(mm)' gives the gap of each run, and a column 'error' gives the standard errors. 'set row' "
              "sets the dominoes; without this effect, their growth is r. Each residual is divided by "
              "its error, and 'fit' finds the values with the smallest sum of squares. It also finds their "
-             "standard deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) "
-             "draw the measurements against the fitted values.",
+             "standard deviations and correlations. 'fit ... > fit.svg' (or .png, .pdf) draws "
+             "the measurements against the fitted values.",
      .see = "plot solve duration fall sensitivity",
      .access.files = true,
      .rows = true,

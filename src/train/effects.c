@@ -332,7 +332,7 @@ const struct command effect_commands[] = {
      .summary = "what effects there are, which are on, and what each adds",
      .help = "Effects decide which of three methods finds the motion, from the quickest to the slowest: the "
              "energy balance; the equation of motion, if there is friction; or a rigid-body engine, for "
-             "effects such as 'feet' and 'bounce', which runs rows only. An effect that is off costs no "
+             "feet that slip and dominoes that bounce, which runs rows only. An effect that is off costs no "
              "computing time. 'details' shows the parts of the computation, and the sources. 'cost effects' "
              "measures how much time each effect takes.",
      .example = "set friction 0.2; effects; set friction off",

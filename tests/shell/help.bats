@@ -131,16 +131,26 @@ END
     for word in growth gap thickness solid hollow train; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done
 }
 
-@test "help begins with eleven lines to type, all of which work in this order" {
+# Runs the lines that help begins with, which all must work in this order.
+lines_run() {
     "$DOMINO" -e help | sed -nE 's/^> (.{14}) [^ ].*$/\1/p' >lines
-    same lines 11 "$(wc -l <lines)"
     same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' lines)"
     same 'the last' quit "$(sed -n '$s/ *$//p' lines)"
     run --separate-stderr "$DOMINO" --bail - <lines
     same 'what went wrong' '(nothing)' "$stderr"
-    for words in '20 solid dominoes' 1.64422 1.51445 '^   \[h\] ' '^    12 ' '^rmax \[S\]: '; do
+    for words in "$@"; do
         grep -q -- "$words" <<<"$output" || same 'the answers' "$words" "$output"
     done
+}
+
+@test "help begins with lines to type, all of which work in this order" {
+    lines_run '20 solid dominoes' 1.64422 1.51445 '^rmax \[S\]: '
+}
+
+# bats test_tags=rows,pictures,lesson
+@test "help begins with eleven lines to type" {
+    lines_run '^   \[h\] ' '^    12 '
+    same lines 11 "$(wc -l <lines)"
 }
 
 # bats test_tags=chance,pictures,engine

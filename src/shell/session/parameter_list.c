@@ -35,7 +35,7 @@ static const char width_help[] =
     "the "
     "file gives none. The width counts in masses that follow from a density, in the boxes of 'set walls', "
     "and "
-    "in the sheet of 'plan'. 'w' is short for width.";
+    "in the sheet for the workshop. 'w' is short for width.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than the tolerance justifies. Rounding errors can exceed the tolerance where an answer depends strongly "
@@ -73,7 +73,8 @@ static const char method_help[] =
     "With 'engine', the rigid-body engine Chipmunk 7 runs every row, as an independent check. The engine "
     "uses none of the program's equations, and includes contacts that the model lacks, such as a fallen "
     "domino that touches the foot of the next one. The time step is halved until the verdict no longer "
-    "changes. 'fall' takes about a hundred times as long, and a study such as 'placement' a thousand times. "
+    "changes. One run of a row takes about a hundred times as long, and a study of many rows a thousand "
+    "times. "
     "A row can have at most 200 dominoes. With 'model', the engine runs only rows with 'set feet' or "
     "'set bounce', because the model lacks these two effects. Endless trains always use the model.";
 

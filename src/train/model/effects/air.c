@@ -75,8 +75,8 @@ const struct dom_effect dom_effect_air = {
         "little at any size: k is about 0.006 for d = 0.15. In a row, the height, thickness, width and mass "
         "of each domino count, so the masses must be known: 'set mass', 'set density', or a file. 'set "
         "drag' changes the drag coefficient C of 1.2. An endless train must be solid ('set q solid'), "
-        "because other trains are not self-similar in air; ask about them with a row, by 'fall' or "
-        "'rowmax'. A train is also braked while its first domino falls alone. Drag and inertia are "
+        "because other trains are not self-similar in air; ask about them with a row, which has "
+        "answers of its own. A train is also braked while its first domino falls alone. Drag and inertia are "
         "estimates for a plate in still air; the flow between dominoes is left out, and so is buoyancy. "
         "'fuel paper' cannot be combined with air.",
     .source = "quasi-steady drag and added mass of a slender plate, strip by strip; textbook fluid mechanics",

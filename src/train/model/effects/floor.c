@@ -5,7 +5,7 @@ const struct dom_effect dom_effect_floor = {
     .name = "floor",
     .synonyms = "feet foot slip slide slippery ground",
     .adds = "the friction that the floor needs so that no foot slips",
-    .help = "With this effect, 'fall' and 'slip' report the friction coefficient that the floor "
+    .help = "With this effect, answers report the friction coefficient that the floor "
             "needs so that no foot slips, and which domino would slip first on a floor with the "
             "friction coefficient MU. The motion is computed for feet that do not slip. Newton's law "
             "for the centre of each block gives the force R of the floor on its foot: mass times "

@@ -68,7 +68,7 @@ const struct dom_effect dom_effect_walls = {
             "blocks and boxes, and 'q' has no effect.\n\n"
             "The moments of inertia of boxes, and "
             "masses computed from a density, take the walls into account. Walls half as thick "
-            "as the domino make a solid block. 'set width', a file or 'change' gives the width of "
+            "as the domino make a solid block. 'set width', or the file of a row, gives the width of "
             "a domino; by default it is half of the height. The moment of inertia is taken about the lower "
             "edge; v is "
             "the volume of the "
