@@ -351,7 +351,7 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 
 bool answer_lost(const struct answer *a)
 {
-    return dom_raised(a->interrupt) || (a->out && ferror(a->out) != 0);
+    return dom_raised(a->progress.interrupt) || (a->out && ferror(a->out) != 0);
 }
 
 /* ---- Sentences, and the end ---- */

@@ -69,8 +69,7 @@ struct answer {
     FILE *out;        /* the stream; NULL if nothing is written and only the cells of the last row are kept */
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     char made[64];    /* what the file has, for a note such as "wrote a.gif: 249 frames, 10 s, 1.3 MB" */
-    const volatile sig_atomic_t *interrupt; /* see answer_lost; may be NULL */
-    bool appended; /* the answer is appended to the file, because the command has '>>' */
+    bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
     const char *command;          /* the name of the command, for programs that read the answer */
     const char *note;             /* a remark for programs that read the answer, or NULL */
@@ -88,9 +87,10 @@ struct answer {
     } details;
     struct csv_layout csv;
     struct {
-        bool blank_above; /* a blank line separates this answer from the previous one */
-        bool is_open;     /* output has begun: the blank line has been written, if there is one */
-        bool has_rows;    /* the first row and the lines above it have been written */
+        const volatile sig_atomic_t *interrupt; /* once it is raised, no more rows are written; may be NULL */
+        bool blank_above;                       /* a blank line separates this answer from the previous one */
+        bool is_open;  /* output has begun: the blank line has been written, if there is one */
+        bool has_rows; /* the first row and the lines above it have been written */
     } progress;
     struct layout layout;
 

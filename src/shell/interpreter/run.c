@@ -133,7 +133,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         .rows = c->rows,
         .details.brief = c->brief,
         .details.rest = c->brief ? &rest : NULL,
-        .interrupt = query->scene->compute.interrupt,
+        .progress.interrupt = query->scene->compute.interrupt,
         .progress.blank_above = end->answered && session->source.name,
         .kept = c->principal ? kept : NULL,
     };
@@ -145,7 +145,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     progress_begin();
     bool done = run_function(session, c, query, &answer, problem);
     progress_end();
-    if (done && c->columns && dom_raised(answer.interrupt))
+    if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
     if (done && answer.note)
