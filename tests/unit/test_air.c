@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Needs: proof */
+/* Needs: chance proof */
 /* Air: rows against Newton's equations with the torque of the air (direct.c), single plates against closed
  * forms, trains against long rows. Without air nothing changes. Giants feel it, small dominoes do not. */
 #include "domino_proof.h"
@@ -389,6 +389,31 @@ TEST(refusals)
     proved.air = 0.002;
     assert_status(dom_prove_rmax(&proved, NULL, &proof), DOM_OK);
     assert_int_equal(proof.gap, DOM_PROOF_EFFECT);
+}
+
+/* Rough runs of random rows have the verdicts of precise ones. A row in which a domino leans is run
+ * precisely. */
+TEST(random_rows)
+{
+    static struct run run;
+    uint64_t seed = 1504;
+    int fall = 0, rows = 0;
+    for (int i = 0; i < 80; i++) {
+        struct domq_placement p = {.seed = 1, .rows = 40};
+        struct domq_study rough, precise;
+        random_airy_row(&run, &seed, i);
+        if (row_end(&run) != DOM_ROW_FALLS)
+            continue;
+        p.error[DOM_ERROR_place].size = run.domino[0].height / 10;
+        assert_status(ask_placement_study(&run.row, &p, &rough, NULL), DOM_OK);
+        run.domino[0].lean = (domq_real)1e-13;
+        assert_status(ask_placement_study(&run.row, &p, &precise, NULL), DOM_OK);
+        assert_int_equal(rough.fall, precise.fall);
+        fall += (int)rough.fall;
+        rows += (int)p.rows;
+    }
+    print_message("# %d of %d fall\n", fall, rows);
+    assert_true(fall > rows / 2 && fall < rows - 20);
 }
 
 /* ---- Without air, and who feels it ---- */

@@ -6,6 +6,7 @@
  */
 #include "dynamics/losses.h"
 #include "row/study.h"
+#include <stdlib.h>
 
 /* ---- Without friction: bounds from one pass down the chain ---- */
 
@@ -139,6 +140,19 @@ static real rough_end(const struct run *run, size_t k)
     return fmin(tilt_angle(head->c), rises ? (real)INFINITY : geometry_theta_u(head));
 }
 
+/* With drag there is no proof that contacts push, so the forces at a few tilts decide, as in a precise run.
+ */
+static bool rough_pushes(const struct geometry *head, real w, real hi)
+{
+    struct room room = {0};
+    struct segment st = {
+        .geometry = *head, .hi = hi, .start = {.from = standing, .omegasq = w}, .room = &room};
+    real least = (real)INFINITY;
+    const bool pushes = segment_contact(&st, hi, &least) == DOM_OK && least > LEAST_CLEAR;
+    free(room.list);
+    return pushes;
+}
+
 static bool quick_rolls(const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &run->geometry[k];
@@ -146,14 +160,16 @@ static bool quick_rolls(const struct run *run, size_t k, struct start *at)
     const real hi = rough_end(run, k), w = run->omegasq;
     struct sums sums;
     real ln_G, u;
-    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK || !sums.pushes ||
+    const bool proves = losses_end_alone(head);
+    if (chain_change(head, standing, head->c, PASS_PUSHES, &sums) != DOM_OK || (proves && !sums.pushes) ||
         sums.left != 0 || !flow_rough(head, hi))
         return false;
     flow_at(head, hi, &ln_G, &u);
     *at = (struct start){.from = head->c, .J = sums.J, .omegasq = exp(ln_G) * (w - u)};
     const real off = solution->v_error + solution->ln_G_error * (w - u);
     return off <= ROUGH_ERROR * (w - u) &&
-           w - rough_need(head, hi) > ROUGH_CLEAR * w + ROUGH_TIMES * solution->v_error;
+           w - rough_need(head, hi) > ROUGH_CLEAR * w + ROUGH_TIMES * solution->v_error &&
+           (proves || rough_pushes(head, w, hi));
 }
 
 KERNEL bool study_passes(struct run *run, size_t k, struct start *at)

@@ -66,10 +66,6 @@ static bool settles(struct study *s, struct run *run, size_t k)
 /* The relative tolerance of sums along the chain in a rough run. */
 #define ROUGH_TOL ((real)1e-6)
 
-/* In a rough run, a contact force must exceed this fraction of the weight of the pushed domino, so that its
- * sign is certain. */
-#define LEAST_CLEAR ((real)1 / 64)
-
 KERNEL bool study_ends(struct run *run, size_t k, const struct run *before, const struct descent *d,
                        const struct dom_fall *fall)
 {

@@ -36,4 +36,8 @@ struct study {
 /* Errors of a rough run may change omegasq by at most this fraction. */
 #define ROUGH_CLEAR ((real)1 / 32)
 
+/* In a rough run, a contact force must exceed this fraction of the weight of the pushed domino, so that its
+ * sign is certain. */
+#define LEAST_CLEAR ((real)1 / 64)
+
 #endif
