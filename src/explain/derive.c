@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/effects.h"
+#include "train/falling.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

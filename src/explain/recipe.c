@@ -3,6 +3,7 @@
 #include "explain/paper.h"
 #include "interpreter/feature.h"
 #include "language/quad.h"
+#include "train/falling.h"
 #include "train/train.h"
 
 const struct column recipe_columns[] = {

@@ -235,7 +235,7 @@ static void changes_say(const struct query *query, struct answer *a, const struc
             change_say(query, a, change, k, before[k - 1], after[k - 1]);
     if (changed > LINES)
         answer_say(a, "and %zu more; 'row' lists all dominoes", changed - LINES);
-    a->wrote_text = true;
+    a->progress.wrote_text = true;
 }
 
 /* Returns one measurement of each domino, such as its height. The caller frees the array. */
@@ -295,7 +295,7 @@ bool run_remove(const struct query *query, struct answer *a, struct problem *pro
     const size_t count = scene_row_count(scene), removed = before - count;
     if (answer_for_people(a) && !query->run_context->sourced)
         answer_say(a, "%zu domino%s removed; the row has %zu.", removed, removed == 1 ? "" : "es", count);
-    a->wrote_text = answer_for_people(a);
+    a->progress.wrote_text = answer_for_people(a);
     return true;
 }
 
@@ -315,7 +315,7 @@ bool run_insert(const struct query *query, struct answer *a, struct problem *pro
     if (answer_for_people(a) && !query->run_context->sourced)
         answer_say(a, "domino %zu: %s tall and %s thick%s; the row has %zu.", k,
                    measured(d->height, "m", 4).text, measured(d->thickness, "m", 4).text, gap, row.row.count);
-    a->wrote_text = answer_for_people(a);
+    a->progress.wrote_text = answer_for_people(a);
     free(row.domino);
     return true;
 }

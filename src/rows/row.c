@@ -4,6 +4,7 @@
 #include "language/quad.h"
 #include "rows/rows.h"
 #include "session/rowfile.h"
+#include "train/falling.h"
 #include "train/train.h"
 #include <stdlib.h>
 #include <string.h>

@@ -62,6 +62,6 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     a->details.brief = c->brief;
     if (!question_ask(asserted, query, a, problem))
         return false;
-    a->wrote_text = true;
+    a->progress.wrote_text = true;
     return a->verdict == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
 }

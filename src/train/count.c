@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command 'count': how many dominoes it takes to topple a domino of a given height. */
 #include "language/quad.h"
+#include "train/falling.h"
 #include "train/row_start.h"
 #include "train/train.h"
 #include <ctype.h>

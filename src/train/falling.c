@@ -167,3 +167,16 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         "use fewer dominoes or a smaller r%s",
         domq_arithmetic(precision)->name, precision == DOM_QUAD ? "" : ", or 'set precision quad'");
 }
+
+bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
+                   const struct domq_limit *limit)
+{
+    if (status != DOM_OPEN)
+        return problem_status(problem, scene, status);
+    return problem_no_answer(
+        problem,
+        "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
+        "quad; if a train passes this growth, r_max is %s",
+        quad_text(limit->open, 12),
+        limit->ends == DOM_END_NONE ? "still unknown" : quad_text(limit->r_max, 12));
+}

@@ -69,4 +69,9 @@ void weakest_say(struct answer *answer, const struct domq_verdict *verdict, bool
 /* Returns true for DOM_OK. For other statuses, reports why a computation about the row failed. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 
+/* Like problem_status, for a search for the largest growth: if the limit is open, names the growth at which
+ * the margin may be 0, and the later root. */
+bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
+                   const struct domq_limit *limit);
+
 #endif

@@ -2,6 +2,7 @@
 /* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
 #include "language/quad.h"
 #include "parallel/points.h"
+#include "train/falling.h"
 #include "train/row_start.h"
 #include "train/train.h"
 #include <math.h>
@@ -23,19 +24,6 @@ static const char *no_growth(struct domq_limit limit)
                  "other at this s; use a smaller s"
                : "no growth possible: at this s and d even equal dominoes (r = "
                  "1) have too little energy to keep falling";
-}
-
-bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
-                   const struct domq_limit *limit)
-{
-    if (status != DOM_OPEN)
-        return problem_status(problem, scene, status);
-    return problem_no_answer(
-        problem,
-        "r_max is open: at the growth %s the margin is 0 within rounding errors, even in "
-        "quad; if a train passes this growth, r_max is %s",
-        quad_text(limit->open, 12),
-        limit->ends == DOM_END_NONE ? "still unknown" : quad_text(limit->r_max, 12));
 }
 
 /* Finds the largest growth with each of the two formulas for the fuel. */

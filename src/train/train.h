@@ -14,11 +14,6 @@ bool run_costs(const struct query *query, struct answer *a, struct problem *prob
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Like problem_status, for a search for the largest growth: if the limit is open, names the growth at which
- * the margin may be 0, and the later root. */
-bool problem_limit(struct problem *problem, const struct scene *scene, enum dom_status status,
-                   const struct domq_limit *limit);
-
 /* Returns a word for the verdict about a train: "goes on", "stops", "locks" or "no fuel". */
 struct cell verdict_cell(enum dom_status verdict);
 

@@ -89,8 +89,9 @@ struct answer {
     struct {
         const volatile sig_atomic_t *interrupt; /* once it is raised, no more rows are written; may be NULL */
         bool blank_above;                       /* a blank line separates this answer from the previous one */
-        bool is_open;  /* output has begun: the blank line has been written, if there is one */
-        bool has_rows; /* the first row and the lines above it have been written */
+        bool is_open;    /* output has begun: the blank line has been written, if there is one */
+        bool has_rows;   /* the first row and the lines above it have been written */
+        bool wrote_text; /* a command without columns has written something */
     } progress;
     struct layout layout;
 
@@ -99,9 +100,7 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                   /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } verdict; /* see answer_set_verdict */
-    /* a command without columns has written something, so the next answer needs a blank line above it */
-    bool wrote_text;
-    int error; /* errno of the first write that failed, or 0 */
+    int error;                                           /* errno of the first write that failed, or 0 */
     /* The reason why a cell is empty, if the reason was not written in or below the row. It is reported at
      * the end of the answer. Only the first such reason is kept. "" if there is none. */
     char late_reason[ANSWER_REASON];

@@ -338,7 +338,7 @@ static bool run_details(struct session *session, const struct arguments *given, 
     if (!session->details)
         return problem_no_answer(problem, "the last answer has no more details");
     fputs(session->details, a->out);
-    a->wrote_text = true;
+    a->progress.wrote_text = true;
     return true;
 }
 

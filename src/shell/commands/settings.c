@@ -22,8 +22,8 @@ change_say(const struct query *query, struct answer *a, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    a->wrote_text = answer_for_people(a);
-    if (a->wrote_text)
+    a->progress.wrote_text = answer_for_people(a);
+    if (a->progress.wrote_text)
         answer_say(a, "%s", text);
     else
         run_context_note(query->run_context, "%s", text);
@@ -177,8 +177,8 @@ static void kept_say(struct answer *a, const struct state *state)
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (p->setting && parameter_get(state, p) != parameter_fallback(state, p))
             text_add(kept, sizeof kept, "%s%s", count++ ? ", " : "", p->name);
-    a->wrote_text = count > 0 && answer_for_people(a);
-    if (a->wrote_text)
+    a->progress.wrote_text = count > 0 && answer_for_people(a);
+    if (a->progress.wrote_text)
         answer_say(a, "The model is reset. %s %s as before; 'reset NAME' resets a setting.", kept,
                    count == 1 ? "stays" : "stay");
 }

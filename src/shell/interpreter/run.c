@@ -147,7 +147,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     progress_end();
     if (done && c->columns && dom_raised(answer.progress.interrupt))
         done = problem_status(problem, query->scene, DOM_INTERRUPTED);
-    session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.wrote_text;
+    session->typed.is_last = session->typed.is_last && done && !c->columns && !answer.progress.wrote_text;
     if (done && answer.note)
         train_note(session, &answer);
     if (done && answer.errors.has_unknown)
@@ -159,7 +159,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     rest_keep(session, c, query, &answer, done);
     session->wrote = answer.progress.has_rows;
     snprintf(session->made, sizeof session->made, "%s", answer.made);
-    end->answered = end->answered || (done && c->columns) || answer.wrote_text;
+    end->answered = end->answered || (done && c->columns) || answer.progress.wrote_text;
     end->error = answer.error ? answer.error : end->error;
     if (done)
         answer_remember(session, c, &answer, kept);
