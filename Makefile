@@ -113,7 +113,7 @@ all: $(P)/domino $(P)/libdomino.a $(if $(PART),,$(B)/libdomino.so $(B)/domino.pc
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
 DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils poppler-utils jq python3 python3-numpy python3-pandas
-$(foreach goal,quick unit hard sessions sanitize race,$(eval DEPS_$(goal) := $(DEPS_test)))
+$(foreach goal,quick unit hard sessions sanitize race removable,$(eval DEPS_$(goal) := $(DEPS_test)))
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_valgrind := valgrind libc6-dbg
 DEPS_portable := $(DEPS_test) libbsd-dev
@@ -356,6 +356,8 @@ quick test unit hard sessions:
 REMOVABLE := $(filter-out $(JOINT) train,$(EVERY))
 REMOVED   ?= centre $(REMOVABLE)
 LEFT      ?= sessions
+# One of them, another one after each commit, for CI.
+TURN       = $(word $(shell expr $$(git rev-list --count HEAD) % $(words $(REMOVABLE)) + 1),$(REMOVABLE))
 left_by    = $(foreach f,$(REMOVABLE),$(if $(filter centre,$(1))$(filter $(1),$(call with_needs,$f)),,$f))
 removable: $(REMOVED:%=without-%)
 without-%: all
